@@ -12,7 +12,7 @@ from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.tables.grid import NOTHING, Cell, Column, Grid, exact, text
+from vstatics.tables.grid import NOTHING, Cell, Column, Grid, exact, grid_of, text
 from vstatics.tables.html import Markup, tables, terms
 
 _NAMED = (
@@ -50,14 +50,13 @@ def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -
 
 
 def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
-    columns = [text("element"), text("kind"), text("links"), text("teeth and the rest")]
     rows = []
     for element in drawing.elements:
         data = dict(mapping[element.name])
         kind = str(data.pop("kind")).replace("_", " ")
         links = {member: data.pop(member) for member in element.members}
-        rows.append([element.name, kind, _said(links), _said(data)])
-    return Grid("Elements", columns, rows)
+        rows.append((element.name, kind, _said(links), _said(data)))
+    return grid_of("Elements", ["element", "kind", "links", "teeth and the rest"], rows)
 
 
 def _mechanisms(case: Transmission) -> Grid:
@@ -125,12 +124,11 @@ def _friction(elements: Sequence[ShiftElement]) -> dict[Column, list[Cell]]:
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
     """What gears give besides the elements that they engage, which the table of gears has."""
-    rows = [
-        [name, _said({key: one for key, one in gear.items() if key != "engaged"})]
+    rows = (
+        (name, _said({key: one for key, one in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
-    ]
-    columns = [text("gear"), text("given")]
-    return Grid("What gears give besides", columns, [row for row in rows if row[1]])
+    )
+    return grid_of("What gears give besides", ["gear", "given"], (row for row in rows if row[1]))
 
 
 def _said(value: Any) -> str:
@@ -181,11 +179,8 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
     ([['1', '0.15']], ['S2', '2 1 - 4 3', '1190.48', '0.00084'])
     """
     if case.inertias:
-        columns = [text("link"), Column("inertia, kg*m^2")]
-        of_links = [
-            [Cell(case.link_name(link)), _number(one)] for link, one in case.inertias.items()
-        ]
-        yield Grid("Inertias", columns, of_links)
+        of_links = ((case.link_name(link), _number(one)) for link, one in case.inertias.items())
+        yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
     if case.springs:
         columns = [text("spring"), text("twist")]
         columns += [Column("stiffness, N*m/rad"), Column("compliance, rad/(N*m)")]

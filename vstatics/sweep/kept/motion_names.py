@@ -26,12 +26,12 @@ LANGUAGE = Language(
 class MotionNames:
     """Finds what names in a text mean, for a scenario and what is varied of it."""
 
+    language = LANGUAGE
     gears: Sequence[str] = ()
     """None: the first axis of the tables is that of time."""
 
     def __init__(self, source: Excerpt, subject: VariedScenario, targets: Sequence[Varied]) -> None:
         self.source = source
-        self.language = LANGUAGE
         self.subject = subject
         self.targets = targets
 
