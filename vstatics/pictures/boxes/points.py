@@ -186,6 +186,12 @@ def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> 
     x, step = pen.size[0] + 14, min(13.0, pen.size[1] / len(entries))
     for row, ((colour, marker), edge, text) in enumerate(entries):
         y = pen.size[1] - 4 - step * row
-        look = {"color": colour, "markeredgecolor": edge, "markersize": LARGE_SPOT - 1}
-        pen.line((x, y), marker=marker, linestyle="", **look)
+        pen.line(
+            (x, y),
+            color=colour,
+            marker=marker,
+            markeredgecolor=edge,
+            markersize=LARGE_SPOT - 1,
+            linestyle="",
+        )
         pen.text(x + 8, y, text, va="center")

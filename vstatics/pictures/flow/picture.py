@@ -108,19 +108,23 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
         0.0 if is_alone else height(one) + height(text)
         for one, text in zip(names, texts, strict=True)
     ]
-    pictures = [BELOW_TEXT + one.layout.height if one else 0.0 for _, one in chosen]
-    high = BELOW_TEXT + sum(heads) + sum(pictures) + FLOW_GEAR_GAP * (len(chosen) - 1)
-    pen = head.over(wide + 2 * WIDE_MARGIN, high + WIDE_MARGIN, WIDE_MARGIN)
-    top = high + WIDE_MARGIN - BELOW_TEXT
+    heights = [
+        over + (BELOW_TEXT + one.layout.height if one else 0.0)
+        for over, (_, one) in zip(heads, chosen, strict=True)
+    ]
+    above = head.high + BELOW_TEXT
+    high = above + sum(heights) + FLOW_GEAR_GAP * (len(chosen) - 1) + WIDE_MARGIN
+    pen = head.over(wide + 2 * WIDE_MARGIN, high - head.high, WIDE_MARGIN)
+    top = high - above
     for place, (_, one) in enumerate(chosen):
         if not is_alone:
             pen.text(WIDE_MARGIN, top, names[place], va="top", bold=True)
             at = WIDE_MARGIN, top - height(names[place])
             pen.text(*at, texts[place], va="top", color=style.soft)
-        top -= heads[place] + pictures[place]
         if one:
-            FlowView(pen, WIDE_MARGIN, top + one.layout.height, one.titles).draw(one.layout)
-        top -= FLOW_GEAR_GAP
+            start = top - heights[place] + one.layout.height
+            FlowView(pen, WIDE_MARGIN, start, one.titles).draw(one.layout)
+        top -= heights[place] + FLOW_GEAR_GAP
     return pen.figure
 
 

@@ -129,24 +129,17 @@ class Pen(NamedTuple):
             **look,
         )
 
-    def line(self, *places: Point, **look: Any) -> None:
-        """A line through places."""
-        self.lines([places], **look)
-
-    def lines(
-        self,
-        pieces: Iterable[Sequence[Point]],
-        *,
-        width: float = LINE_WIDTH,
-        title: str = "",
-        **look: Any,
-    ) -> None:
-        """Lines through places, of one look."""
+    def line(self, *places: Point, width: float = LINE_WIDTH, title: str = "", **look: Any) -> None:
+        """A line through places; a place of NaN is a gap."""
         left, low = self.corner
-        places = [(left + x, low + y) for piece in pieces for x, y in (*piece, GAP)]
+        xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
+        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title)
+
+    def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
+        """Lines through places, of one look."""
+        places = [place for piece in pieces for place in (*piece, GAP)]
         if places:
-            xs, ys = zip(*places[:-1], strict=True)
-            self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title)
+            self.line(*places, **look)
 
     def area(self, *corners: Point, width: float = 0.0, title: str = "", **look: Any) -> None:
         """A polygon, with an outline if this has a width."""
