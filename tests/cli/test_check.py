@@ -9,7 +9,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from tests.commands import BAD, MZKT, NEUTRAL, vstatics
-from vstatics.cli.problem_json import json_schema
+from vstatics.cli.schemas import schemas
 
 
 @pytest.mark.usefixtures("files")
@@ -64,7 +64,7 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     said = vstatics("check", "bad.yaml", "neutral.yaml", MZKT, "none.yaml", "-f", "json")
     assert (said.status, said.err) == (1, "")
     found = json.loads(said.out)
-    assert not list(Draft202012Validator(json_schema()).iter_errors(found))
+    assert not list(Draft202012Validator(schemas()["check"]).iter_errors(found))
     assert [(Path(one["file"]).name, one["severity"]) for one in found] == [
         ("bad.yaml", "error"),
         ("neutral.yaml", "warning"),

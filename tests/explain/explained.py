@@ -13,9 +13,8 @@ import pytest
 from tests.commands import CASES
 from vstatics import load, solve
 from vstatics.explain import Explanation, explain_gear
-from vstatics.explain.document import gear_document
-from vstatics.explain.equations import System
-from vstatics.explain.sums import in_numbers
+from vstatics.explain.sums import System, in_numbers
+from vstatics.tables.answer import plain_data
 
 
 def explained(name: str, gear: str) -> Explanation:
@@ -54,7 +53,7 @@ def value(made: dict[str, Any]) -> Fraction:
 
 def check(results: Any, numbers: Sequence[int]) -> None:
     for number in numbers:
-        made = gear_document(explain_gear(results, number + 1))
+        made = plain_data(explain_gear(results, number + 1))
         one = json.loads(json.dumps(made, allow_nan=False))
         for name in ("speeds", "torques", "lossy"):
             if one[name] is not None:

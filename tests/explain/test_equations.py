@@ -12,8 +12,7 @@ from tests.commands import CASES
 from tests.explain.explained import check, equations, explained
 from tests.trains import random_train, seeded
 from vstatics import load, solve
-from vstatics.explain.equations import Equation
-from vstatics.explain.sums import in_symbols
+from vstatics.explain.sums import Equation, in_symbols
 
 SHIPPED = [
     CASES / f"{name}.yaml"

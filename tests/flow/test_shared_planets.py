@@ -23,7 +23,7 @@ from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.flow.circulation import CommonLinks, Loop, Node
 from vstatics.flow.grids import remarks
 from vstatics.flow.rows import grids
-from vstatics.flow.shared_planets import shared, words
+from vstatics.flow.shared_planets import shared
 from vstatics.flow.text import text
 from vstatics.readers.named.reader import read_yaml
 
@@ -94,7 +94,7 @@ def test_two_halves_of_one_set_are_marked_with_the_links_that_they_share() -> No
     flow = only(SET)
     for side in sides(flow):
         [loop] = side.loops
-        assert words(loop.shared) == DOUBT
+        assert loop.note == DOUBT
         assert side.doubtful == side.circulating == loop.power
     assert sides(flow)[0].circulating == pytest.approx(1.26 / 1.54)
     [line] = [line for line in remarks(flow) if DOUBT in line]
@@ -137,7 +137,7 @@ def test_mechanisms_beside_elements_are_marked_like_any() -> None:
     assert case.drawing is not None
     ideal, _ = sides(only(case))
     [loop] = ideal.loops
-    assert words(loop.shared) == DOUBT
+    assert loop.note == DOUBT
     assert loop.power == pytest.approx(1.26 / 1.54)
 
 
@@ -188,7 +188,7 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     case = many((1, 3, 5), (2, 3, 5), (1, 4, 5))
     found = shared(case, around("l3", "m1", "l1", "m3", "l5", "m2"))
     assert found == (CommonLinks("m1", "m2", ("l3", "l5")), CommonLinks("m1", "m3", ("l1", "l5")))
-    assert words(found) == (
+    assert Loop((), 1.0, found).note == (
         "may not be in the metal: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
     )
 
@@ -216,7 +216,7 @@ def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> No
 def test_two_sets_that_are_joined_twice_are_marked_as_nobody_knows() -> None:
     """Front and rear set of cases/gm-thm440.yaml: the carrier of each is the ring of the other."""
     case = many((1, 2, 3), (4, 3, 2))
-    assert words(shared(case, around("l2", "m1", "l3", "m2"))) == (
+    assert Loop((), 1.0, shared(case, around("l2", "m1", "l3", "m2"))).note == (
         "may not be in the metal: m1 and m2 share l2 and l3"
     )
 

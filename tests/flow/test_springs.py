@@ -9,10 +9,10 @@ from tests.flow.worked import around, only, sides, through
 from tests.trains import on_springs, trains
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.flow.circulation import Node
-from vstatics.flow.document import document
 from vstatics.flow.power import flows
 from vstatics.flow.text import text
 from vstatics.model.springs import between
+from vstatics.tables.answer import plain_data
 
 SHAFT = Spring(between(2, 3), stiffness=9e4, name="shaft")
 MOUNT = Spring(between(4), stiffness=9e4, name="mount")
@@ -87,7 +87,7 @@ def test_the_text_has_springs_between_mechanisms_and_shift_elements() -> None:
 
 
 def test_json_has_springs_by_their_kind() -> None:
-    [gear] = document("", flows(solve(AXLE)))["gears"]
+    [gear] = plain_data(flows(solve(AXLE)))
     kinds = {node["name"]: node["kind"] for node in gear["lossy"]["throughput"]}
     assert (kinds["shaft"], kinds["mount"]) == ("spring", "spring")
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from tests.commands import vstatics
 from vstatics import Gear, Load, Mechanism, Transmission, solve
+from vstatics.tables.answer import plain_data
 from vstatics.tables.ports import port_tables, ports_grid
 
 PAIR = Mechanism(1, 2, 0, -4.0, 0.98)
@@ -35,6 +38,16 @@ def test_drag_and_meshes_are_lost_apart_and_together() -> None:
     lost = dict(table.losses)
     # .9 of the torque enters the pair, which loses 2 % of it
     assert lost == pytest.approx({"meshes": 0.018, "drag": 0.1, "meshes and drag": 0.118})
+
+
+def test_plain_data_have_both() -> None:
+    [table] = port_tables(solve(pair(Gear(), load=Load(2000.0, 100.0))))
+    engine, shaft = plain_data(table)["ports"]
+    assert (engine["link"], engine["way"], engine["output"]) == ("engine", "in", False)
+    assert (shaft["torque"], shaft["torque_Nm"]) == pytest.approx((-3.92, -392))
+    assert shaft["power_kW"] == pytest.approx(0.98 * 2000 * 100 * math.pi / 30000)
+    [bare] = port_tables(solve(pair(Gear())))
+    assert "power_kW" not in plain_data(bare)["ports"][0]
 
 
 @pytest.mark.parametrize("command", ["flow", "summary", "run --pretty"])

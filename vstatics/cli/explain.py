@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -16,6 +16,9 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
+
+if TYPE_CHECKING:
+    from vstatics.explain.answer import ExplanationAnswer
 
 
 @click.command()
@@ -66,9 +69,9 @@ def _shown(
 
         return grids(explanations)
 
-    def document() -> dict[str, Any]:
-        from vstatics.explain.document import document
+    def answer() -> ExplanationAnswer:
+        from vstatics.explain.answer import ExplanationAnswer
 
-        return document(case, explanations)
+        return ExplanationAnswer(case.name, explanations)
 
-    return texts.CaseOutput([case.name or outcome.file], {"text": as_text}, grids, document)
+    return texts.CaseOutput([case.name or outcome.file], {"text": as_text}, grids, answer)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from vstatics.errors import Problem, Severity
-from vstatics.writers import plain_json
-from vstatics.writers.record_schema import Schema, list_of, schema_of
+from vstatics.tables.answer import Words, line, plain_data
 
 
 class ProblemRecord(NamedTuple):
@@ -15,9 +14,9 @@ class ProblemRecord(NamedTuple):
 
     file: str
     """As it was called, `<stdin>` for standard input."""
-    line: int | None
+    line: Annotated[int, Words(minimum=1)] | None
     """From 1; None for the file as a whole."""
-    column: int | None
+    column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
 
@@ -30,25 +29,13 @@ def records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
     [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0')]
     """
     for problem in problems:
-        name, line, column = problem.place[:3] if problem.place else (file, 0, 0)
+        name, row, column = problem.place[:3] if problem.place else (file, 0, 0)
         yield ProblemRecord(
-            name, line or None, column if line else None, problem.severity, problem.message
+            name, row or None, column if row else None, problem.severity, problem.message
         )
 
 
 def text(problems: Iterable[ProblemRecord]) -> str:
     """An array, a line for each problem."""
-    lines = [plain_json.line(one._asdict()).rstrip("\n") for one in problems]
+    lines = [line(plain_data(one)).rstrip("\n") for one in problems]
     return "[\n" + ",\n".join(lines) + "\n]\n" if lines else "[]\n"
-
-
-def json_schema() -> Schema:
-    """The schema of that array."""
-    number: Schema = {"type": ["integer", "null"], "minimum": 1}
-    one = schema_of(ProblemRecord, line=number, column=number)
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "$id": "check.schema.json",
-        "title": "Problems of cases, by vstatics check",
-        **list_of(one),
-    }

@@ -5,18 +5,79 @@ from __future__ import annotations
 import json
 import os
 import sys
+from collections.abc import Sequence
 from typing import Any
 
-from vstatics.cli import problem_json
-from vstatics.cli.simulate import schemas as simulate_schemas
-from vstatics.cli.synth import schemas as synth_schemas
+from vstatics.cli.problem_json import ProblemRecord
+from vstatics.cli.synth.box import BoxSearchEstimate
+from vstatics.cli.synth.combinations_output import CombinationEstimate
+from vstatics.cli.synth.structures import StructureCount, StructureEstimate
 from vstatics.cli.torsion import dump
-from vstatics.cli.torsion import schemas as torsion_schemas
-from vstatics.explain import schema as explain
-from vstatics.flow import schema as flow
+from vstatics.explain.answer import ExplanationAnswer
+from vstatics.flow.answer import FlowAnswer
+from vstatics.model.shape import Measure
 from vstatics.readers.named import schema as case
-from vstatics.summary import schema as summary
+from vstatics.simulation.record.answer import MotionAnswer
+from vstatics.simulation.scenario.keys import SCENARIO
+from vstatics.summary.answer import SummaryAnswer
+from vstatics.sweep.kept.statistics import SamplesAnswer
+from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
+from vstatics.synthesis.gears.engaged_sets import EngagedSet, EngagedSetList
+from vstatics.synthesis.ratios.fitting import Fit
+from vstatics.synthesis.structures.growth import FoundScheme
+from vstatics.synthesis.teeth.solutions import TeethAnswer
+from vstatics.tables.answer import documents_of, of_file, schema
+from vstatics.torsion.answers import (
+    DampingAnswer,
+    IdentificationAnswer,
+    ModesAnswer,
+    ReductionAnswer,
+    ResponseAnswer,
+    SimplificationAnswer,
+)
 from vstatics.writers import schema as result
+
+ANSWERS = {
+    "flow": ("Power of gears, of vstatics flow", FlowAnswer),
+    "summary": ("Summary of a case, of vstatics summary", SummaryAnswer),
+    "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
+    "modes": ("Natural modes, of vstatics torsion modes", ModesAnswer),
+    "reduction": (
+        "Reduced inertias and compliances, of vstatics torsion reduce",
+        ReductionAnswer,
+    ),
+    "simplification": ("A simpler scheme, of vstatics torsion simplify", SimplificationAnswer),
+    "response": ("Forced vibration, of vstatics torsion response", ResponseAnswer),
+    "identification": (
+        "Compliances by a measured frequency, of vstatics torsion identify",
+        IdentificationAnswer,
+    ),
+    "damping": ("Dampings by decrements, of vstatics torsion damping", DampingAnswer),
+    "simulation": ("A simulation, of vstatics simulate", MotionAnswer),
+    "samples": ("Statistics of vstatics simulate --samples", SamplesAnswer),
+    "fit": ("Ratios for wanted gears, of vstatics synth fit", Fit),
+    "teeth": ("Teeth for wanted ratios, of vstatics synth teeth", TeethAnswer),
+}
+"""Of a file of documents: its title, the record that each is made of."""
+OTHERS = {
+    "structures": (
+        "Schemes of planetary sets, of vstatics synth structures",
+        FoundScheme | StructureCount | StructureEstimate,
+    ),
+    "combinations": (
+        "Combinations of shift elements, of vstatics synth combinations",
+        EngagedSetList | EngagedSet | CombinationEstimate,
+    ),
+    "box": (
+        "Gearboxes for wanted ratios, of vstatics synth box",
+        BoxListing | ListedBox | BoxSearchEstimate,
+    ),
+    "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
+}
+"""Of a file that is one of these."""
+SCENARIO_MEASURES: tuple[Measure, ...] = (
+    *("time", "si_torque", "si_speed", "mass", "length", "area", "pump_factor"),
+)
 
 
 def schemas() -> dict[str, dict[str, Any]]:
@@ -25,14 +86,10 @@ def schemas() -> dict[str, dict[str, Any]]:
     return {
         "case": of_case,
         "result": result.json_schema(of_case),
-        "flow": flow.json_schema(),
-        "summary": summary.json_schema(),
-        "explain": explain.json_schema(),
-        **torsion_schemas.json_schemas(),
-        **simulate_schemas.json_schemas(),
-        **synth_schemas.json_schemas(),
+        "scenario": case.document_schema(SCENARIO, SCENARIO_MEASURES),
         "dump": dump.json_schema(),
-        "check": problem_json.json_schema(),
+        **{name: documents_of(name, *of) for name, of in ANSWERS.items()},
+        **{name: of_file(name, title, schema(kind)) for name, (title, kind) in OTHERS.items()},
     }
 
 

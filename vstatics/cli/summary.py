@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -23,6 +23,7 @@ from vstatics.tables.grid import Grid
 
 if TYPE_CHECKING:
     from vstatics.summary import Summary
+    from vstatics.summary.answer import SummaryAnswer
     from vstatics.summary.duty_file import DutyFile
 
 
@@ -209,9 +210,9 @@ def _shown(
 
         return grids(summary)
 
-    def document() -> dict[str, Any]:
-        from vstatics.summary.document import document
+    def answer() -> SummaryAnswer:
+        from vstatics.summary.answer import summary_answer
 
-        return document(summary)
+        return summary_answer(summary)
 
-    return texts.CaseOutput([summary.results.case.name or outcome.file], {}, tables, document)
+    return texts.CaseOutput([summary.results.case.name or outcome.file], {}, tables, answer)

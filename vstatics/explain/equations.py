@@ -8,42 +8,14 @@ names, and what each coefficient is made of.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.explain.names import Names
+from vstatics.explain.sums import Equation, System, Term
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
 from vstatics.statics.torques import Torques
-
-
-class Term(NamedTuple):
-    """A coefficient and its unknown."""
-
-    unknown: str
-    symbol: str
-    """The coefficient in symbols: ``1``, ``-1``, ``-u_P1``, ``u_P1 - 1``."""
-    coefficient: float
-    """[-]"""
-
-
-class Equation(NamedTuple):
-    """``sum(coefficient x unknown) = right``."""
-
-    of: str
-    """The device, the link or the condition that it stands for."""
-    terms: Sequence[Term]
-    right: float
-    """[-]"""
-
-
-class System(NamedTuple):
-    """Equations and what they determine."""
-
-    equations: Sequence[Equation]
-    values: Mapping[str, float]
-    """Unknown -> its value, NaN where it is not determined. [-]"""
 
 
 def speed_system(

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
-from vstatics.explain.equations import System, speed_system, torque_system
+from vstatics.explain.equations import speed_system, torque_system
 from vstatics.explain.formula import RatioFormula, formula, symbols_of
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
+from vstatics.explain.sums import System
 from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
@@ -22,6 +23,7 @@ from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
+from vstatics.tables.answer import Known, Words, schema
 
 
 class Together(NamedTuple):
@@ -47,7 +49,7 @@ class Explanation(NamedTuple):
     """Links, planets too where losses are calculated at meshes."""
     columns: Sequence[str]
     """Devices that can carry torque: engaged elements, mechanisms and springs."""
-    matrix: Floats
+    matrix: Annotated[Floats, Words(schema(Sequence[Sequence[Known]]))]
     """(rows, columns): their structural-distribution matrix. [-]"""
     speeds: System
     torques: System | None

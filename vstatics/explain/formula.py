@@ -15,6 +15,7 @@ from vstatics.explain.names import Names
 from vstatics.explain.shares import NoFormula, shares
 from vstatics.extras import missing
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
+from vstatics.tables.answer import Flat, told
 
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
@@ -30,6 +31,29 @@ class Symbol(NamedTuple):
     """[-]"""
 
 
+class NumberedSymbol(NamedTuple):
+    """A symbol as the expression calls it."""
+
+    symbol: str
+    meant: Flat[Symbol]
+
+
+class NumberedSpeed(NamedTuple):
+    """A given speed as the expression calls it."""
+
+    symbol: str
+    name: str
+    value: float
+
+
+@told(
+    *("left", "text", "expression"),
+    symbols="numbered_symbols",
+    speeds="numbered_speeds",
+    value="value",
+    shared="shared",
+    shared_text="shared_text",
+)
 class RatioFormula(NamedTuple):
     """A formula in symbols, and what it gives."""
 
@@ -48,6 +72,16 @@ class RatioFormula(NamedTuple):
     """New symbol -> those of the same value that it stands for in `shared_text`."""
     shared_text: str
     """Shorter, as some ratios are the same; may be nothing."""
+
+    @property
+    def numbered_symbols(self) -> list[NumberedSymbol]:
+        """What stands for u1, u2, ..."""
+        return [NumberedSymbol(f"u{n}", one) for n, one in enumerate(self.symbols, 1)]
+
+    @property
+    def numbered_speeds(self) -> list[NumberedSpeed]:
+        """What stands for w1, w2, ..."""
+        return [NumberedSpeed(f"w{n}", *one) for n, one in enumerate(self.speeds.items(), 1)]
 
 
 def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:

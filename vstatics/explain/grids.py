@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.sums import in_numbers, in_symbols
+from vstatics.explain.sums import System, in_numbers, in_symbols
 from vstatics.tables.grid import Column, Grid, grid_of, whole
 
 

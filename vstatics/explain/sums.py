@@ -2,14 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from typing import NamedTuple
 
-from vstatics.explain.equations import Equation
+from vstatics.tables.answer import defined, told
 from vstatics.tables.numbers import short
 
 EQUATION_WIDTH = 80
 INDENT = "  "
+
+
+class Term(NamedTuple):
+    """A coefficient and its unknown."""
+
+    unknown: str
+    symbol: str
+    """The coefficient in symbols: ``1``, ``-1``, ``-u_P1``, ``u_P1 - 1``."""
+    coefficient: float
+    """[-]"""
+
+
+@told("of", "symbols", "numbers", "terms", "right")
+class Equation(NamedTuple):
+    """``sum(coefficient x unknown) = right``."""
+
+    of: str
+    """The device, the link or the condition that it stands for."""
+    terms: Sequence[Term]
+    right: float
+    """[-]"""
+
+    @property
+    def symbols(self) -> str:
+        """The equation in symbols."""
+        return " ".join(in_symbols(self))
+
+    @property
+    def numbers(self) -> str:
+        """The equation in numbers."""
+        return " ".join(in_numbers(self))
+
+
+@defined("system")
+class System(NamedTuple):
+    """Equations and what they determine."""
+
+    equations: Sequence[Equation]
+    values: Mapping[str, float]
+    """Unknown -> its value, NaN where it is not determined. [-]"""
 
 
 def in_symbols(equation: Equation) -> list[str]:

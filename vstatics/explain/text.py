@@ -8,12 +8,12 @@ from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import NamedTuple
 
-from vstatics.explain.equations import System
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import (
     EQUATION_WIDTH,
     INDENT,
+    System,
     filled,
     in_numbers,
     in_symbols,

@@ -1,7 +1,7 @@
 """Where the power goes in a gear: what is lost, what is shared, what circulates.
 
 Results go in; `power` makes the flow of each gear, `power_flow` says what it has, `text` and
-`document` write it.
+`answer` write it.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.flow.power import flows

@@ -12,7 +12,9 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, NamedTuple
 
+from vstatics.errors import spoken
 from vstatics.numerics.tolerances import CYCLE
+from vstatics.tables.answer import told
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
 """An element is a shift element; a mechanism may be a drawn element."""
@@ -31,6 +33,7 @@ class Node(NamedTuple):
         return self.name
 
 
+@told(from_="source", to="target", power="power")
 class Edge(NamedTuple):
     """Power from one node to another, above 0."""
 
@@ -49,6 +52,7 @@ class CommonLinks(NamedTuple):
     """Two at least."""
 
 
+@told("power", "nodes", "note")
 class Loop(NamedTuple):
     """Nodes in the order in which power goes around, each once, and how much."""
 
@@ -57,6 +61,12 @@ class Loop(NamedTuple):
     """[-]"""
     shared: tuple[CommonLinks, ...] = ()
     """Where the loop may not be in the metal: the mechanisms that it runs through."""
+
+    @property
+    def note(self) -> str:
+        """The same in words; nothing of a loop that is real."""
+        said = [f"{one.first} and {one.second} share {spoken(one.links)}" for one in self.shared]
+        return f"may not be in the metal: {', '.join(said)}" if said else ""
 
 
 class Cancelled(NamedTuple):

@@ -9,7 +9,6 @@ from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
 from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.numbers import fixed
 
@@ -102,7 +101,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     else:
         yield "circulating: none"
     for loop in shown.loops:
-        said = f" ({words(loop.shared)})" if loop.shared else ""
+        said = f" ({loop.note})" if loop.shared else ""
         yield f"  {shown_as(loop.power)}{said}: {around(loop)}"
     for loop in shown.locked_in:
         yield f"within one piece, does not count: {shown_as(loop.power)}: {around(loop)}"

@@ -10,13 +10,14 @@ from vstatics.flow.circulation import Edge, Loop, Node
 from vstatics.flow.cycles import edges_on_cycles
 from vstatics.flow.teeth import ToothPower
 from vstatics.statics.status import Status
+from vstatics.tables.answer import Flat, defined, told
 from vstatics.tables.ports import PortTable
 
 
 class MemberPower(NamedTuple):
     """What a link gives to a member of a device; below 0 where it takes."""
 
-    device: Node
+    device: Flat[Node]
     member: str
     """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element; of a
     spring the name of the link."""
@@ -25,6 +26,35 @@ class MemberPower(NamedTuple):
     """NaN where it is not determined. [-]"""
 
 
+class NodePower(NamedTuple):
+    """What goes through a node."""
+
+    node: Flat[Node]
+    power: float
+
+
+class NodeLoss(NamedTuple):
+    """What is lost in a node."""
+
+    node: Flat[Node]
+    power: float
+    share: float
+    """Of all losses. [-]"""
+
+
+@defined("side")
+@told(
+    *("entering", "leaving", "lost", "balance"),
+    *("circulating", "circulating_share", "doubtful"),
+    throughput="node_powers",
+    losses="node_losses",
+    members="members",
+    teeth="teeth",
+    edges="edges",
+    forward="forward",
+    loops="loops",
+    locked_in="locked_in",
+)
 class PowerFlow(NamedTuple):
     """The power of a gear, without or with losses, relative to that at the input link.
 
@@ -74,6 +104,16 @@ class PowerFlow(NamedTuple):
         return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
 
     @property
+    def node_powers(self) -> list[NodePower]:
+        """The throughput."""
+        return [NodePower(*one) for one in self.throughput.items()]
+
+    @property
+    def node_losses(self) -> list[NodeLoss]:
+        """The losses with their shares."""
+        return [NodeLoss(*one, self.shares[one[0]]) for one in self.losses.items()]
+
+    @property
     def circulating(self) -> float:
         """Power of all loops together [-]; NaN where some power is not determined."""
         return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
@@ -91,6 +131,14 @@ class PowerFlow(NamedTuple):
         return self.circulating / self.entering if self.entering else math.nan
 
 
+@told(
+    *("gear", "note"),
+    input_link_kW="kilowatts",
+    by_convention="by_convention",
+    ports="ports",
+    ideal="ideal",
+    lossy="lossy",
+)
 class GearFlow(NamedTuple):
     """The power of a gear."""
 
@@ -99,7 +147,7 @@ class GearFlow(NamedTuple):
     """Without losses; None where speeds or torques contradict each other."""
     lossy: PowerFlow | None
     """With losses; None where `ideal` is, or where friction locks the gear."""
-    ports: PortTable
+    ports: Flat[PortTable]
     """Speed, torque and power where power enters and leaves."""
     status: Status
     """Why a flow does not exist; `OK` where it does."""

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.flow.shared_planets import words
 from vstatics.tables.grid import Grid, Row, grid_of, text
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
@@ -31,7 +30,7 @@ def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
     yield ports_grid([flow.ports for flow in flows])
     yield _balance(flows)
     loops = [
-        (flow.gear, around(loop), loop.power, words(loop.shared) if loop.shared else "")
+        (flow.gear, around(loop), loop.power, loop.note)
         for flow in flows
         for side in filter(None, [_side(flow)])
         for loop in side.loops

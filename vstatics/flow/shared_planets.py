@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from vstatics.elements.drawing import parts_of
-from vstatics.errors import spoken
 from vstatics.flow.circulation import CommonLinks, Loop
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
@@ -36,8 +35,8 @@ def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
     >>> case = Transmission(4, [], sets, [Gear()], link_names=("s1", "s2", "r", "c"))
     >>> around = Node("link", 3, "r"), Node("mechanism", 1, "m1")
     >>> around += Node("link", 4, "c"), Node("mechanism", 2, "m2")
-    >>> words(shared(case, Loop(around, 0.6)))
-    'may not be in the metal: m1 and m2 share r and c'
+    >>> shared(case, Loop(around, 0.6))
+    (CommonLinks(first='m1', second='m2', links=('r', 'c')),)
     """
     given = _sets(case)
     names = [(node.kind, node.number) for node in loop.nodes if node.kind != "link"]
@@ -54,12 +53,6 @@ def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
         CommonLinks(own[one - 1].name, own[other - 1].name, tuple(map(case.link_name, links)))
         for one, other, links in pairs
     )
-
-
-def words(found: Sequence[CommonLinks]) -> str:
-    """The same in words; nothing of a loop that is real."""
-    said = [f"{one.first} and {one.second} share {spoken(one.links)}" for one in found]
-    return f"may not be in the metal: {', '.join(said)}" if said else ""
 
 
 def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:

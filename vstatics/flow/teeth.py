@@ -18,12 +18,13 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.efficiency import lossy_ratio
 from vstatics.statics.power import power
 from vstatics.statics.state import GearState
+from vstatics.tables.answer import Flat
 
 
 class ToothPower(NamedTuple):
     """What enters the teeth of a mechanism or of one mesh, against the carrier."""
 
-    device: Node
+    device: Flat[Node]
     mesh: str
     """Its two wheels; nothing for a mechanism or a drawn element as a whole."""
     power: float

@@ -15,7 +15,7 @@ from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
 from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
-from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.tables.answer import plain_data
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
 
@@ -25,13 +25,13 @@ MOST_LISTED = 1000
 """So many boxes stand in its table."""
 
 
-def box_pages(document: Mapping[str, Any]) -> dict[str, bytes]:
+def box_pages(listing: BoxListing) -> dict[str, bytes]:
     """What stands beside the cases of found boxes: name of the file -> content.
 
     Parameters
     ----------
-    document : mapping
-        As `vstatics.synthesis.boxes.document.box_document` makes it, with boxes.
+    listing : BoxListing
+        With boxes.
 
     Raises
     ------
@@ -40,18 +40,19 @@ def box_pages(document: Mapping[str, Any]) -> dict[str, bytes]:
     """
     from vstatics.pictures.boxes.picture import render_boxes
 
-    listing = listing_of(document)
-    page = boxes_page(listing, document).encode(errors="backslashreplace")
+    page = boxes_page(listing).encode(errors="backslashreplace")
     return {"boxes.svg": render_boxes(listing, "svg", Style()), "boxes.html": page}
 
 
-def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | None = None) -> str:
+def boxes_page(
+    listing: BoxListing, document: Mapping[str, Any] | None = None, digits: int | None = None
+) -> str:
     """The page, as HTML; without matplotlib it has no pictures.
 
     Parameters
     ----------
-    document : mapping
-        From which the listing was made; the page carries it, with the boxes that it lists.
+    document : mapping, optional
+        From which the listing was read; the page carries it, with the boxes that it lists.
     digits : int, optional
         After the point, where they are not those that suit a number.
 
@@ -72,7 +73,9 @@ def boxes_page(listing: BoxListing, document: Mapping[str, Any], digits: int | N
     ]
     found = len(listing.boxes)
     title = f"{found} found {'box' if found == 1 else 'boxes'}"
-    listed = {**document, "boxes": document["boxes"][:MOST_LISTED]}
+    data = document or plain_data(listing._replace(boxes=()))
+    boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
+    listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
     return framed(title, _about(listing), parts, listed)
 
 

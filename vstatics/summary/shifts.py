@@ -7,10 +7,12 @@ from typing import NamedTuple
 
 from vstatics.statics.results import Results
 from vstatics.summary.design_table import ranges
+from vstatics.tables.answer import told
 
 WORDS = ("none", "single", "double", "triple")
 
 
+@told("start", "end", "jumped", "released", "engaged", "changes", kind="word")
 class Transition(NamedTuple):
     """A shift from one gear to another, upward; downward the two lists change places."""
 

@@ -10,6 +10,7 @@ from vstatics.statics.physical import gear_scales
 from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
+from vstatics.tables.answer import Sometimes, told
 from vstatics.tables.grid import Cell, Grid, exact, grid_of
 from vstatics.tables.quantities import UNITS, headed
 
@@ -17,6 +18,29 @@ MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
 """What is told of a port, and its unit with a load."""
 
 
+class NamedPort(NamedTuple):
+    """A port of a gear; with a load also in its units."""
+
+    link: str
+    way: str | None
+    output: bool
+    speed: float
+    torque: float
+    power: float
+    speed_rpm: Sometimes[float] = None
+    torque_Nm: Sometimes[float] = None  # noqa: N815
+    power_kW: Sometimes[float] = None  # noqa: N815
+
+
+class LostPower(NamedTuple):
+    """What is lost in meshes, in drag if there is any, and in both together."""
+
+    in_: str
+    power: float
+    power_kW: Sometimes[float] = None  # noqa: N815
+
+
+@told("gear", "ports", "lost")
 class PortTable(NamedTuple):
     """The ports of a gear with their names, and what makes relative numbers physical ones."""
 
@@ -27,6 +51,28 @@ class PortTable(NamedTuple):
     """What power is lost in: meshes, drag if there is any, and both together. [-]"""
     scales: dict[str, float]
     """Its own of `gear_scales`."""
+
+    @property
+    def ports(self) -> list[NamedPort]:
+        """The ports, as they are answered."""
+        return [
+            NamedPort(name, port.way or None, port.is_output, *own, *self._with_units(own))
+            for name, port in self.rows
+            for own in [(port.speed, port.torque, port.power)]
+        ]
+
+    @property
+    def lost(self) -> list[LostPower]:
+        """The losses, as they are answered."""
+        return [
+            LostPower(name, lost, self._with_units((0, 0, lost))[-1]) for name, lost in self.losses
+        ]
+
+    def _with_units(self, values: Sequence[float]) -> list[float | None]:
+        """Numbers of `MEASURES` in their units; None where no load tells them."""
+        scales = [self.scales[unit] for _, unit in MEASURES]
+        pairs = zip(values, scales, strict=True)
+        return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
 
 def port_tables(results: Results) -> list[PortTable]:

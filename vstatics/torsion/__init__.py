@@ -4,7 +4,7 @@ A gear is a `TorsionalSystem` of bodies, of elastic and of rigid devices, each w
 it has in the structural-distribution matrix: that is `system`. `vibration` has its natural modes,
 without damping and with it, of many variants, and what follows from measured ones. `reduction`
 has all on one link, then as masses and springs there, then as fewer of them. In `forced` the gear
-vibrates under torques, in `clutch` the clutch is dumped. `documents` is the JSON of all. The room
+vibrates under torques, in `clutch` the clutch is dumped. `answers` is what is told of all. The room
 needs scipy, an extra.
 
 >>> from vstatics import Spring, Transmission, torsion

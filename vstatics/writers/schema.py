@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from vstatics.tables.answer import NUMBER, TEXT, Schema, documents, head, list_of, object_of
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import QUANTITIES, Quantity
-from vstatics.writers.documents import documents, head
-from vstatics.writers.record_schema import NUMBER, TEXT, Schema, list_of, record
-from vstatics.writers.result_json import CONVENTIONS, FORMAT, VERSION
+from vstatics.writers.result_json import CONVENTIONS, FORMAT
 
 NUMBERS: dict[type, Schema] = {
     float: NUMBER,
@@ -26,8 +25,8 @@ def json_schema(of_case: Schema) -> Schema:
     """
     texts = list_of(TEXT)
     properties: Schema = {
-        **head(FORMAT, VERSION),
-        "conventions": record(dict.fromkeys(CONVENTIONS, TEXT)),
+        **head(FORMAT),
+        "conventions": object_of(dict.fromkeys(CONVENTIONS, TEXT)),
         "case": {"$ref": "#/$defs/case", "description": "The case as it was calculated."},
         "gears": {**texts, "description": "Names of the gears."},
         "rows": {
@@ -42,7 +41,7 @@ def json_schema(of_case: Schema) -> Schema:
     sometimes = ["rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)]
     one = {
         "description": "Tables of one case under the names of the deck; null: no value.",
-        **record(properties, optional=sometimes),
+        **object_of(properties, optional=sometimes),
     }
     kept = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}
     definitions = {"case": kept, **of_case["$defs"]}

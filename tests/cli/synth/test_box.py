@@ -18,7 +18,7 @@ from jsonschema import Draft202012Validator
 from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
-from vstatics.cli.synth.schemas import boxes_schema
+from vstatics.cli.schemas import schemas
 from vstatics.synthesis.boxes import pieces
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.pieces import FoundPiece
@@ -157,7 +157,7 @@ def test_a_dry_run_says_how_many() -> None:
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:
-    check = Draft202012Validator(boxes_schema()).validate
+    check = Draft202012Validator(schemas()["box"]).validate
     check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json").out))
     check(json.loads(vstatics("synth", "box", *ASKED, "-f", "json", "--dry-run").out))
     for line in vstatics("synth", "box", *ASKED, "-f", "jsonl").out.splitlines():

@@ -14,8 +14,8 @@ from jsonschema import Draft202012Validator
 from tests.commands import vstatics
 from vstatics import load, solve
 from vstatics.cli.frame import estimates
+from vstatics.cli.schemas import schemas
 from vstatics.cli.synth import structures as synth_structures
-from vstatics.cli.synth.schemas import structures_schema
 from vstatics.jobs.files import STDOUT
 
 BELAZ = "0-1-2-1-3-4-1-5-3-3-5-6"
@@ -240,6 +240,6 @@ def test_a_case_is_written_to_stdout_by_default() -> None:
 
 @pytest.mark.parametrize("options", [(), ("--count",), ("--dry-run",), ("--dry-run", "--count")])
 def test_all_documents_fit_the_schema(options: tuple[str, ...]) -> None:
-    validator = Draft202012Validator(structures_schema())
+    validator = Draft202012Validator(schemas()["structures"])
     for one in structures("--sets", 2, "--ports", "-f", "jsonl", *options):
         assert list(validator.iter_errors(one)) == []

@@ -10,14 +10,15 @@ from typing import Any
 from tests.synthesis.boxes import hand_boxes
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
-from vstatics.synthesis.boxes.document import box_document
 from vstatics.synthesis.boxes.figures import measured
+from vstatics.synthesis.boxes.listing import BoxListing, listed_box
+from vstatics.tables.answer import plain_data
 
 
 @cache
 def _text(search: BoxSearch, box: FoundBox) -> str:
-    found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    return json.dumps(box_document(27_885, found))
+    [found] = ranked(search, [measured(search, box, 0.98)], BoxFilter())
+    return json.dumps(plain_data(BoxListing(27_885, (listed_box(1, found),))))
 
 
 def simpson() -> dict[str, Any]:

@@ -23,13 +23,14 @@ from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, LIMITED, FoundBox
 from vstatics.synthesis.boxes.choice import PARETO, BoxFilter, RankedBox, pareto, ranked
-from vstatics.synthesis.boxes.document import box_document, box_schema
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
 from vstatics.synthesis.boxes.least_form import identity, least_box
+from vstatics.synthesis.boxes.listing import BoxListing, listed_box
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
+from vstatics.tables.answer import plain_data, schema
 
 FAST = measured(SIMPSON_SEARCH, SIMPSON, 0.98)
 EIGHT = measured(ZF_8HP_SEARCH, ZF_8HP, 0.98)
@@ -183,8 +184,8 @@ def test_filters_of_what_is_so() -> None:
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
     search, box = ZF_6HP_SEARCH, ZF_6HP
     found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    document = box_document(1234, found)
-    Draft202012Validator(box_schema()).validate(document)
+    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),)))
+    Draft202012Validator(schema(BoxListing)).validate(document)
     assert (document["searched"], document["found"], document["families"]) == (1234, 1, 1)
     [one] = document["boxes"]
     assert one["held"] == found[0].found.box.held

@@ -8,10 +8,13 @@ import os
 import stat
 import sys
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
+
+if TYPE_CHECKING:
+    from vstatics.tables.answer import Answer
 
 
 class CommandEstimate(NamedTuple):
@@ -19,15 +22,15 @@ class CommandEstimate(NamedTuple):
 
     Examples
     --------
-    >>> print(CommandEstimate({"boxes": "36"}, {"searched": 36}, 90, jobs=4).text("text"), end="")
+    >>> print(CommandEstimate({"boxes": "36"}, {}, 90, jobs=4).text("text"), end="")
     boxes  36
     time   about 1.5 minutes with 4 jobs
     """
 
     said: Mapping[str, str]
     """In words, by short names."""
-    document: Mapping[str, Any]
-    """The same in JSON."""
+    answer: Answer
+    """What JSON is made of, with the seconds."""
     seconds: float
     jobs: int = 1
 
@@ -40,12 +43,9 @@ class CommandEstimate(NamedTuple):
     def text(self, form: str | None, least: int = 0) -> str:
         """In JSON, or in lines whose names have so many letters, with blanks, at least."""
         if form in ("json", "jsonl"):
-            from vstatics.writers import plain_json
+            from vstatics.tables.answer import as_json
 
-            document = plain_json.plain_data({**self.document, "seconds": self.seconds})
-            return (
-                plain_json.line(document) if form == "jsonl" else plain_json.text(document) + "\n"
-            )
+            return as_json(self.answer, form)
         wide = max(least, *map(len, self.rows)) + 2
         return "".join(f"{name:{wide}}{text}\n" for name, text in self.rows.items())
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import click
 
@@ -18,9 +18,8 @@ from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import needs
 from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.readers.reading import Reading
+from vstatics.tables.answer import Answer
 from vstatics.tables.grid import Grid
-from vstatics.writers import plain_json
-from vstatics.writers.plain_json import plain_data
 
 
 @contextmanager
@@ -56,12 +55,11 @@ class CaseAnswer(NamedTuple):
     """What a command tells of one case; nothing is laid out before it is asked for."""
 
     grids: Callable[[], Iterable[Grid]]
-    document: Callable[[], dict[str, Any]]
+    answer: Answer
+    """What JSON is made of."""
     problems: Sequence[Problem] = ()
     failed: bool = False
     """Whether the command fails, though nothing else does."""
-    alone: bool = False
-    """Whether JSON has the document as it is, without the file."""
     write: Callable[[], bool] | None = None
     """Writes another file, when the problems are told; whether it keeps all that there is."""
 
@@ -146,16 +144,7 @@ one_case = gathered("one", OneCase, click.argument("case", type=click.Path()), *
 def show(file: str, to: Destination, title: str, found: CaseAnswer) -> None:
     """Write what a command has of one case, in the format that is asked for."""
     name = file_name(file)
-    as_json = {
-        "json": lambda _: f"{plain_json.text(found.document())}\n",
-        "jsonl": lambda _: plain_json.line(found.document()),
-    }
-    shown = texts.CaseOutput(
-        [title or name],
-        as_json if found.alone else {},
-        found.grids,
-        lambda: plain_data(found.document()),
-    )
+    shown = texts.CaseOutput([title or name], {}, found.grids, lambda: found.answer)
     files.write_data(texts.alone(name, shown, to), to.output)
 
 

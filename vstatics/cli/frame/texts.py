@@ -18,6 +18,7 @@ from vstatics.tables.grid import Grid
 if TYPE_CHECKING:
     from vstatics.jobs.finished_cases import FinishedCases
     from vstatics.statics.results import Results
+    from vstatics.tables.answer import Answer
 
 
 class CaseOutput(NamedTuple):
@@ -29,8 +30,8 @@ class CaseOutput(NamedTuple):
     """What is no table of `grids`, by format: a text, say. It is given the file of the case
     where this is one of several in a stream."""
     grids: Callable[[], Iterable[Grid]] | None = None
-    document: Callable[[], dict[str, Any]] | None = None
-    """As plain data, without its file."""
+    answer: Callable[[], Answer] | None = None
+    """What JSON is made of."""
     lay_out: Callable[[Any], str] | None = None
     """The lines of that in JSON, where they are not those of any data."""
 
@@ -68,7 +69,7 @@ def alone(file: str, shown: CaseOutput, to: Destination) -> bytes:
     if to.form in shown.by_format:
         return _bytes(shown.by_format[to.form](None), to)
     if to.form in ("json", "jsonl"):
-        return _bytes(_json(file, shown, to) + "\n" * (to.form == "json"), to)
+        return _bytes(_json(file, shown, to), to)
     return b"".join(_of_grids([_tables(file, shown, to)], to, several=False))
 
 
@@ -76,7 +77,8 @@ def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destina
     """What a stream has of a case among several; one that failed is in JSON only."""
     file = outcome.file
     if to.form in ("json", "jsonl"):
-        return _bytes(_json(file, shown or _failed(outcome), to), to)
+        text = _json(file, shown or _failed(outcome), to)
+        return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
     if to.form in shown.by_format:
@@ -89,9 +91,9 @@ def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destina
 
 
 def _failed(outcome: CalculatedCase) -> CaseOutput:
-    from vstatics.writers.documents import failure
+    from vstatics.tables.answer import failure
 
-    return CaseOutput([], {}, document=partial(failure, outcome.file, outcome.problems))
+    return CaseOutput([], {}, answer=partial(failure, outcome.file, outcome.problems))
 
 
 def joined(
@@ -141,14 +143,14 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
 
 def _json(file: str, shown: CaseOutput, to: Destination) -> str:
-    """A case in JSON: lines without the last end, or one line with it."""
-    from vstatics.writers import plain_json
+    """A case in JSON, on several lines or on one, with its end."""
+    from vstatics.tables.answer import as_json, with_file
 
-    assert shown.document is not None  # noqa: S101 - the command has this format
-    document = plain_json.with_file(shown.document(), file)
-    if to.form == "jsonl":
-        return plain_json.line(document)
-    return (shown.lay_out or plain_json.text)(document)
+    assert shown.answer is not None  # noqa: S101 - the command has this format
+    document = with_file(shown.answer(), file)
+    if to.form == "json" and shown.lay_out:
+        return shown.lay_out(document) + "\n"
+    return as_json(document, to.form)
 
 
 def _bytes(text: str | bytes, to: Destination) -> bytes:

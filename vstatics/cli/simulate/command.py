@@ -16,7 +16,6 @@ from vstatics.cli.frame.one_case import file_name, one_text, tell
 from vstatics.cli.frame.scenario_run import needs, run_problems
 from vstatics.cli.simulate.options import SimulateOptions, options
 from vstatics.errors import CaseError, ReadError
-from vstatics.writers.plain_json import plain_data
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
@@ -92,8 +91,8 @@ def _check_step(step: float | None, duration: float) -> None:
 
 def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> None:
     """Write a motion in the format that is asked for."""
+    from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
-    from vstatics.simulation.record.document import lay_out, motion_document
     from vstatics.simulation.record.grids import motion_grids
 
     title = read.name or read.scenario.case.name or file_name(scenario)
@@ -106,7 +105,7 @@ def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> 
             "parquet": lambda _: as_parquet(motion),
         },
         partial(motion_grids, motion),
-        lambda: plain_data(motion_document(motion, read.scenario.case.name, targets=targets)),
+        lambda: motion_answer(motion, read.scenario.case.name, targets=targets),
         lay_out,
     )
     files.write_data(texts.alone(file_name(scenario), shown, to), to.output)

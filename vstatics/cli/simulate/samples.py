@@ -22,7 +22,7 @@ from vstatics.jobs.stopping import StoppedError
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep import build
 from vstatics.sweep.formats import Format
-from vstatics.sweep.kept.statistics import columns_statistics, statistics_document, statistics_grids
+from vstatics.sweep.kept.statistics import columns_statistics, samples_answer, statistics_grids
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.tasks import calculate
 from vstatics.sweep.variants.subject import Document, VariedScenario
@@ -65,12 +65,9 @@ def run_samples(asked: SimulateOptions) -> int:
         raise ReadError(error.problems) from error
     if isinstance(found, int):
         return found
-    statistics = columns_statistics(found)
+    answer = samples_answer(plan.names, columns_statistics(found))
     to = Destination("text", None, wanted.style) if form else wanted.destination([])
-    shown = CaseAnswer(
-        lambda: statistics_grids(plan.names, statistics),
-        lambda: statistics_document(plan.names, statistics),
-    )
+    shown = CaseAnswer(lambda: statistics_grids(answer), answer)
     show(scenario.file, to, varied.own.name or varied.own.scenario.case.name, shown)
     return FAILED if telling.fails(warnings) else DONE
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import NamedTuple
 
 import click
 
@@ -96,6 +97,15 @@ def _check_folder(output: str) -> None:
         raise click.UsageError(f"{there}, so it may be yours: expected another directory")
 
 
+class BoxSearchEstimate(NamedTuple):
+    """About how many boxes will be looked at and found."""
+
+    searched: float
+    found: float
+    exact: bool
+    seconds: float
+
+
 def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take."""
     from vstatics.synthesis.boxes.pieces import box_estimate
@@ -103,13 +113,15 @@ def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)
     say = (lambda number: f"{number:.0f}") if found.exact else about
+    seconds = found.seconds / min(jobs, max(found.pieces, 1))
+    counts = round(found.boxes), round(found.found)
     known = CommandEstimate(
         {
             "boxes": say(found.boxes),
             "found": say(found.found) if found.exact or found.found else "few, or none",
         },
-        {"searched": round(found.boxes), "found": round(found.found), "exact": found.exact},
-        found.seconds / min(jobs, max(found.pieces, 1)),
+        BoxSearchEstimate(*counts, found.exact, seconds),
+        seconds,
         jobs,
     )
     files.write_output(known.text(form), None)

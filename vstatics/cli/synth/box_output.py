@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from itertools import starmap
+from typing import NamedTuple
 
 from vstatics.cli.convert import write
 from vstatics.cli.frame import files, texts
@@ -22,13 +23,11 @@ from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
-from vstatics.synthesis.boxes.document import box_document
 from vstatics.synthesis.boxes.grids import all_boxes, box_grids
-from vstatics.synthesis.boxes.listing import drawn_boxes
-from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box
 from vstatics.synthesis.boxes.work import BoxWork
+from vstatics.tables.answer import as_json
 from vstatics.tables.grid import Grid
-from vstatics.writers import plain_json
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """The result in a directory, by format."""
@@ -50,9 +49,9 @@ class FoundBoxes:
     """Those that are wanted, in their order."""
 
     @cached_property
-    def document(self) -> dict[str, Any]:
-        """As plain data; its cases take some time."""
-        return box_document(self.searched, self.boxes)
+    def listing(self) -> BoxListing:
+        """As it is answered; its cases take some time."""
+        return BoxListing(self.searched, tuple(starmap(listed_box, enumerate(self.boxes, 1))))
 
     @property
     def title(self) -> str:
@@ -64,11 +63,11 @@ class FoundBoxes:
 
     def text(self, form: str, style: TextStyle) -> bytes:
         """The result in a format; in JSON lines each box is one."""
-        as_json = {
-            "json": lambda _: f"{plain_json.text(self.document)}\n",
-            "jsonl": lambda _: "".join(map(plain_json.line, self.document["boxes"])),
+        own = {
+            "json": lambda _: as_json(self.listing, "json"),
+            "jsonl": lambda _: "".join(as_json(one, "jsonl") for one in self.listing.boxes),
         }
-        return self._text(form, style, as_json, lambda: box_grids(self.searched, self.boxes))
+        return self._text(form, style, own, lambda: box_grids(self.searched, self.boxes))
 
     def table(self, style: TextStyle) -> bytes:
         """All boxes as a table in CSV."""
@@ -78,10 +77,10 @@ class FoundBoxes:
         self,
         form: str,
         style: TextStyle,
-        as_json: Mapping[str, Callable[[str | None], str]],
+        own: Mapping[str, Callable[[str | None], str]],
         grids: Callable[[], Iterator[Grid]],
     ) -> bytes:
-        shown = CaseOutput([self.title], as_json, grids)
+        shown = CaseOutput([self.title], own, grids)
         return texts.alone(self.title, shown, Destination(form, None, style))
 
 
@@ -115,7 +114,7 @@ def write_folder(
                 own.add(f"{item.name}{suffix}")
                 _put(folder, f"{item.name}{suffix}", content)
             advance(1)
-        pages = box_pages(found.document) if found.boxes else {}
+        pages = box_pages(found.listing) if found.boxes else {}
         for name, content in pages.items():
             _put(folder, name, content)
         advance(1)
@@ -133,8 +132,7 @@ def _items(found: FoundBoxes) -> list[BoxFiles]:
     numbers = range(1, len(found.boxes) + 1)
     drawn = set(numbers)
     if len(drawn) > MOST_DRAWN_CASES:
-        listing = listing_of(found.document)
-        drawn = {box.number for box in drawn_boxes(listing, MOST_DRAWN_CASES)}
+        drawn = {box.number for box in drawn_boxes(found.listing, MOST_DRAWN_CASES)}
     names = file_names(len(found.boxes))
     return [
         BoxFiles(name, box.found.case, number in drawn)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import click
 
@@ -18,9 +19,9 @@ from vstatics.errors import listed
 from vstatics.synthesis.gears.engaged_sets import EngagedSets, combination_grids
 from vstatics.synthesis.gears.kinds import EngagedKind
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
+from vstatics.tables.answer import Count, line, told
 from vstatics.tables.grid import Grid
 from vstatics.tables.grid import text as words
-from vstatics.writers import plain_json
 
 STREAMED = ("json", "jsonl")
 """Formats that are written as they are found."""
@@ -51,11 +52,24 @@ def _length(search: CombinationSearch) -> float:
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
+@told("elements", "engaged", count="total", bytes="bytes", seconds="seconds")
+class CombinationEstimate(NamedTuple):
+    """What is known before any combination is tried."""
+
+    elements: Sequence[str]
+    """Names of those to choose from."""
+    engaged: Sequence[Count]
+    total: float
+    """Of combinations; `count` in JSON."""
+    bytes: float
+    """About so many of JSON."""
+    seconds: float
+
+
 def estimate(search: CombinationSearch) -> CommandEstimate:
     """How many combinations, how large, about how long."""
     names, engaged = [one.name for one in search.elements], search.sizes
     size = _length(search) * search.count
-    parts = {"elements": names, "engaged": engaged, "count": search.count}
     said = {
         "elements": f"{search.choice}: {listed(names)}",
         "engaged": ", ".join(map(str, engaged)),
@@ -63,7 +77,8 @@ def estimate(search: CombinationSearch) -> CommandEstimate:
         "size": f"about {size_text(size)} of JSON",
     }
     length = round(size) if math.isfinite(size) else math.inf
-    return CommandEstimate(said, {**parts, "bytes": length}, search.seconds())
+    answer = CombinationEstimate(names, engaged, search.count, length, search.seconds())
+    return CommandEstimate(said, answer, answer.seconds)
 
 
 def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None:
@@ -73,7 +88,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
         files.write_output(known.text(to.form), to.output)
         return
     grid = Grid("Estimate", [words(""), words("")], [[*row] for row in known.rows.items()])
-    one_case.show(case, to, search.case.name, CaseAnswer(lambda: [grid], dict))
+    one_case.show(case, to, search.case.name, CaseAnswer(lambda: [grid], {}))
 
 
 def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
@@ -110,7 +125,7 @@ def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Ite
 
 def _lines(found: EngagedSets) -> Iterator[str]:
     """Combinations as JSON, an object each."""
-    names = [plain_json.line(element.name).rstrip() for element in found.elements]
+    names = [line(element.name).rstrip() for element in found.elements]
     kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
     columns = (found.members, found.kinds, found.ratios, found.free)
     for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):

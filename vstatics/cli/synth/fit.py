@@ -21,7 +21,7 @@ from vstatics.readers.named.scalars import number
 from vstatics.readers.reading import Reading
 from vstatics.synthesis.ratios.estimate import dry_document, dry_grids
 from vstatics.synthesis.ratios.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
-from vstatics.synthesis.ratios.fitting import TOLERANCE, Fit, fit_document
+from vstatics.synthesis.ratios.fitting import TOLERANCE, Fit
 from vstatics.synthesis.ratios.fitting import fit as fitted
 from vstatics.synthesis.ratios.grids import fit_grids
 from vstatics.synthesis.ratios.problem import doubts, fit_problem
@@ -104,17 +104,15 @@ def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> i
             if dry_run:
                 problem = fit_problem(own, *asked)
                 notes = warnings_of(doubts(problem), file)
-                return CaseAnswer(
-                    lambda: dry_grids(problem), lambda: dry_document(problem), notes, alone=True
-                )
+                known = dry_document(problem)
+                return CaseAnswer(lambda: dry_grids(known), known, notes)
             with progress(None, "steps", quiet=one.telling.quiet) as advance:
                 found = fitted(own, **asked._asdict(), advance=advance)
         return CaseAnswer(
             lambda: fit_grids(found),
-            lambda: fit_document(found),
+            found,
             _notes(found, file),
             failed=bool(found.unmet),
-            alone=True,
             write=lambda: target is None or _write(own, found, target, form, one.telling),
         )
 

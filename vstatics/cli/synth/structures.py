@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import get_args
+from collections.abc import Mapping
+from typing import NamedTuple, get_args
 
 import click
 
@@ -24,7 +25,7 @@ from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.estimate import estimate
 from vstatics.synthesis.structures.growth import Classes, StructureSearch
 from vstatics.synthesis.structures.json_lines import lines
-from vstatics.writers import plain_json
+from vstatics.tables.answer import Count, Flat, Known, as_json, told
 
 FORMATS = ("json", "jsonl")
 LONG = 60
@@ -107,7 +108,7 @@ def structures(
     if counted:
         with progress(expected, "schemes") as advance:
             by_links = count(asked, advance)
-        files.write_output(_json(_document(asked, by_links), form), output)
+        files.write_output(as_json(_counted(asked, by_links), form), output)
         return
     with (
         files.stream(output) as write,
@@ -119,13 +120,27 @@ def structures(
             advance(text.count(b"\n"))
 
 
-def _document(asked: StructureSearch, by_links: dict[int, int]) -> dict[str, object]:
+@told("sets", count="total", by_links="by_links")
+class StructureCount(NamedTuple):
+    """How many schemes there are."""
+
+    sets: Count
+    total: Count
+    by_links: Mapping[str, Count]
+
+
+class StructureEstimate(NamedTuple):
+    """About how many there are, how large they are and how long they take."""
+
+    schemes: Flat[StructureCount]
+    exact: bool
+    bytes: Count | None
+    seconds: Known
+
+
+def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCount:
     numbers = {str(links): number for links, number in by_links.items()}
-    return {"sets": asked.sets, "count": sum(by_links.values()), "by_links": numbers}
-
-
-def _json(document: dict[str, object], form: str | None) -> str:
-    return plain_json.line(document) if form == "jsonl" else plain_json.text(document) + "\n"
+    return StructureCount(asked.sets, sum(by_links.values()), numbers)
 
 
 def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
@@ -157,5 +172,5 @@ def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
         said["size"] = f"about {size_text(found.bytes)}"
     rounded = {links: round(number) for links, number in found.by_links.items()}
     size = round(found.bytes) if listed else None
-    document = {**_document(asked, rounded), "exact": found.exact, "bytes": size}
-    return CommandEstimate(said, document, found.seconds)
+    answer = StructureEstimate(_counted(asked, rounded), found.exact, size, found.seconds)
+    return CommandEstimate(said, answer, found.seconds)

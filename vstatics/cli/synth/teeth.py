@@ -20,7 +20,7 @@ from vstatics.synthesis.teeth.grids import asked_grids, teeth_grids
 from vstatics.synthesis.teeth.limits import CLEARANCE, TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios, teeth_problem
 from vstatics.synthesis.teeth.reach import doubts_before
-from vstatics.synthesis.teeth.solutions import asked_document, teeth_document
+from vstatics.synthesis.teeth.solutions import TeethAnswer, asked_document
 from vstatics.synthesis.teeth.targets import TeethError
 
 
@@ -180,18 +180,14 @@ def teeth(
             asked = ratios or own_ratios(own)
             if dry_run:
                 problem = teeth_problem(own, asked, limits, error)
-                return CaseAnswer(
-                    lambda: asked_grids(problem),
-                    lambda: asked_document(problem),
-                    warnings_of(doubts_before(problem), file),
-                    alone=True,
-                )
+                notes = warnings_of(doubts_before(problem), file)
+                return CaseAnswer(lambda: asked_grids(problem), asked_document(problem), notes)
             try:
                 with progress(None, "regions", quiet=one.telling.quiet) as advance:
                     found = find_teeth(own, asked, limits, error=error, advance=advance)
             except NoTeethError as failed:
                 why = [of_file(file, problem.message) for problem in failed.problems]
-                return CaseAnswer(list, lambda: teeth_document([]), why, failed=True, alone=True)
+                return CaseAnswer(list, TeethAnswer([]), why, failed=True)
 
         def write() -> bool:
             best = found.solutions[0]
@@ -201,9 +197,8 @@ def teeth(
 
         return CaseAnswer(
             lambda: teeth_grids(found),
-            lambda: teeth_document(found.solutions),
+            TeethAnswer(found.solutions),
             [*_notes(found, file)],
-            alone=True,
             write=write,
         )
 

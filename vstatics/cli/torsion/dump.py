@@ -16,18 +16,8 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import value
 from vstatics.cli.torsion.case import gear_names, located
 from vstatics.readers.reading import Reading
-from vstatics.torsion.clutch.document import (
-    FORMAT,
-    VERSION,
-    dump_document,
-    gear_document,
-    gears_document,
-)
-from vstatics.torsion.clutch.dumped import DumpTorque
-from vstatics.torsion.clutch.engagement import Engagement
-from vstatics.torsion.clutch.given import Dump
-from vstatics.writers.documents import documents, head
-from vstatics.writers.record_schema import TEXT, Schema, list_of, record, schema_of
+from vstatics.tables.answer import Schema, documents, head, list_of, schema
+from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
 
 
 def _rate(given: float) -> float:
@@ -88,14 +78,13 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
 
     numbers = read_dump(data, name)
     made = numbers.torque(rate)
-    shown = CaseAnswer(lambda: grids(numbers.given, made), lambda: dump_document(made))
-    show(one.case, to, name, shown)
+    show(one.case, to, name, CaseAnswer(lambda: grids(numbers.given, made), DumpAnswer(made)))
     return DONE
 
 
 def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
     """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
-    from vstatics.torsion.clutch.gear_dump import gear_dumps
+    from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
     from vstatics.torsion.clutch.grids import gear_grids, gears_grids
 
     found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
@@ -103,7 +92,7 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
     alone = bool(gears) and len(found) == 1
     return CaseAnswer(
         lambda: gear_grids(found[0]) if alone else gears_grids(found),
-        lambda: gear_document(found[0]) if alone else gears_document(found),
+        GearDumpAnswer(found[0]) if alone else GearsDumpAnswer(found),
         faults,
         failed=bool(faults),
     )
@@ -111,22 +100,19 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
 
 def json_schema() -> Schema:
     """The schema of ``vstatics torsion dump -f json``: of numbers, of a gear, of several."""
-    torques = schema_of(DumpTorque, engagement=schema_of(Engagement), messages=list_of(TEXT))
-    in_gear = {"name": TEXT, "to": TEXT, "reduced": schema_of(Dump)}
-    one = {**torques["properties"], **in_gear}
-    needed = [name for name in torques["properties"] if name != "engagement"]
-    failed = record({"name": TEXT, "error": TEXT})
-    of_gear = record(one, optional=["engagement"])
-    gears = list_of({"if": {"required": ["error"]}, "then": failed, "else": of_gear})
-    start = head(FORMAT, VERSION)
-    properties = {**start, **one, "error": TEXT, "gears": gears}
-    forms = [["gears"], ["name", "error"], needed, [*needed, *in_gear]]
+    from vstatics.torsion.clutch.gear_dump import GearDump
+
+    of_gear, torques, start = schema(GearDump), schema(DumpTorque)["required"], head(DUMP_FORM)
+    failed, made = of_gear["then"], of_gear["else"]
+    properties = start | made["properties"] | failed["properties"] | {"gears": list_of(of_gear)}
+    free = [*start, "file", "engagement"]
+    forms = (["gears"], failed["required"], torques, made["required"])
     document = {
         "type": "object",
         "properties": properties,
         "required": [*start],
         "additionalProperties": False,
-        "oneOf": [_exactly(form, properties, [*start, "file", "engagement"]) for form in forms],
+        "oneOf": [_exactly(form, properties, free) for form in forms],
     }
     return documents("dump", "A clutch that is dumped, of vstatics torsion dump", document)
 

@@ -81,7 +81,7 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
     """
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import identified_document
+        from vstatics.torsion.answers import IdentificationAnswer
         from vstatics.torsion.vibration.grids import identified_grids
         from vstatics.torsion.vibration.measured import identify as identified
 
@@ -91,7 +91,7 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
             made = identified(own, chosen, omega, decrement, mode)
         return CaseAnswer(
             lambda: identified_grids(omega, made),
-            lambda: identified_document(own.name, chosen, mode, omega, made),
+            IdentificationAnswer(own.name, chosen, mode, omega, made),
         )
 
     return one.answer(calculate, extra="torsion")
@@ -136,7 +136,7 @@ def damping(
     """
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import damped_document
+        from vstatics.torsion.answers import DampingAnswer
         from vstatics.torsion.vibration.grids import damped_grids
         from vstatics.torsion.vibration.measured import damping as damped
 
@@ -146,7 +146,7 @@ def damping(
             made = damped(own, chosen, decrements, omega, mode)
         return CaseAnswer(
             lambda: damped_grids(decrements, made),
-            lambda: damped_document(own.name, chosen, mode, made),
+            DampingAnswer(own.name, chosen, mode, made),
         )
 
     return one.answer(calculate, extra="torsion")

@@ -41,7 +41,7 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
     """
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import modes_document
+        from vstatics.torsion.answers import ModesAnswer
         from vstatics.torsion.vibration.gear_modes import modes as modes_of
         from vstatics.torsion.vibration.grids import modes_grids
 
@@ -51,7 +51,7 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
         doubts = ((gear.name, text) for gear in found for text in gear.warnings)
         return CaseAnswer(
             lambda: modes_grids(found),
-            lambda: modes_document(case.name, found),
+            ModesAnswer(case.name, found),
             [*faults, *located(reading, doubts, "warning")],
             failed=bool(faults),
         )

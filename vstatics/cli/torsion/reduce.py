@@ -33,7 +33,7 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
     """
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import reduction_document
+        from vstatics.torsion.answers import ReductionAnswer
         from vstatics.torsion.reduction.grids import reduction_grids
         from vstatics.torsion.reduction.reduced_values import reduce as reduced
 
@@ -43,7 +43,7 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
         faults = located(reading, ((gear.name, gear.error) for gear in found))
         return CaseAnswer(
             lambda: reduction_grids(link, found),
-            lambda: reduction_document(case.name, link, found),
+            ReductionAnswer(case.name, link, found),
             faults,
             failed=bool(faults),
         )

@@ -99,7 +99,7 @@ def response(
         raise click.UsageError("expected --orders, --torque or both")
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import response_document
+        from vstatics.torsion.answers import ResponseAnswer
         from vstatics.torsion.forced.grids import largest_grids, speed_grids, sum_grids
         from vstatics.torsion.forced.harmonic_torques import response as responses
 
@@ -107,11 +107,13 @@ def response(
         harmonics = _harmonics(orders, torque)
         link = link_name(case, at, "--at")
         found = responses(case, link, harmonics, speed, gear_names(case, gears))
+        if with_sum:
+            found = [gear.with_sum() for gear in found]
         faults = located(reading, ((gear.name, gear.error) for gear in found))
         grids = speed_grids if to.form in (*FULL, "xlsx") else largest_grids
         return CaseAnswer(
-            lambda: [*grids(found), *(sum_grids(found) if with_sum else ())],
-            lambda: response_document(case.name, link, found, with_sum=with_sum),
+            lambda: [*grids(found), *sum_grids(found)],
+            ResponseAnswer(case.name, link, found),
             faults,
             failed=bool(faults),
         )

@@ -118,7 +118,7 @@ def simplify(
     written = _format_of(output, one.case)
 
     def calculate(reading: Reading) -> CaseAnswer:
-        from vstatics.torsion.documents import simplification_document
+        from vstatics.torsion.answers import SimplificationAnswer
         from vstatics.torsion.reduction.grids import simplification_grids
         from vstatics.torsion.reduction.reduced_scheme import gear_scheme
         from vstatics.torsion.reduction.scheme import scheme_case
@@ -140,11 +140,11 @@ def simplify(
                 files.write_output(write_case(made, written)[0], output)
             return True
 
-        doubts = [*(doubt.message for doubt in found.warnings), *_lost(own)]
+        told = [doubt.message for doubt in found.warnings]
         return CaseAnswer(
             lambda: simplification_grids(found),
-            lambda: simplification_document(own.name, chosen.name, found),
-            warnings_of(doubts, file_name(one.case)),
+            SimplificationAnswer(own.name, chosen.name, found.rule, found.steps, told),
+            warnings_of([*told, *_lost(own)], file_name(one.case)),
             write=write,
         )
 

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
 from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.flow.shared_planets import words
 from vstatics.pictures.flow.graph import EndPort, Run
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.style import LONG_NAME, SHORT_NAME, Style, number
@@ -70,7 +69,7 @@ class FlowTexts(NamedTuple):
                 f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in loop.shared
             ]
             russian = f"в металле может не быть: {', '.join(own)}"
-            said += f"\n{wrapped(text(words(loop.shared), russian), LOOP_TEXT_WIDTH)}"
+            said += f"\n{wrapped(text(loop.note, russian), LOOP_TEXT_WIDTH)}"
         return said
 
     def _kilowatts(self, power: float) -> str:

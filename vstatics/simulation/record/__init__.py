@@ -1,5 +1,5 @@
 """What is kept of a run, and how it is told.
 
 `record` collects a run while it goes on, `account` tells where its work goes. `motion` is what a
-simulation gives: `grids` has its tables, `columns` its course, `document` its JSON.
+simulation gives: `grids` has its tables, `columns` its course, `answer` its JSON.
 """

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import Message
+from vstatics.tables.answer import SOMETIMES
 
 EventKind = Literal["locks", "slips", "reverses", "impact"]
 
@@ -30,7 +31,7 @@ class Energy(NamedTuple):
     """Of outside torques."""
     heat: Mapping[str, float]
     """Of friction, by shift element, by link for its resistances."""
-    heat_per_area: Mapping[str, float]
+    heat_per_area: Annotated[Mapping[str, float], SOMETIMES]
     """Of elements whose area is known. [J/m^2]"""
     losses: Mapping[str, float]
     """Of converters, dampers, drag, meshes, by name."""

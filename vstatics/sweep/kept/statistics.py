@@ -9,9 +9,9 @@ import numpy as np
 
 from vstatics.errors import plural
 from vstatics.numerics.arrays import Floats
+from vstatics.tables.answer import document, told
 from vstatics.tables.grid import Grid, grid_of
 
-FORMAT, VERSION = "vstatics-samples", 1
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
 
@@ -19,6 +19,7 @@ _ROUNDED_DEVIATION = 1e-14
 """A deviation below so much of the numbers is that of their last digits."""
 
 
+@told("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
 class Statistics(NamedTuple):
     """Of a column, over the variants in which it exists; NaN if there are too few of them."""
 
@@ -30,6 +31,19 @@ class Statistics(NamedTuple):
     quantiles: tuple[float, ...]
     """By `PARTS`."""
     largest: float
+
+    @property
+    def by_part(self) -> dict[str, float]:
+        """The quantiles, by the parts in per cent."""
+        return {f"{part:.0%}": one for part, one in zip(PARTS, self.quantiles, strict=True)}
+
+
+@document("vstatics-samples")
+class SamplesAnswer(NamedTuple):
+    """What was drawn, and what came of it."""
+
+    drawn: Mapping[str, Statistics]
+    results: Mapping[str, Statistics]
 
 
 def statistics(numbers: Floats) -> Statistics:
@@ -67,13 +81,17 @@ def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
     }
 
 
-def statistics_grids(varied: Sequence[str], found: Mapping[str, Statistics]) -> Iterator[Grid]:
-    """A table of what was drawn, and one of what came of it."""
+def samples_answer(varied: Sequence[str], found: Mapping[str, Statistics]) -> SamplesAnswer:
+    """What was drawn apart from what came of it."""
     drawn = {name: one for name, one in found.items() if name in varied}
-    others = {name: one for name, one in found.items() if name not in varied}
-    for title, part, key in (("Drawn", drawn, "drawn"), ("Results", others, "results")):
+    return SamplesAnswer(drawn, {name: one for name, one in found.items() if name not in varied})
+
+
+def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
+    """A table of each."""
+    for title, part in zip(("Drawn", "Results"), samples, strict=True):
         if part:
-            yield _grid(title, part, key)
+            yield _grid(title, part, title.lower())
 
 
 def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
@@ -89,24 +107,3 @@ def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
         number = runs.pop()
         title += f", {number} {plural('run', number)}"
     return grid_of(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
-
-
-def statistics_document(
-    varied: Sequence[str], found: Mapping[str, Statistics]
-) -> dict[str, object]:
-    """The same as plain data."""
-    plain = {
-        name: {
-            **one._asdict(),
-            "quantiles": {
-                f"{part:.0%}": value for part, value in zip(PARTS, one.quantiles, strict=True)
-            },
-        }
-        for name, one in found.items()
-    }
-    return {
-        "format": FORMAT,
-        "version": VERSION,
-        "drawn": {name: one for name, one in plain.items() if name in varied},
-        "results": {name: one for name, one in plain.items() if name not in varied},
-    }

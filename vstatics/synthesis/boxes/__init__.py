@@ -5,6 +5,6 @@ elements. Speeds in gears are polynomials (`minors`); `ranges` tells which targe
 have, `elements` which sets of elements may give all, `solving` with which ratios (`cells` of the
 bounds, `set_ratios` nearest to the targets). `kernel` does all this compiled, in `pieces`, which
 `work` hands out and keeps. A found box has `figures` (with its `chosen_gears`), a `least_form`
-and a `case`; `choice` puts boxes in order. `document`, `grids`, `listing` and `reading` tell of
+and a `case`; `choice` puts boxes in order. `grids`, `listing` and `reading` tell of
 them; `search` is the whole search in Python.
 """

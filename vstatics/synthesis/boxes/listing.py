@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from vstatics.errors import ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import from_dict
+from vstatics.synthesis.boxes.box import BoxFigures
+from vstatics.synthesis.boxes.choice import RankedBox
+from vstatics.synthesis.structures.growth import SchemeCode
+from vstatics.tables.answer import Count, Sometimes, Words, told
+from vstatics.writers.named import mapping
 
 
 class ListedGear(NamedTuple):
@@ -18,11 +23,16 @@ class ListedGear(NamedTuple):
     target: float
 
 
+@told(
+    *("code", "input", "output", "held", "elements", "ratios", "gears"),
+    *BoxFigures._fields,
+    *("family", "pareto", "case"),
+)
 class ListedBox(NamedTuple):
     """A box of a document, with its number in the order of the document from 1."""
 
     number: int
-    code: str
+    code: SchemeCode
     elements: Mapping[str, tuple[str, ...]]
     """By name the two links that each joins, or a link and the housing."""
     ratios: Mapping[str, float]
@@ -36,9 +46,13 @@ class ListedBox(NamedTuple):
     clutches: int
     single: bool
     planar: bool
-    family: int
+    family: Count
     pareto: bool
-    case: Mapping[str, Any]
+    case: Annotated[Mapping[str, Any], Words(description="As vstatics convert has it.")]
+    input: Count = 0
+    """Links of the code; 0 where the document was read, which needs them not."""
+    output: Count = 0
+    held: Sometimes[Count] = None
 
     def transmission(self) -> Transmission:
         """Its case.
@@ -57,11 +71,41 @@ class ListedBox(NamedTuple):
             ) from None
 
 
+def listed_box(number: int, ranked: RankedBox) -> ListedBox:
+    """A found box as it is listed."""
+    found, box = ranked.found, ranked.found.box
+    return ListedBox(
+        number,
+        box.scheme.code,
+        found.elements,
+        found.ratios,
+        {gear.name: ListedGear(*gear[1:]) for gear in found.gears},
+        *found.figures,
+        ranked.family,
+        ranked.pareto,
+        mapping(found.case),
+        box.input,
+        box.output,
+        box.held,
+    )
+
+
+@told("searched", "found", families="family_count", boxes="boxes")
 class BoxListing(NamedTuple):
     """What a search for boxes has found."""
 
-    searched: int
+    searched: Count
     boxes: tuple[ListedBox, ...]
+
+    @property
+    def found(self) -> Count:
+        """How many boxes there are."""
+        return len(self.boxes)
+
+    @property
+    def family_count(self) -> Count:
+        """How many families they are."""
+        return len(self.families)
 
     @property
     def families(self) -> dict[int, list[ListedBox]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from vstatics.model.transmission import ShiftElement
 from vstatics.numerics.arrays import Booleans, Floats
@@ -17,12 +17,18 @@ class EngagedSet(NamedTuple):
 
     engaged: Sequence[str]
     """Their names; a freewheel among them holds."""
-    kind: str
+    kind: Annotated[str, tuple(one.word for one in EngagedKind)]
     """The word of an `EngagedKind`."""
     ratio: float
     """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
     free: bool
     """Whether a link besides input and output is left undetermined."""
+
+
+class EngagedSetList(NamedTuple):
+    """All combinations."""
+
+    combinations: Sequence[EngagedSet]
 
 
 class EngagedSets(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -14,8 +14,8 @@ from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.ratios.search import start_count
 from vstatics.synthesis.ratios.space import FitPoints, fit_space
+from vstatics.tables.answer import plain_data
 from vstatics.tables.grid import Grid, grid_of
-from vstatics.writers.plain_json import plain_data
 
 
 def dry_document(problem: FitProblem) -> dict[str, Any]:
@@ -52,9 +52,8 @@ TIMED_STEPS = 2
 """Steps by which the time is estimated."""
 
 
-def dry_grids(problem: FitProblem) -> Iterator[Grid]:
+def dry_grids(known: Mapping[str, Any]) -> Iterator[Grid]:
     """The same as tables."""
-    known = dry_document(problem)
     parts = {
         "Varied": ("varied", "mechanism", "from", "to"),
         "What the gears can have within the bounds": ("gears", "gear", "wanted", "from", "to"),

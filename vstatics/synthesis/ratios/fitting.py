@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,9 +17,7 @@ from vstatics.synthesis.ratios.arrays import ratio_arrays
 from vstatics.synthesis.ratios.bounds import LARGEST_SET_RATIO
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, doubts, fit_problem, untold
 from vstatics.synthesis.ratios.search import found_ratios
-from vstatics.writers.documents import documents
-from vstatics.writers.plain_json import plain_data
-from vstatics.writers.record_schema import Schema, list_of, schema_of
+from vstatics.tables.answer import told
 
 TOLERANCE = 0.005
 """So much ``|ln(i/target)|`` is met: half a per cent."""
@@ -41,6 +39,7 @@ class FitSolution(NamedTuple):
     """Gears with more than the tolerance."""
 
 
+@told(*FitSolution._fields, "solutions")
 class Fit(NamedTuple):
     """The best solution, and all."""
 
@@ -172,17 +171,3 @@ def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> I
     for one, other in zip(before.gears, states.gears, strict=True):
         if set(one.engaged) != set(other.engaged):
             yield f"gear {one.name}: with these ratios other freewheels hold, so its own is another"
-
-
-def fit_document(found: Fit) -> dict[str, Any]:
-    """A fit as plain data: the best solution, and all of them."""
-    best = {name: getattr(found, name) for name in FitSolution._fields}
-    made: dict[str, Any] = plain_data(best | {"solutions": found.solutions})
-    return made
-
-
-def fit_schema() -> Schema:
-    """The schema of ``vstatics synth fit -f json``."""
-    one = schema_of(FitSolution)
-    best = schema_of(FitSolution, solutions=list_of(one))
-    return documents("fit", "Ratios for wanted gears, of vstatics synth fit", best)

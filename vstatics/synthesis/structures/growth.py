@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Literal, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.structures import arrays
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
+from vstatics.tables.answer import Count, Words
 
 Classes = Literal["none", "sets", "members", "order"]
 """Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring
@@ -237,15 +238,19 @@ def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
     return SchemePorts(rows[row], first[pair], second[pair])
 
 
+SchemeCode = Annotated[str, Words(pattern="^[0-9]+(-[0-9]+)*$")]
+"""The links of sun, carrier and ring of each set as text."""
+
+
 class FoundScheme(NamedTuple):
     """A scheme, or a choice of its input and output."""
 
-    code: str
-    links: int
+    code: SchemeCode
+    links: Count
     """How many there are."""
-    input: int | None
+    input: Count | None
     """Links of the code; None where none are chosen."""
-    output: int | None
+    output: Count | None
 
 
 def schemes(search: StructureSearch) -> Iterator[FoundScheme]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -14,9 +14,7 @@ from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
 from vstatics.synthesis.teeth.search import BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
-from vstatics.writers.documents import documents
-from vstatics.writers.plain_json import plain_data
-from vstatics.writers.record_schema import Schema, list_of, record, schema_of
+from vstatics.tables.answer import SOMETIMES, told
 
 MOST_TEETH_SOLUTIONS = 20
 """So many solutions are given."""
@@ -24,6 +22,7 @@ ERROR_DECIMALS = 14
 """Decimals of an error; what is below them is rounding."""
 
 
+@told("teeth", "planets", "gears", "error", "modules")
 class TeethSolution(NamedTuple):
     """Teeth of the elements that matter for what is wanted."""
 
@@ -35,10 +34,16 @@ class TeethSolution(NamedTuple):
     """The ratio of every gear of the case [-]; NaN where it has none."""
     error: float
     """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
-    modules: Mapping[str, Mapping[str, float]]
+    modules: Annotated[Mapping[str, Mapping[str, float]], SOMETIMES]
     """By element, by wheel, where modules are chosen [mm]."""
     ratios: Mapping[str, float]
     """Of the mechanisms of the case on its own links [-]."""
+
+
+class TeethAnswer(NamedTuple):
+    """What `vstatics synth teeth` answers."""
+
+    solutions: Sequence[TeethSolution]
 
 
 def teeth_solutions(
@@ -113,26 +118,6 @@ def _solution(
     error = round(max(errors), ERROR_DECIMALS)
     named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
     return TeethSolution(teeth, planets, gears, error, modules, named)
-
-
-def teeth_document(solutions: Sequence[TeethSolution]) -> dict[str, Any]:
-    """Solutions as plain data; modules where they were chosen."""
-    found = []
-    for one in solutions:
-        data = {name: getattr(one, name) for name in ("teeth", "planets", "gears", "error")}
-        if one.modules:
-            data["modules"] = one.modules
-        found.append(plain_data(data))
-    return {"solutions": found}
-
-
-def teeth_schema() -> Schema:
-    """The schema of ``vstatics synth teeth -f json``."""
-    full = schema_of(TeethSolution)["properties"]
-    names = ("teeth", "planets", "gears", "error", "modules")
-    solution = record({name: full[name] for name in names}, optional=["modules"])
-    found = record({"solutions": list_of(solution)})
-    return documents("teeth", "Teeth for wanted ratios, of vstatics synth teeth", found)
 
 
 def asked_document(problem: TeethProblem) -> dict[str, Any]:

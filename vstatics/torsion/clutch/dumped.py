@@ -21,6 +21,7 @@ from typing import Literal, NamedTuple
 
 from vstatics.errors import CaseError, case_error
 from vstatics.statics.result_arrays import Message
+from vstatics.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.clutch.engagement import Engagement, engagement, rate_problems
 from vstatics.torsion.clutch.given import Dump, dump_problems
 
@@ -44,6 +45,8 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
 }
 """Whether the clutch grabs, what slips -> the case, with wheels that roll and that are clamped."""
 
+DUMP_FORM = "vstatics-dump"
+"""Of all answers about clutches that are dumped."""
 FIRST_APPROXIMATION = 1.5
 """Speed at the start by speed of twist at an event, for the simplified forms of table 3.6. [-]"""
 
@@ -66,9 +69,16 @@ class DumpTorque(NamedTuple):
     """The same, of `max_torque_simplified`. [N*m]"""
     dynamic_factor: float
     """`max_torque` by the torque of the clutch that slips, as in table 3.16. [-]"""
-    engagement: Engagement | None = None
+    engagement: Sometimes[Engagement] = None
     """If a rate was given."""
     messages: tuple[Message, ...] = ()
+
+
+@document(DUMP_FORM)
+class DumpAnswer(NamedTuple):
+    """The largest torques of a file of numbers."""
+
+    made: Flat[DumpTorque]
 
 
 class Swing(NamedTuple):

@@ -21,13 +21,15 @@ from vstatics.errors import CaseError, case_error, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.result_arrays import Message
-from vstatics.torsion.clutch.dumped import DumpTorque, dump
+from vstatics.tables.answer import Failure, Flat, Unfailed, document, told
+from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpTorque, dump
 from vstatics.torsion.clutch.given import Dump
 from vstatics.torsion.reduction.reduced_values import scales
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 
 
+@told("name", "to", "error", reduced="given", made="made")
 class GearDump(NamedTuple):
     """A clutch that is dumped in a gear."""
 
@@ -35,12 +37,26 @@ class GearDump(NamedTuple):
     """Of the gear."""
     to: str
     """Name of the link to which all is reduced."""
-    given: Dump | None = None
+    given: Unfailed[Dump] = None
     """On that link."""
-    made: DumpTorque | None = None
+    made: Flat[DumpTorque | None] = None
     """Likewise."""
-    error: str = ""
+    error: Failure = ""
     """Why there is neither."""
+
+
+@document(DUMP_FORM)
+class GearDumpAnswer(NamedTuple):
+    """The largest torques in a gear of a case."""
+
+    gear: Flat[GearDump]
+
+
+@document(DUMP_FORM)
+class GearsDumpAnswer(NamedTuple):
+    """The largest torques in gears of a case."""
+
+    gears: Sequence[GearDump]
 
 
 def gear_dumps(

@@ -21,7 +21,7 @@ MOST_POINTS = 1_000_000
 
 
 class Sum(NamedTuple):
-    """Of one link or device, at each speed."""
+    """Of one link or device, at each speed: all orders together."""
 
     largest: Floats
     """Over a cycle."""

@@ -9,8 +9,9 @@ import numpy as np
 
 from vstatics.numerics.arrays import Complex, Floats, first_largest
 from vstatics.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
-from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import GearResponse
+
+_TITLES = ("amplitudes of links [rad]", "torques of devices [N*m]")
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -52,8 +53,8 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
 def _quantities(
     gear: GearResponse,
 ) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
-    yield "amplitudes of links [rad]", [one.amplitudes for one in gear.orders]
-    yield "torques of devices [N*m]", [one.torques for one in gear.orders]
+    yield _TITLES[0], [one.amplitudes for one in gear.orders]
+    yield _TITLES[1], [one.torques for one in gear.orders]
 
 
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
@@ -83,14 +84,12 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     """All orders together: the largest over the speeds of the largest over a cycle, and of RMS."""
     for gear in gears:
-        orders = [one.order for one in gear.orders]
-        for title, by_name in _quantities(gear):
-            rows = []
-            for name in by_name[0] if by_name else ():
-                largest, rms = summed(orders, [one[name] for one in by_name])
-                cells = _largest(gear.speeds, largest), _largest(gear.speeds, rms)
-                rows.append((name, *cells[0], *cells[1]))
-            headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
+        headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
+        for title, by_name in zip(_TITLES, gear.sum or (), strict=False):
+            rows = [
+                (name, *_largest(gear.speeds, one.largest), *_largest(gear.speeds, one.rms))
+                for name, one in by_name.items()
+            ]
             if rows:
                 made = grid_of(f"Gear {gear.name}, all orders: {title}", headings, rows)
                 yield made._replace(group=f"all orders, {title.partition(' of ')[0]}")

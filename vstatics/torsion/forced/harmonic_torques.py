@@ -11,6 +11,8 @@ import numpy as np
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.numerics.tolerances import NO_POWER
+from vstatics.tables.answer import Failure, Sometimes, told
+from vstatics.torsion.forced.cycle import Sum, summed
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
@@ -67,6 +69,14 @@ class Resonance(NamedTuple):
     """[rpm]"""
 
 
+class SummedResponse(NamedTuple):
+    """All orders together, by the names of `OrderResponse`."""
+
+    amplitudes: Mapping[str, Sum]
+    torques: Mapping[str, Sum]
+
+
+@told("name", "speeds", "orders", "sum", "resonances", "error")
 class GearResponse(NamedTuple):
     """The response of a gear."""
 
@@ -75,7 +85,19 @@ class GearResponse(NamedTuple):
     """[rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
-    error: str = ""
+    error: Failure = ""
+    sum: Sometimes[SummedResponse] = None
+    """If it was asked for."""
+
+    def with_sum(self) -> GearResponse:
+        """The same with all orders together."""
+        orders = [one.order for one in self.orders]
+
+        def total(by_order: Sequence[Mapping[str, Complex]]) -> dict[str, Sum]:
+            return {name: summed(orders, [one[name] for one in by_order]) for name in by_order[0]}
+
+        parts = [one.amplitudes for one in self.orders], [one.torques for one in self.orders]
+        return self._replace(sum=SummedResponse(*map(total, parts))) if orders else self
 
 
 def response(

@@ -17,6 +17,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import free_motions
 from vstatics.numerics.tolerances import TIE
+from vstatics.tables.answer import Failure
 from vstatics.tables.numbers import certain
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
@@ -55,7 +56,7 @@ class GearReduction(NamedTuple):
     ratios: Amounts = {}  # noqa: RUF012
     merged: Mapping[str, Sequence[str]] = {}
     notes: Mapping[str, str] = {}
-    error: str = ""
+    error: Failure = ""
 
 
 def reduce(

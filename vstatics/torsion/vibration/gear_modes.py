@@ -16,6 +16,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.motions import Form
 from vstatics.numerics.tolerances import NO_POWER, TIE
+from vstatics.tables.answer import Failure, told
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 from vstatics.torsion.system.state import asked_gears, vibrating
@@ -29,6 +30,17 @@ SOME_LINKS, SOME_MODES = 50, 20
 """Of a case with more links so many modes are told, if nobody says how many."""
 
 
+class Sensitivity(NamedTuple):
+    """Relative change of a frequency per relative change of each number [-]."""
+
+    stiffness: Named
+    inertia: Named
+
+
+@told(
+    *("omega", "frequency", "damping_ratio", "damped_frequency"),
+    *("nodes", "shape", "torques", "kinetic", "elastic", "sensitivity"),
+)
 class Mode(NamedTuple):
     """A natural mode that is not rigid.
 
@@ -74,6 +86,11 @@ class Mode(NamedTuple):
         """Relative change of the frequency per relative change of each inertia [-]."""
         return {name: -share / 2 for name, share in self.kinetic.items()}
 
+    @property
+    def sensitivity(self) -> Sensitivity:
+        """Of the frequency."""
+        return Sensitivity(self.by_stiffness, self.by_inertia)
+
 
 class GearModes(NamedTuple):
     """The modes of a gear.
@@ -99,7 +116,7 @@ class GearModes(NamedTuple):
     modes: Sequence[Mode] = ()
     damped: Sequence[complex] = ()
     warnings: Sequence[str] = ()
-    error: str = ""
+    error: Failure = ""
 
 
 def modes(

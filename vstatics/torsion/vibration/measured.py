@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from vstatics.errors import case_error, listed, nearest, quoted, spoken
 from vstatics.model.transmission import Transmission
+from vstatics.tables.answer import told
 from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import vibrating
 from vstatics.torsion.vibration import decrements as formulas
@@ -30,6 +31,7 @@ class Identified(NamedTuple):
     """Likewise; none where no decrement is given. [N*m*s/rad]"""
 
 
+@told("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
     """The dampings of elastic devices in a gear by their decrements."""
 

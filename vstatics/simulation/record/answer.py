@@ -1,0 +1,83 @@
+"""What `vstatics simulate` answers: the course of a simulation."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
+from vstatics.statics.result_arrays import Message
+from vstatics.tables.answer import Sometimes, document
+
+
+@document("vstatics-simulation")
+class MotionAnswer(NamedTuple):
+    """Times, speeds, slips, torques, events, energy, peaks of a case, by its name."""
+
+    case: str
+    time: Floats
+    speeds: Mapping[str, Floats]
+    slips: Mapping[str, Floats]
+    torques: Mapping[str, Floats]
+    events: Sequence[Event]
+    energy: Energy
+    peaks: Mapping[str, Peak]
+    targets: Sometimes[Sequence[Reached]]
+    """If speeds were asked for that links reach."""
+    messages: Sequence[Message]
+    stopped: str | None
+
+
+def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> MotionAnswer:
+    """What is answered of a motion.
+
+    Parameters
+    ----------
+    motion : Motion
+    case : str
+        Its name.
+    targets : bool
+        Whether speeds were asked for that links reach.
+    """
+    return MotionAnswer(
+        case,
+        motion.time,
+        dict(zip(motion.links, motion.speeds.T, strict=True)),
+        dict(zip(motion.elements, motion.slips.T, strict=True)),
+        dict(zip(motion.devices, motion.torques.T, strict=True)),
+        motion.events,
+        motion.energy,
+        motion.peaks,
+        motion.reached if targets else None,
+        motion.messages,
+        motion.stopped.message if motion.stopped else None,
+    )
+
+
+def lay_out(document: Mapping[str, Any]) -> str:
+    """JSON with a line for each list of numbers.
+
+    >>> print(lay_out({"time": [0.0, 1.0], "speeds": {"in": [3.0, None]}, "events": []}))
+    {
+     "time": [0.0, 1.0],
+     "speeds": {
+      "in": [3.0, null]
+     },
+     "events": []
+    }
+    """
+    encoder = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
+    return _laid_out(document, encoder.encode, "\n")
+
+
+def _laid_out(value: Any, encode: Callable[[Any], str], end: str) -> str:
+    """Mappings on several lines, as are lists of them; anything else on one."""
+    inner = end + " "
+    if isinstance(value, Mapping) and value:
+        items = (f"{encode(key)}: {_laid_out(one, encode, inner)}" for key, one in value.items())
+        return "{" + inner + f",{inner}".join(items) + end + "}"
+    if isinstance(value, list) and value and isinstance(value[0], Mapping):
+        return "[" + inner + f",{inner}".join(map(encode, value)) + end + "]"
+    return encode(value)

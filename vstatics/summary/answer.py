@@ -1,0 +1,50 @@
+"""What `vstatics summary` answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.summary import Summary
+from vstatics.summary.design_table import Design
+from vstatics.summary.duty import Cycle
+from vstatics.summary.extremes import Largest, Margin
+from vstatics.summary.inertia import GearInertia
+from vstatics.summary.shifts import Transition
+from vstatics.summary.unused_sets import Combination
+from vstatics.tables.answer import Flat, Sometimes, document
+from vstatics.tables.ports import PortTable, port_tables
+
+
+@document("vstatics-summary")
+class SummaryAnswer(NamedTuple):
+    """The summary of a case, by its name."""
+
+    name: str
+    design: Flat[Design]
+    transitions: Sequence[Transition]
+    ports: Sequence[PortTable]
+    largest: Mapping[str, Sequence[Largest]]
+    sensitivity: Mapping[str, Sequence[float]]
+    margins: Sometimes[Sequence[Margin]]
+    inertia: Sometimes[Sequence[GearInertia]]
+    duty: Sometimes[Cycle]
+    combinations: Sometimes[Sequence[Combination]]
+
+
+def summary_answer(summary: Summary) -> SummaryAnswer:
+    """What is answered of a summary."""
+    case = summary.results.case
+    names = [mechanism.name for mechanism in case.mechanisms]
+    return SummaryAnswer(
+        case.name,
+        summary.design,
+        summary.transitions,
+        port_tables(summary.results),
+        summary.largest,
+        dict(zip(names, summary.sensitivities.T.tolist(), strict=True)),
+        summary.margins or None,
+        summary.inertias or None,
+        summary.cycle,
+        summary.combinations,
+    )

@@ -1,0 +1,72 @@
+"""What the commands of `vstatics torsion` answer about the gears of a case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.tables.answer import Flat, document
+from vstatics.torsion.forced.harmonic_torques import GearResponse
+from vstatics.torsion.reduction.reduced_values import GearReduction
+from vstatics.torsion.reduction.simplification import SimplificationRule, SimplificationStep
+from vstatics.torsion.vibration.gear_modes import GearModes
+from vstatics.torsion.vibration.measured import Damped, Identified
+
+
+@document("vstatics-modes")
+class ModesAnswer(NamedTuple):
+    """The modes of gears."""
+
+    case: str
+    gears: Sequence[GearModes]
+
+
+@document("vstatics-reduction")
+class ReductionAnswer(NamedTuple):
+    """Inertias and compliances of gears on one link."""
+
+    case: str
+    to: str
+    gears: Sequence[GearReduction]
+
+
+@document("vstatics-response")
+class ResponseAnswer(NamedTuple):
+    """Forced vibration of gears, by a torque on a link."""
+
+    case: str
+    at: str
+    gears: Sequence[GearResponse]
+
+
+@document("vstatics-simplification")
+class SimplificationAnswer(NamedTuple):
+    """The steps to a simpler scheme of a gear."""
+
+    case: str
+    gear: str
+    rule: SimplificationRule
+    steps: Sequence[SimplificationStep]
+    warnings: Sequence[str]
+
+
+@document("vstatics-identification")
+class IdentificationAnswer(NamedTuple):
+    """What follows from the frequency of a mode that was measured."""
+
+    case: str
+    gear: str
+    mode: int
+    measured: float
+    """[rad/s]"""
+    made: Flat[Identified]
+
+
+@document("vstatics-damping")
+class DampingAnswer(NamedTuple):
+    """Dampings from decrements, by a mode of a gear."""
+
+    case: str
+    gear: str
+    mode: int
+    made: Flat[Damped]
