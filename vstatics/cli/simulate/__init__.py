@@ -3,5 +3,4 @@
 `options` says what the command takes; `command` runs the scenario once and shows the motion.
 `samples` is for ``--samples``: many runs with drawn numbers, carried out as a sweep is, and their
 statistics.
-`schemas` describes the JSON of both, and that of a scenario.
 """

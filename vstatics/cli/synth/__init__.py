@@ -5,5 +5,5 @@
 gears, `fit` the ratios of its mechanisms, `teeth` their integer teeth; `box` finds whole boxes for
 wanted ratios. `case_file` writes what was found as a case. Of combinations `combinations_output`
 says what is shown; of boxes `box_options` says what is asked for, `box_run` carries the search
-out, `box_output` writes what it finds. `schemas` describes the JSON of all.
+out, `box_output` writes what it finds.
 """

@@ -2,6 +2,5 @@
 
 `group` lists the commands. Each is a module with a function of its name: `modes`, `reduce`,
 `simplify`, `response`, `dump`; both commands of what was measured, ``identify`` and ``damping``,
-are in `measured`. `case` has what they share: gears, links and messages of their case. `schemas`
-describes their JSON.
+are in `measured`. `case` has what they share: gears, links and messages of their case.
 """
