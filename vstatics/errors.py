@@ -74,15 +74,6 @@ class CaseError(VstaticsError):
         return type(self), (self.problems,)
 
 
-def case_error(message: str, *path: str | int) -> CaseError:
-    """What is wrong with a transmission, where it is one thing.
-
-    >>> case_error("read 0, expected a number above 0", "gears", 1).problems[0].path
-    ('gears', 1)
-    """
-    return CaseError([Problem(message, path)])
-
-
 class ReadError(CaseError):
     """A file that cannot be read as a case or a result, or not written; with places."""
 

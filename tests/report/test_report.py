@@ -15,7 +15,7 @@ import pytest
 from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
 from tests.report.pages import NASTY, NASTY_CASE, Page, number, output, report, value, write
 from vstatics import load, solve
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.report import gather, page
 from vstatics.tables.quantities import BY_NAME, QUANTITIES
 
@@ -314,7 +314,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
 
 def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **_of: object) -> bytes:
-        raise CaseError([Problem("nothing <moves>")])
+        raise CaseError("nothing <moves>")
 
     monkeypatch.setattr("vstatics.report.page_pictures.sheets", refuse)
     shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, case_error
+from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import largest
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
@@ -90,7 +90,7 @@ class EventRun:
                 f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
                 "there is no state in which the run can go on"
             )
-            raise case_error(message)
+            raise CaseError(message)
 
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
@@ -110,10 +110,10 @@ class EventRun:
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
                 f"fits for {', '.join(names) or 'the speeds as they are'}"
             )
-            raise case_error(message) from None
+            raise CaseError(message) from None
         except np.linalg.LinAlgError:
             message = f"at {at.time:.9g} s the equations of motion are singular"
-            raise case_error(message) from None
+            raise CaseError(message) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
         return selected

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, case_error
+from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
@@ -104,7 +104,7 @@ def _twists(system: MotionSystem, speeds: Floats) -> Floats:
         return settled_twists(system, speeds)
     except NoChoice:
         message = "there is no settled state at t = 0: leave out `settled`"
-        raise case_error(message, "start", "settled") from None
+        raise CaseError(message, ("start", "settled")) from None
 
 
 def _closed(motion: Motion) -> Motion:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.parts import KW_OF_RPM_NM
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -154,7 +154,7 @@ class PhysicalResults(ResultFields):
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
         """An array in a unit."""
         if unit not in known_units(self.case):
-            raise CaseError([Problem(lacking_load(f"{name}_{unit}", unit))])
+            raise CaseError(lacking_load(f"{name}_{unit}", unit))
         scale = scales(self.case)[unit]
         if relative.ndim > self.ratio.ndim:
             scale = scale[:, np.newaxis]

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import combinations as subsets
 from typing import NamedTuple, TypeVar
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.diagnosis import freedom
 from vstatics.statics.results import Results
@@ -102,7 +102,7 @@ def _check(case: Transmission, at_most: int) -> None:
             f"{needed(case)} of {len(case.shift_elements)} shift elements have {count} "
             f"combinations, more than the {at_most} that may be tried"
         )
-        raise CaseError([Problem(message, ("shift_elements",))])
+        raise CaseError(message, ("shift_elements",))
 
 
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:

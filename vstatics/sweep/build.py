@@ -127,7 +127,7 @@ def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, Arra
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     array = np.asarray(values, dtype=np.float64)
     if array.ndim != 1:
-        raise CaseError([Problem(f"{name}: read {array.ndim} axes, expected a list of numbers")])
+        raise CaseError(f"{name}: read {array.ndim} axes, expected a list of numbers")
     return array
 
 
@@ -137,7 +137,7 @@ def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
         message = f"variants: expected equally many values of each number ({lengths or 'none'})"
-        raise CaseError([Problem(message)])
+        raise CaseError(message)
     return VariantTable(targets, np.column_stack(arrays))
 
 

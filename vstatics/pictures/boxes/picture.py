@@ -7,7 +7,7 @@ from functools import partial
 
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, settings_of, written
@@ -77,7 +77,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
         If there is no box.
     """
     if not drawn:
-        raise CaseError([Problem("no box was found, so there is nothing to draw")])
+        raise CaseError("no box was found, so there is nothing to draw")
     count, gap = DIAGRAMS_SIDE_BY_SIDE, DIAGRAM_GAP
     room = (A4_WIDTH - 2 * BOXES_MARGIN - (count - 1) * gap) / count
     cases = [box.transmission() for box in drawn]

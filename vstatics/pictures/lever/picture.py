@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.pictures.lever.cell import LeverView, draw_lever, draw_route, lever_names
 from vstatics.pictures.lever.gear import LeverGear, in_gear
 from vstatics.pictures.lever.key import key_of
@@ -44,7 +44,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     """
     page = page_of(results.case, style, WIDE_MARGIN)
     if page is None:
-        raise CaseError([Problem("the case has no mechanism to draw as a lever")])
+        raise CaseError("the case has no mechanism to draw as a lever")
     for gears in shown:
         numbers = gears or range(1, len(results.case.gears) + 1)
         yield _figure(page, [in_gear(results, one, page.levers) for one in numbers], style)

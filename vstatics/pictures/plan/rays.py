@@ -14,7 +14,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.numerics.traced import plain
@@ -130,7 +130,7 @@ def plans(results: Results) -> list[KinematicPlan]:
         drawn.append(KinematicPlan(first, last, engaged, given, rays, marks, standing))
     if not drawn:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
-        raise CaseError([Problem(f"{message}, and no gear of this case leaves anything free")])
+        raise CaseError(f"{message}, and no gear of this case leaves anything free")
     shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
     return shared or drawn
 
@@ -168,7 +168,7 @@ def _states(
         seen.add(chosen)
         if len(seen) > MOST_STATES:
             message = f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
-            raise CaseError([Problem(f"{message}: its elements do the same in many ways")])
+            raise CaseError(f"{message}: its elements do the same in many ways")
         if is_free(chosen):
             found = [one for one in found if not chosen > one] + [chosen]
             continue

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError, Problem, printable
+from vstatics.errors import CaseError, printable
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.run.events import (
     MOST_NAMED_EVENTS,
@@ -84,10 +84,10 @@ def draw(
         If there is none, or nothing moves in it.
     """
     if motion is None:
-        raise CaseError([Problem("this picture shows a run: expected a scenario, not a case")])
+        raise CaseError("this picture shows a run: expected a scenario, not a case")
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or not shown:
-        raise CaseError([Problem("a picture of a run shows what moves, and nothing moves in this")])
+        raise CaseError("a picture of a run shows what moves, and nothing moves in this")
     named = named_events(motion.events, MOST_NAMED_EVENTS)
     events = [Label(event.time, event_text(event, style), style.ink) for event in named]
     content = _RunContent(motion, shown, states(motion), events)

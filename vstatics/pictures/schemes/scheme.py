@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
@@ -137,7 +137,7 @@ def scheme_of(case: Transmission) -> Scheme:
     ]
     if len(devices) > MOST_DEVICES:
         message = f"a scheme shows up to {MOST_DEVICES} mechanisms and shift elements"
-        raise CaseError([Problem(f"{message}; this case has {len(devices)}")])
+        raise CaseError(f"{message}; this case has {len(devices)}")
     ports = dict.fromkeys(
         port
         for gear in case.gears

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
 from vstatics.pictures.schemes.glyphs import lines_of
@@ -108,7 +108,7 @@ def sheet_of(  # noqa: PLR0913 - what is drawn, and how
         If there are several gears.
     """
     if len(gears) > 1:
-        raise CaseError([Problem("the picture of a scheme shows one gear at a time")])
+        raise CaseError("the picture of a scheme shows one gear at a time")
     state, texts, shown = SchemeState(), [subject], None
     if gears:
         shown = state_of(results, gears[0])

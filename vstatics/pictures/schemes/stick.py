@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import ITEM_GAP, Board
@@ -110,7 +110,7 @@ def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None
             "take the picture `structure`, or find teeth for it "
             "(vstatics synth teeth CASE --write FILE)"
         )
-        raise CaseError([Problem(message)])
+        raise CaseError(message)
     devices, glyphs = as_sets(scheme.devices, case.mechanisms)
     return replace(scheme, devices=devices), glyphs
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, listed
 from vstatics.extras import require
 from vstatics.pictures.sheet.style import Style
 from vstatics.statics.results import Results
@@ -39,7 +39,7 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
         whose = f"gear {names} has" if len(found) == 1 else f"gears {names} have"
         why = next((said for gear in found for said in (gear.error, *gear.warnings) if said), "")
         because = f": {why}" if why else ""
-        raise CaseError([Problem(f"{whose} no natural frequency{because}")])
+        raise CaseError(f"{whose} no natural frequency{because}")
     return found
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import case_error
+from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
@@ -94,7 +94,7 @@ class Finder:
                     f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
                     f"expected {expected}"
                 )
-                raise case_error(message, "controls", contact.name)
+                raise CaseError(message, ("controls", contact.name))
 
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, case_error, listed
+from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.parts import Scenario
@@ -31,7 +31,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     try:
         number = case.gear_number(name)
     except ValueError as error:
-        raise case_error(str(error), "start", "gear") from None
+        raise CaseError(str(error), ("start", "gear")) from None
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
@@ -109,7 +109,7 @@ def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float
 def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
     moving = np.flatnonzero(np.abs(motions).max(axis=1) > MOVING_LINK)
     names = listed([system.names[index] for index in moving], 6)
-    return case_error(f"the start leaves the speed of {names} open{hint}", "start")
+    return CaseError(f"the start leaves the speed of {names} open{hint}", ("start",))
 
 
 def _contradiction(

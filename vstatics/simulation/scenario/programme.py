@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, case_error
+from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import Friction, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
@@ -142,7 +142,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
                 f"{element.name} has no capacity in the case, so it can't change over "
                 f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
             )
-            raise case_error(message, "shifts", index)
+            raise CaseError(message, ("shifts", index))
         else:
             moment = moment if target else at
             points = [*kept, (at, now), (moment, now), (moment, target)]
@@ -168,4 +168,4 @@ def _gear(case: Transmission, name: str, index: int) -> Gear:
     try:
         return case.gears[case.gear_number(name) - 1]
     except ValueError as error:
-        raise case_error(str(error), "shifts", index, "to") from None
+        raise CaseError(str(error), ("shifts", index, "to")) from None

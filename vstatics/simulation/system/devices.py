@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, case_error
+from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
@@ -57,7 +57,7 @@ def motion_system(
             bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
-        raise case_error(f"{message} in kg*m^2", "case")
+        raise CaseError(f"{message} in kg*m^2", ("case",))
     contacts, outside = _loads(scenario)
     dragging = list(drags(case, gear))
     rows = np.ascontiguousarray(distribution_matrix(case).T)
@@ -86,7 +86,7 @@ def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
             message = f"{one.name} is self-locking, which a scenario can't have yet"
-            raise case_error(message, "case")
+            raise CaseError(message, ("case",))
         u = one.ratio
         found.append(
             RigidMechanism(
@@ -173,7 +173,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
             "one coefficient of friction, or a spring beside it in place of `stiffness`"
         )
-        raise case_error(message, "case")
+        raise CaseError(message, ("case",))
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 

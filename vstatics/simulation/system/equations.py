@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import case_error
+from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.system.curves import curve_along, slope_of
 from vstatics.simulation.system.matrices import MotionSystem
@@ -98,7 +98,7 @@ class Equations:
                 f"link {name} has no inertia, and nothing determines its speed at "
                 f"{self.time:g} s: give it an inertia, or hold it"
             )
-            raise case_error(message, "case", "inertias", name)
+            raise CaseError(message, ("case", "inertias", name))
 
     def light_motions(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""

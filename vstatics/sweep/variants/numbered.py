@@ -71,7 +71,7 @@ class VariantGrid:
         self.count = math.prod(map(len, self.values))
         if self.count > MOST:
             message = f"the grid has {self.count} variants, expected fewer than 2**63: "
-            raise CaseError([Problem(message + "give fewer values, or take a sample")])
+            raise CaseError(message + "give fewer values, or take a sample")
 
     def block(self, start: int, stop: int) -> Floats:
         """The numbers of a block of variants, as `Variants` says."""

@@ -145,7 +145,7 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
         return qmc.LatinHypercube(dimensions, rng=np.random.default_rng(seed)).random(count)
     except MemoryError:
         message = f"a Latin hypercube of {count} variants does not fit into memory: take fewer"
-        raise CaseError([Problem(f"{message}, or the method `sobol`")]) from None
+        raise CaseError(f"{message}, or the method `sobol`") from None
 
 
 def _sobol(block: Floats, sample: Sample, start: int) -> None:

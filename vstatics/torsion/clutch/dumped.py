@@ -19,7 +19,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
-from vstatics.errors import CaseError, case_error
+from vstatics.errors import CaseError
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.clutch.engagement import Engagement, engagement, rate_problems
@@ -145,7 +145,7 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         None if rate is None else engagement(rate, given.J2 + given.J3, given.E),
     )
     if not all(math.isfinite(one) for one in made[1:6]):
-        raise case_error("numbers so large or so small give no torque")
+        raise CaseError("numbers so large or so small give no torque")
     return made._replace(messages=tuple(_messages(given, made, course)))
 
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from vstatics.errors import CaseError, case_error, spoken
+from vstatics.errors import CaseError, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.result_arrays import Message
@@ -102,7 +102,7 @@ def gear_dumps(
     """
     if case.dump is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise case_error(message, "dump")
+        raise CaseError(message, ("dump",))
     return [_gear_dump(case, gear, case.dump, rate) for gear in asked_gears(case, gears)]
 
 

@@ -24,7 +24,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.errors import CaseError, Problem, case_error, listed, nearest, spoken
+from vstatics.errors import CaseError, Problem, listed, nearest, spoken
 from vstatics.numerics.tolerances import TIE
 from vstatics.tables.numbers import certain
 from vstatics.torsion.reduction.chain import (
@@ -128,7 +128,7 @@ def simplify(
         stages = [*_by_partial_systems(chain, steps, remove)]
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
-        raise case_error(message)
+        raise CaseError(message)
     found = tuple(_step(stage, rule, is_chain=is_chain) for stage in stages)
     left = without_massless(stages[-1][1] if stages else given)
     return Simplification(rule, found, left, tuple(_warnings(found)))
@@ -161,7 +161,7 @@ def _by_masses(
         [mass] = system.masses
         if not system.frequency:
             message = f"`{system.names[0]}` can't be removed: no device acts on it"
-            raise case_error(message)
+            raise CaseError(message)
         scheme = without_branch_mass(scheme, mass, rule)
         yield system, scheme
 
@@ -174,7 +174,7 @@ def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[Part
             "no link is left that a rule removes: one device alone acts on each of "
             f"{listed([one.names[0] for one in systems])}; name those to remove"
         )
-        raise case_error(message)
+        raise CaseError(message)
     return inner
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.errors import case_error, plural, spoken
+from vstatics.errors import CaseError, plural, spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import dependencies
@@ -167,7 +167,7 @@ def modes(
     asked = asked_gears(case, gears)
     if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
         message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
-        raise case_error(message, "inertias")
+        raise CaseError(message, ("inertias",))
     if coast is not None and coast != case.coast:
         case = replace(case, coast=coast)
     if count is None and case.own_links > SOME_LINKS:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import case_error, listed, nearest, quoted, spoken
+from vstatics.errors import CaseError, listed, nearest, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.tables.answer import told
 from vstatics.torsion.system.gear_system import TorsionalDevice
@@ -182,10 +182,10 @@ def _of_mode(
         raise ValueError(f"mode: read {number}, expected a number from 1")
     [found] = modes(case, [at], count=number)
     if found.error:
-        raise case_error(found.error, "gears", at)
+        raise CaseError(found.error, ("gears", at))
     if not found.modes:
         message = "nothing elastic joins inertias, so there is no mode"
-        raise case_error(message, "gears", at)
+        raise CaseError(message, ("gears", at))
     if number > len(found.modes):
         raise ValueError(f"no mode {number} in gear {found.name}; it has {len(found.modes)}")
     system = vibrating(case, case.gears[at - 1])
