@@ -19,7 +19,7 @@ import vstatics
 TESTS = Path(__file__).parent
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
-    "interrupt",
+    "start",
     "errors",
     "extras",
     "numerics",

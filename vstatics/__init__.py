@@ -19,7 +19,7 @@ array([1.    , 0.9714])
 
 from __future__ import annotations
 
-import vstatics.interrupt  # noqa: F401 - first: it makes Ctrl-C safe in the others
+import vstatics.start  # noqa: F401 - first: it makes the import of the others safe and fast
 
 # isort: split
 from importlib import import_module

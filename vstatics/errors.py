@@ -81,8 +81,7 @@ class ReadError(CaseError):
 _OTHERS = "\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff"
 """What no terminal should get: more controls, ends of lines, marks that turn the direction of
 writing, half characters."""
-_IN_LINE = re.compile(f"[\0-\x1f{_OTHERS}]")
-_IN_LINES = re.compile(f"[\0-\x08\x0b-\x1f{_OTHERS}]")
+_IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
 
 def printable(text: str, *, lines: bool = False) -> str:
@@ -103,7 +102,7 @@ def printable(text: str, *, lines: bool = False) -> str:
     if (text.replace("\n", "") if lines else text).isprintable():
         return text  # as nearly all is, which a pattern takes ten times as long to see
     pattern = _IN_LINES if lines else _IN_LINE
-    return pattern.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+    return re.sub(pattern, lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def path_text(path: Path) -> str:
