@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from vstatics import errors
@@ -13,5 +15,5 @@ def test_texts_of_one_letter_are_escaped_by_the_pattern_alone(lines: bool) -> No
     pattern = errors._IN_LINES if lines else errors._IN_LINE
     for number in (*range(0x3000), *range(0xD700, 0xE100), 0xFEFF, 0x1F69C, 0x10FFFF):
         letter = chr(number)
-        shown = f"\\u{number:04x}" if pattern.match(letter) else letter
+        shown = f"\\u{number:04x}" if re.match(pattern, letter) else letter
         assert errors.printable(letter, lines=lines) == shown
