@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 MASSES = ("J1", "J2", "J3", "J4", "J5")
 NEEDED = ("J1", "J2", "J5")
 """Those that have a link at least."""
+NUMBERS = ("M_C0", "omega1", "M_phi", "E")
+"""What else is above 0."""
 
 
 class ClutchDump(NamedTuple):
@@ -59,6 +61,13 @@ class ClutchDump(NamedTuple):
         """To which all is reduced."""
         return self.J2[0] if self.to is None else self.to
 
+    def completed(self) -> ClutchDump:
+        """A checked one with its numbers as floats."""
+        changed: dict[str, Any] = {name: tuple(links) for name, links in self.masses.items()}
+        numbers = {name: getattr(self, name) for name in NUMBERS}
+        changed |= {name: None if one is None else float(one) for name, one in numbers.items()}
+        return self._replace(**changed)
+
 
 def dump_of(
     J3: Sequence[int] = (),  # noqa: N803
@@ -74,20 +83,3 @@ def dump_record(dump: ClutchDump | None) -> dict[str, Any] | None:
     if dump is None:
         return None
     return {name: one for name, one in dump._asdict().items() if one != math.inf}
-
-
-def completed_dump(dump: ClutchDump | None) -> ClutchDump | None:
-    """A checked one with its numbers as floats."""
-    if dump is None:
-        return None
-    return dump._replace(
-        J1=tuple(dump.J1),
-        J2=tuple(dump.J2),
-        J3=tuple(dump.J3),
-        J4=tuple(dump.J4),
-        J5=tuple(dump.J5),
-        M_C0=float(dump.M_C0),
-        omega1=float(dump.omega1),
-        M_phi=float(dump.M_phi),
-        E=None if dump.E is None else float(dump.E),
-    )

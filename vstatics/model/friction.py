@@ -75,14 +75,3 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
             message = f"read {coefficient:g}, expected a coefficient above 0"
             yield Problem(message, (*here, number, 2))
         least = max(least, slip)
-
-
-def completed_friction(friction: Friction) -> Friction:
-    """A checked one with its numbers as floats."""
-    radius, area, surfaces, points = friction
-    return Friction(
-        float(radius),
-        float(area),
-        int(surfaces),
-        tuple((float(slip), float(coefficient)) for slip, coefficient in points),
-    )

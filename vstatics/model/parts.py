@@ -108,6 +108,11 @@ class Friction(NamedTuple):
         """``area radius surfaces``: the capacity by the pressure, for a coefficient of 1 [m^3]."""
         return self.area * self.radius * self.surfaces
 
+    def completed(self) -> Friction:
+        """A checked one with its numbers as floats."""
+        points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.coefficient)
+        return Friction(float(self.radius), float(self.area), int(self.surfaces), points)
+
 
 class ShiftElement(NamedTuple):
     """A clutch joins two links; a brake joins a link to the housing (0).

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Path, Problem
-from vstatics.model.clutch_dump import NEEDED
+from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, of_link
 from vstatics.model.parts import HOUSING, Damping, element_name, mechanism_name
@@ -141,7 +141,7 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
             seen.setdefault(link, name)
     if dump.to is not None:
         yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)
-    for name in ("M_C0", "omega1", "M_phi", "E"):
+    for name in NUMBERS:
         value = getattr(dump, name)
         if value is not None and not (value > 0 and (value < math.inf or name == "M_phi")):
             yield Problem(f"read {value:g}, expected a number above 0", ("dump", name))

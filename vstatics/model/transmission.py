@@ -12,7 +12,6 @@ from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
 from vstatics.model.parts import (
     HOUSING,
-    Friction,
     Gear,
     Load,
     Mechanism,
@@ -24,9 +23,6 @@ from vstatics.model.parts import (
     mechanism_name,
 )
 from vstatics.model.springs import spring_name
-
-if TYPE_CHECKING:
-    from vstatics.model.clutch_dump import ClutchDump
 
 __all__ = [
     "HOUSING",
@@ -189,7 +185,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 stiffness=_float(element.stiffness),
                 damping=damping(element.damping),
                 static=float(element.static),
-                friction=_friction(element.friction),
+                friction=element.friction and element.friction.completed(),
             )
             for number, element in enumerate(case.shift_elements, 1)
         ),
@@ -219,7 +215,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             )
             for number, spring in enumerate(case.springs, 1)
         ),
-        "dump": _dump(case.dump),
+        "dump": case.dump and case.dump.completed(),
     }
 
 
@@ -236,22 +232,6 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
     )
-
-
-def _dump(dump: ClutchDump | None) -> ClutchDump | None:
-    if dump is None:
-        return None
-    from vstatics.model.clutch_dump import completed_dump  # costs start-up time
-
-    return completed_dump(dump)
-
-
-def _friction(friction: Friction | None) -> Friction | None:
-    if friction is None:
-        return None
-    from vstatics.model.friction import completed_friction  # costs start-up time
-
-    return completed_friction(friction)
 
 
 def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:

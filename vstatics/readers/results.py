@@ -44,12 +44,10 @@ def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
 def _read_json(text: str, file: str) -> list[WrittenResult]:
     try:
         content = json.loads(text)
-    except json.JSONDecodeError as error:
-        if _is_lines(text, error):
-            return _read_lines(text, file)
-        raise _fail(f"no JSON: {error.msg}", file, error.lineno, error.colno) from None
     except (RecursionError, ValueError) as error:
-        raise _fail(f"no JSON that can be read: {error}", file) from None
+        if isinstance(error, json.JSONDecodeError) and _is_lines(text, error):
+            return _read_lines(text, file)
+        raise _no_json(error, file) from None
     documents = content if isinstance(content, list) else [content]
     if not documents:
         raise _fail("an empty array; expected at least one result", file)
@@ -76,11 +74,15 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
             continue
         try:
             results.append(_report(json.loads(line), file, len(results) + 1, number))
-        except json.JSONDecodeError as error:
-            raise _fail(f"no JSON: {error.msg}", file, number, error.colno) from None
         except (RecursionError, ValueError) as error:
-            raise _fail(f"no JSON that can be read: {error}", file, number) from None
+            raise _no_json(error, file, number) from None
     return results
+
+
+def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
+    if isinstance(error, json.JSONDecodeError):
+        return _fail(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
+    return _fail(f"no JSON that can be read: {error}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
@@ -215,25 +217,19 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
         if not cells or cells[0] == "conventions":
             continue
         if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
-            raise _fail_in_csv(
-                "no row of a result in CSV: expected table,row,gear,value", file, lines
-            )
+            message = "no row of a result in CSV: expected table,row,gear,value"
+            raise _fail(message, file, lines.line_num)
         table, name, gear, value = cells
         if BY_NAME[table].columns == "devices":
             name, _, gear = name.rpartition(":")
         try:
             figure = Figure(float(value) if value else math.nan)
         except ValueError:
-            raise _fail_in_csv(f"read {value!r}, expected a number", file, lines) from None
+            raise _fail(f"read {value!r}, expected a number", file, lines.line_num) from None
         results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
     if not results:
-        raise ReadError("no result in it", place=Source(file, "").place(0))
+        raise _fail("no result in it", file)
     return [_result(case, cells) for case, cells in results.items()]
-
-
-def _fail_in_csv(message: str, file: str, lines: object) -> ReadError:
-    number = getattr(lines, "line_num", 0)
-    return ReadError(message, place=Source(file, "").place(number))
 
 
 def _result(file: str, tables: _Cells) -> WrittenResult:

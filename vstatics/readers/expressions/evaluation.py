@@ -87,12 +87,10 @@ def _of_number(function: Callable[[Any], Any]) -> Function:
     return lambda operands: function(_numbers(operands[0]))
 
 
-def _of_numbers(function: Callable[[Any, Any], Any]) -> Function:
-    return lambda operands: reduce(function, map(_numbers, operands))
-
-
-def _of_truth(function: Callable[[Any, Any], Any]) -> Function:
-    return lambda operands: reduce(function, map(truth, operands))
+def _of_numbers(
+    function: Callable[[Any, Any], Any], kind: Callable[[Values], Any] = _numbers
+) -> Function:
+    return lambda operands: reduce(function, map(kind, operands))
 
 
 def _extreme(among: np.ufunc, existing: np.ufunc) -> Function:
@@ -138,8 +136,8 @@ OPERATIONS: Mapping[str, Function] = {
     ">=": _of_numbers(operator.ge),
     "==": _of_numbers(operator.eq),
     "!=": _of_numbers(_unequal),
-    "and": _of_truth(operator.and_),
-    "or": _of_truth(operator.or_),
+    "and": _of_numbers(operator.and_, truth),
+    "or": _of_numbers(operator.or_, truth),
     "not": lambda operands: ~truth(operands[0]),
     "true": lambda operands: truth(operands[0]),
     "-x": _of_number(operator.neg),

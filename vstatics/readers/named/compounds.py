@@ -7,7 +7,17 @@ from typing import Any, Protocol
 
 from vstatics.errors import ReadError, quoted, spoken
 from vstatics.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf, Shape
-from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, Spot, Spots, is_null, shown
+from vstatics.readers.named.nodes import (
+    Listing,
+    Mapping,
+    Node,
+    Scalar,
+    Spot,
+    Spots,
+    is_null,
+    length,
+    shown,
+)
 
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 
@@ -65,6 +75,9 @@ class ReadsShapes(Protocol):
     def read(self, spot: Spot, shape: Shape) -> Any:
         """The value at a spot, or a stand-in after a problem."""
 
+    def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
+        """The items of a list, all of one shape."""
+
     def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
         """A stand-in for what cannot be read, after the problem."""
 
@@ -73,8 +86,8 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     """As many values as the row has."""
     node, count = spot.node, len(shape.items)
     if not isinstance(node, Listing) or len(node.items) != count:
-        read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
-        return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", read)
+        expected = f"expected {count} numbers: [{shape.kind}]"
+        return walk.refuse(spot, shape, expected, length(node))
     items = enumerate(zip(node.items, shape.items, strict=True), 1)
     return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
@@ -85,8 +98,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
     if isinstance(node, Listing):
         if not node.items:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
-        items = enumerate(node.items, 1)
-        return tuple(walk.read(spot.item(n, n, item), shape.row) for n, item in items)
+        return tuple(walk.items(spot, node.items, shape.row))
     if isinstance(node, Mapping) or is_null(node):
         expected = f"expected a number, or points: [[{shape.row.kind}], ...]"
         return walk.refuse(spot, shape, expected)
@@ -137,5 +149,4 @@ def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
         for row in node.items
     ):
         return [walk.read(spot, shape.item)]
-    items = enumerate(node.items, 1)
-    return [walk.read(spot.item(number, number, item), shape.item) for number, item in items]
+    return walk.items(spot, node.items, shape.item)

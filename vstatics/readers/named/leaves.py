@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 from vstatics.model.shape import (
     ByForm,
@@ -28,6 +28,8 @@ from vstatics.readers.named.references import NO_ELEMENT, NO_LINK
 
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
 _NO_LINKS = (NO_LINK, NO_LINK)
+_BY_REST = frozenset(("damping", "pressure", "time", "angle", "velocity"))
+"""Measures that may be 0, as they are where nothing is read."""
 
 
 class LeafReading(NamedTuple):
@@ -50,25 +52,20 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "number": LeafReading("a number", 1.0, scalars.number),
     "count": LeafReading("a whole number", 1, scalars.count),
     "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
-    "speed": LeafReading("a speed with its unit", 1.0, partial(units.quantity, kind="speed")),
-    "torque": LeafReading("a torque with its unit", 1.0, partial(units.quantity, kind="torque")),
-    "power": LeafReading("a power with its unit", 1.0, partial(units.quantity, kind="power")),
+    **{
+        kind: LeafReading(f"a {kind} with its unit", 1.0, partial(units.quantity, kind=kind))
+        for kind in get_args(units.Quantity)
+    },
     "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
     "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
-    "inertia": LeafReading("an inertia", 1.0, partial(_in_si, measure="inertia")),
-    "stiffness": LeafReading("a stiffness", 1.0, partial(_in_si, measure="stiffness")),
-    "compliance": LeafReading("a compliance", 1.0, partial(_in_si, measure="compliance")),
-    "damping": LeafReading("a damping", 0.0, partial(_in_si, measure="damping")),
-    "mass": LeafReading("a mass", 1.0, partial(_in_si, measure="mass")),
-    "length": LeafReading("a length", 1.0, partial(_in_si, measure="length")),
-    "si_torque": LeafReading("a torque", 1.0, partial(_in_si, measure="si_torque")),
-    "si_speed": LeafReading("a speed", 1.0, partial(_in_si, measure="si_speed")),
-    "area": LeafReading("an area", 1.0, partial(_in_si, measure="area")),
-    "pressure": LeafReading("a pressure", 0.0, partial(_in_si, measure="pressure")),
-    "time": LeafReading("a time", 0.0, partial(_in_si, measure="time")),
-    "angle": LeafReading("an angle", 0.0, partial(_in_si, measure="angle")),
-    "velocity": LeafReading("a velocity", 0.0, partial(_in_si, measure="velocity")),
-    "pump_factor": LeafReading("a pump factor", 1.0, partial(_in_si, measure="pump_factor")),
+    **{
+        measure: LeafReading(
+            units.with_article(measure),
+            0.0 if measure in _BY_REST else 1.0,
+            partial(_in_si, measure=measure),
+        )
+        for measure in get_args(Measure)
+    },
     "link": LeafReading("a link", NO_LINK),
     "element": LeafReading("the name of a shift element", NO_ELEMENT),
     "flag": LeafReading("`true` or `false`", stand_in=False),

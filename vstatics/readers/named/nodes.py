@@ -125,6 +125,11 @@ def what(node: Node) -> str:
     return f"'{shown(node.text)}'"
 
 
+def length(node: Node) -> str:
+    """How many items a list has, in the words of a message; nothing of what is none."""
+    return f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
+
+
 def decode(data: bytes, file: str, expected: str = "a case") -> Found:
     """The text of a file in UTF-8, or in what its byte order mark tells.
 

@@ -51,21 +51,28 @@ def read_yaml(data: bytes, file: str) -> Reading:
     >>> read_yaml(text, "case.yaml").case.mechanisms[0].links
     (1, 2, 3)
     """
-    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
-
     found = decode(data, file)
-    return read_case_tree(yaml_tree(found), found)
+    return read_case_tree(_tree(found, "yaml"), found)
 
 
 def read_json(data: bytes, file: str) -> Reading:
     """Read a case in JSON, of the same shape as in YAML; see `read_yaml`."""
-    from vstatics.readers.named.json_nodes import json_tree  # json likewise
-
     found = decode(data, file)
-    return read_case_tree(json_tree(found), found)
+    return read_case_tree(_tree(found, "json"), found)
 
 
-def case_tree(data: bytes, file: str, form: Format | None = None) -> Node | None:
+def _tree(found: Found, form: Format) -> Node:
+    """The tree of a text in YAML or JSON, which cost start-up time."""
+    if form == "json":
+        from vstatics.readers.named.json_nodes import json_tree
+
+        return json_tree(found)
+    from vstatics.readers.named.yaml_nodes import yaml_tree
+
+    return yaml_tree(found)
+
+
+def case_tree(data: bytes, file: str, form: Format | None) -> Node | None:
     """The case in YAML or JSON as a tree of nodes; none in any other format.
 
     Raises
@@ -76,18 +83,9 @@ def case_tree(data: bytes, file: str, form: Format | None = None) -> Node | None
     from vstatics.readers import format_of
 
     form = form or format_of(file, data)
-    if form == "json":
-        from vstatics.readers.named.json_nodes import json_tree
-
-        return _case_alone(json_tree(decode(data, file)))
-    if form == "yaml":
-        from vstatics.readers.named.yaml_nodes import yaml_tree
-
-        return _case_alone(yaml_tree(decode(data, file)))
-    return None
-
-
-def _case_alone(root: Node) -> Node:
+    if form == "deck":
+        return None
+    root = _tree(decode(data, file), form)
     return _case(root) if isinstance(root, Mapping) else root
 
 
@@ -193,12 +191,10 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     >>> load, spots.place(("torque",)).column
     (Load(speed=None, torque=200.0), 9)
     """
-    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
-
     found = decode(data, file, expected)
-    root = yaml_tree(found)
+    root = _mapping(_tree(found, "yaml"), found, expected)
     spots = Spots(found)
-    values = Walk(spots).read(Spot((), "", _mapping(root, found, expected)), shape)
+    values = Walk(spots).read(Spot((), "", root), shape)
     if found.problems:
         raise ReadError(sorted(found.problems, key=lambda one: one.place[1:3] if one.place else ()))
     return values, spots

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import NamedTuple, Self
 
 from vstatics.errors import spoken
 from vstatics.model.shape import Measure
 from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
-from vstatics.readers.named.units import LONGEST_UNIT, factors
+from vstatics.readers.named.units import LONGEST_UNIT, factors, with_article
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
@@ -35,28 +36,15 @@ UNIT_OF: dict[Measure, str] = {
     "pump_factor": "N*m*s^2",
 }
 """What bare numbers are in."""
-_MEASURES: dict[Measure, tuple[_Dimension, ...]] = {
-    "inertia": ((1, 2, 0, 0),),
-    "stiffness": ((1, 2, -2, -1),),
-    "compliance": ((-1, -2, 2, 1), (-1, -2, 2, 0)),
-    "damping": ((1, 2, -1, -1), (1, 2, -1, 0)),
-    "mass": ((1, 0, 0, 0),),
-    "length": ((0, 1, 0, 0),),
-    "si_torque": ((1, 2, -2, 0),),
-    "si_speed": ((0, 0, -1, 1),),
-    "area": ((0, 2, 0, 0),),
-    "pressure": ((1, -1, -2, 0),),
-    "time": ((0, 0, 1, 0),),
-    "angle": ((0, 0, 0, 1),),
-    "velocity": ((0, 1, -1, 0),),
-    "pump_factor": ((1, 2, 0, -2), (1, 2, 0, 0)),
+_FORMS: dict[str, tuple[str, ...]] = {
+    "power": ("W",),
+    "force": ("N",),
+    **{measure: (unit,) for measure, unit in UNIT_OF.items()},
+    "compliance": ("rad/(N*m)", "1/(N*m)"),
+    "damping": ("N*m*s/rad", "N*m*s"),
+    "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
 """With the radian, or without where nothing else is meant; N*m alone is a torque."""
-_OTHERS: dict[_Dimension, str] = {
-    (1, 2, -3, 0): "power",
-    (1, 1, -2, 0): "force",
-} | {forms[0]: measure for measure, forms in _MEASURES.items()}
-"""What a wrong unit measures."""
 
 
 class _Base(NamedTuple):
@@ -122,7 +110,7 @@ def measured(text: str, measure: Measure) -> float:
     >>> measured("1 N*m/deg", "stiffness"), measured("2 rad/(kN*m)", "compliance")
     (57.2957..., 0.002)
     """
-    in_unit = f"expected {_a(measure)} in {UNIT_OF[measure]}, bare or with its unit"
+    in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
     if not any(sign in "0123456789" for sign in text):
         raise ValueError(in_unit)
     value, behind = calculated(text)
@@ -130,13 +118,15 @@ def measured(text: str, measure: Measure) -> float:
         return value
     for of_words in (True, False):
         dimension, above, below = _unit(behind, of_words=of_words)
-        if dimension in _MEASURES[measure]:
+        if dimension in _dimensions()[measure]:
             value = value * above / below
             if not math.isfinite(value):
-                raise ValueError(f"expected {_a(measure)} that is not so large")
+                raise ValueError(f"expected {with_article(measure)} that is not so large")
             return value
-    other = _OTHERS.get(dimension)
-    told = f"; this is {_a(other)}" if other else " (with a decimal point)" * ("," in behind)
+    other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
+    told = (
+        f"; this is {with_article(other)}" if other else " (with a decimal point)" * ("," in behind)
+    )
     raise ValueError(in_unit + told)
 
 
@@ -178,9 +168,12 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
     raise ValueError(fault)
 
 
-def _a(kind: str) -> str:
-    noun = kind.removeprefix("si_").replace("_", " ")
-    return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
+@cache
+def _dimensions() -> dict[str, list[_Dimension]]:
+    """What is measured, as its units are made of; the first form tells it from others."""
+    return {
+        kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
+    }
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:

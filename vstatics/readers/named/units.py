@@ -210,6 +210,12 @@ def _letters(text: str) -> str:
     return re.sub(r"[\W_]", "", text).casefold()
 
 
+def with_article(kind: str) -> str:
+    """The words for what is measured: `an inertia`."""
+    noun = kind.removeprefix("si_").replace("_", " ")
+    return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
+
+
 class WithUnit(float):
     """A speed in rpm or a torque in N*m, where others are relative to the input's."""
 

@@ -7,7 +7,7 @@ stands in the document, and leaves a stand-in where nothing can be read.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -44,6 +44,7 @@ from vstatics.readers.named.nodes import (
     Spot,
     Spots,
     is_null,
+    length,
     shown,
     what,
 )
@@ -83,6 +84,10 @@ class Walk:
         """The value at a spot, or a stand-in after a problem."""
         self.spots.keep(spot)
         return self._readers[type(shape)](spot, shape)
+
+    def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
+        """The items of a list, all of one shape."""
+        return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
 
     def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
         """A stand-in for what cannot be read, after the problem."""
@@ -129,9 +134,8 @@ class Walk:
         if isinstance(node, Listing):
             named = spot._replace(path=("link_names",))
             self.spots.keep(named)
-            items = [named.item(number, number, item) for number, item in enumerate(node.items, 1)]
-            self.references.set_link_names([self.read(item, TEXT) for item in items])
-            return len(items)
+            self.references.set_link_names(self.items(named, node.items, TEXT))
+            return len(node.items)
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
         except ValueError as error:
@@ -145,10 +149,10 @@ class Walk:
     def _ends(self, spot: Spot, shape: Ends) -> Any:
         node = spot.node
         if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
-            read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
             one = " or one: [first]" if shape.least == 1 else ""
             self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
-            return self.refuse(spot, shape, f"expected two links: [first, second]{one}", read)
+            expected = f"expected two links: [first, second]{one}"
+            return self.refuse(spot, shape, expected, length(node))
         inner = [
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
@@ -223,16 +227,14 @@ class Walk:
         if not isinstance(spot.node, Listing):
             of = f" of {shape.kind}" if shape.kind else ""
             return self.refuse(spot, shape, f"expected a list{of}")
-        items = enumerate(spot.node.items, 1)
-        return [self.read(spot.item(number, number, item), shape.item) for number, item in items]
+        return self.items(spot, spot.node.items, shape.item)
 
     def _pair(self, spot: Spot, shape: Pair) -> Any:
         node = spot.node
         if not isinstance(node, Listing) or len(node.items) != 2:
-            read = f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
-            return self.refuse(spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", read)
-        items = enumerate(node.items, 1)
-        return [self.read(spot.item(number, number, item), TEXT) for number, item in items]
+            expected = f"expected two: [{shape.kind}, {shape.kind}]"
+            return self.refuse(spot, shape, expected, length(node))
+        return self.items(spot, node.items, TEXT)
 
     def _by_kind(self, spot: Spot, shape: ByKind) -> Any:
         node = spot.node
