@@ -215,11 +215,11 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
     if element.planets is None:
         yield Problem("`planets` is missing: how many of them stand around the axis", place)
     if element.stiffness is not None:
-        message = (
+        yield Problem(
             "an elastic element can't have masses of planets: list the planet as a link with its "
-            "inertia, and each mesh as a mechanism"
+            "inertia, and each mesh as a mechanism",
+            place,
         )
-        yield Problem(message, place)
     named = element.kind == GROUP or len(element.planet_names) > 1
     for name, mass in element.planet_masses.items():
         here = (*place, name) if named else place

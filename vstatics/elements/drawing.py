@@ -73,8 +73,7 @@ def drawing_of(case: Transmission) -> Drawing | None:
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
     """The parts of any case: of its drawing, or its mechanisms as they are."""
-    drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
-    return drawing.parts
+    return (drawing_of(case) or Drawing(case.links, (), case.mechanisms)).parts
 
 
 def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:

@@ -28,8 +28,7 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
         for rim, count in own.items():
             yield from _count(count, (*place, rim))
             if rim in seen:
-                message = f"rim `{rim}` is there already; expected a name of its own"
-                yield Problem(message, place)
+                yield Problem(f"rim `{rim}` is there already; expected a name of its own", place)
             seen[rim] = planet
     if len(element.wheels) < 2:
         yield Problem(f"{len(element.wheels)} suns and rings, expected two or more", path)
@@ -49,8 +48,7 @@ def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Pro
     for place, rim in named:
         if rim not in rims:
             known = nearest(rim, rims) or ": " + ", ".join(rims)
-            message = f"read `{rim}`, expected the name of a rim{known}"
-            yield Problem(message, (*path, *place))
+            yield Problem(f"read `{rim}`, expected the name of a rim{known}", (*path, *place))
 
 
 def _count(teeth: int, path: Path) -> Iterator[Problem]:

@@ -44,24 +44,24 @@ def unwritable(output: str | None, error: OSError) -> Problem:
     return of_file(name, f"can't be written: {error.strerror or error}")
 
 
-@contextlib.contextmanager
-def opened(output: str) -> Iterator[Write]:
+def opened(output: str) -> contextlib.AbstractContextManager[Write]:
     """Write to a stream that is there, where it stands: not at the end of a file behind it."""
     own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if own is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
     else:
         handle = os.dup(int(own[2]) if own[2] else 1 if own[1] else 2)
-    try:
-        yield partial(_write, handle)
-    finally:
-        os.close(handle)
+    return _writing(handle)
+
+
+def appending(path: str) -> contextlib.AbstractContextManager[Write]:
+    """Write at the end of a file, each time all at once; it need not be there."""
+    return _writing(os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666))
 
 
 @contextlib.contextmanager
-def appending(path: str) -> Iterator[Write]:
-    """Write at the end of a file, each time all at once; it need not be there."""
-    handle = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+def _writing(handle: int) -> Iterator[Write]:
+    """Write to a file that is open, and close it."""
     try:
         yield partial(_write, handle)
     finally:
@@ -98,12 +98,10 @@ def replacing(path: str, mark: str = "") -> Iterator[Write]:
     mode = _mode(path or os.curdir)
     temporary, handle = _beside(path, mark)
     try:
-        try:
+        with _writing(handle) as write:
             if mode is not None:
                 os.fchmod(handle, stat.S_IMODE(mode))
-            yield partial(_write, handle)
-        finally:
-            os.close(handle)
+            yield write
         os.replace(temporary, path)  # noqa: PTH105
     except BaseException:
         with contextlib.suppress(OSError):

@@ -103,8 +103,7 @@ class FinishedPieces:
         for name in self._names():  # what a killed process left unfinished
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
                 os.unlink(self.path(name))  # noqa: PTH108
-        text = json.dumps(description, indent=2, ensure_ascii=False)
-        replace(self.path(PLAN), text.encode())
+        replace(self.path(PLAN), json.dumps(description, indent=2, ensure_ascii=False).encode())
         return without
 
     def _known(self) -> Description | None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from vstatics.errors import Path, Problem
+from vstatics.model.part_checks import expect
 from vstatics.model.parts import Friction
 from vstatics.model.shape import COUNT, NUMBER, ByKey, ByPoints, KeyShape, Leaf, RowOf
 
@@ -56,11 +57,10 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     """
     for name, one in (("radius", "a radius"), ("area", "an area")):
         size = getattr(friction, name)
-        if not 0 < size < math.inf:
-            yield Problem(f"read {size:g}, expected {one} above 0", (*path, name))
-    if not (friction.surfaces >= 1 and friction.surfaces == int(friction.surfaces)):
-        message = f"read {friction.surfaces:g}, expected a whole number of surfaces from 1"
-        yield Problem(message, (*path, "surfaces"))
+        yield from expect(size, f"{one} above 0", (*path, name), right=0 < size < math.inf)
+    surfaces, what = friction.surfaces, "a whole number of surfaces from 1"
+    right = surfaces >= 1 and surfaces == int(surfaces)
+    yield from expect(surfaces, what, (*path, "surfaces"), right=right)
     here = (*path, "coefficient")
     if not friction.coefficient:
         yield Problem("there is no point, expected one at least", here)
@@ -71,7 +71,6 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
         elif slip < least:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
             yield Problem(f"{message}: slips are in ascending order", (*here, number, 1))
-        if not 0 < coefficient < math.inf:
-            message = f"read {coefficient:g}, expected a coefficient above 0"
-            yield Problem(message, (*here, number, 2))
+        right = 0 < coefficient < math.inf
+        yield from expect(coefficient, "a coefficient above 0", (*here, number, 2), right=right)
         least = max(least, slip)

@@ -33,6 +33,12 @@ def is_number(number: object, last: int, first: int = HOUSING) -> bool:
     return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
 
 
+def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
+    """A number that is right; else what was expected in its place."""
+    if not right:
+        yield Problem(f"read {number:g}, expected {what}", path)
+
+
 def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
     """A number that a link has."""
     if not is_number(link, links, lowest):
@@ -57,10 +63,10 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     yield from of_drag(element.drag, element, (*path, "drag"))
     if (capacity := element.capacity) is not None:
         given = capacity.given if isinstance(capacity, OfLoad) else capacity
-        if not 0 < given < math.inf:
-            yield Problem(f"read {capacity:g}, expected a torque above 0", (*path, "capacity"))
-    if not 1 <= element.static < math.inf:
-        yield Problem(f"read {element.static:g}, expected 1 or more", (*path, "static"))
+        place = (*path, "capacity")
+        yield from expect(capacity, "a torque above 0", place, right=0 < given < math.inf)
+    static = element.static
+    yield from expect(static, "1 or more", (*path, "static"), right=1 <= static < math.inf)
     if element.friction is not None:
         from vstatics.model.friction import of_friction  # others do without
 
@@ -107,23 +113,26 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
         yield Problem("read 0, expected a ratio other than 0", (*path, "ratio"))
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
-    planet_ratio = mechanism.planet_ratio
-    if planet_ratio is not None and (planet_ratio == 0 or not math.isfinite(planet_ratio)):
-        message = f"read {planet_ratio:g}, expected a finite ratio other than 0"
-        yield Problem(message, (*path, "planet_ratio"))
+    if (planet := mechanism.planet_ratio) is not None:
+        yield from not_0(planet, "a finite ratio", (*path, "planet_ratio"))
+
+
+def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number that is not 0."""
+    right = number != 0 and math.isfinite(number)
+    return expect(number, f"{what} other than 0", path, right=right)
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """The efficiency of a mechanism, an element or a mesh."""
-    if not 0 < value <= 1:
-        yield Problem(f"read {value:g}, expected an efficiency above 0 and up to 1", path)
+    return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
 
 
 def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
     """The efficiency of power that flows back, if it is another one."""
-    if value is not None and not 0 <= value <= 1:
-        message = f"read {value:g}, expected an efficiency from 0 (self-locking) to 1"
-        yield Problem(message, path)
+    if value is not None:
+        what = "an efficiency from 0 (self-locking) to 1"
+        yield from expect(value, what, path, right=0 <= value <= 1)
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
@@ -192,11 +201,11 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
         expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
         yield Problem(f"read {said!r}, expected {expected}", path)
     elif by_load and said != by_load:
-        message = (
+        yield Problem(
             f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
-            "a load of its own whose signs agree, or this left out"
+            "a load of its own whose signs agree, or this left out",
+            path,
         )
-        yield Problem(message, path)
 
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
@@ -211,9 +220,8 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
             message = f"read {value!r}, expected a number, in rpm and N*m"
             yield Problem(message, (*path, "load", quantity))
             return
-        if value is not None and (value == 0 or not math.isfinite(value)):
-            message = f"read {value:g}, expected a finite number other than 0"
-            yield Problem(message, (*path, "load", quantity))
+        if value is not None:
+            yield from not_0(value, "a finite number", (*path, "load", quantity))
     if (load.speed or 0) * (load.torque or 0) < 0:
         message = (
             f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "

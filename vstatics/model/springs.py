@@ -72,8 +72,7 @@ def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)
     """
-    turning = [(link, part) for link, part in dict(twist).items() if link != HOUSING]
-    match turning:
+    match [(link, part) for link, part in dict(twist).items() if link != HOUSING]:
         case [(link, 1)]:
             return link, HOUSING
         case [(link, -1)]:

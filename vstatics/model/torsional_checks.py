@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from vstatics.errors import Path, Problem
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.fields import TransmissionFields
-from vstatics.model.part_checks import called, of_link
+from vstatics.model.part_checks import called, expect, of_link
 from vstatics.model.parts import HOUSING, Damping, element_name, mechanism_name
 from vstatics.model.springs import Spring, ends, spring_name
 
@@ -43,9 +43,9 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     for link, part in twist.items():
         place = ("second" if link == shaft[1] else "first",) if shaft else ("twist", link)
         yield from of_link(link, (*path, *place), case.own_links)
-        if not math.isfinite(part) or (part == 0 and link != HOUSING):
-            message = f"read {part:g}, expected a finite coefficient other than 0"
-            yield Problem(message, (*path, *place))
+        right = math.isfinite(part) and (part != 0 or link == HOUSING)
+        what = "a finite coefficient other than 0"
+        yield from expect(part, what, (*path, *place), right=right)
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
         yield Problem(message, (*path, "twist"))
@@ -85,8 +85,7 @@ def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
 
 def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
     """A finite number of 0 or more."""
-    if not 0 <= number < math.inf:
-        yield Problem(f"read {number:g}, expected {what} of 0 or more", path)
+    return expect(number, f"{what} of 0 or more", path, right=0 <= number < math.inf)
 
 
 def _of_names(case: TransmissionFields) -> Iterator[Problem]:
@@ -143,5 +142,6 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)
     for name in NUMBERS:
         value = getattr(dump, name)
-        if value is not None and not (value > 0 and (value < math.inf or name == "M_phi")):
-            yield Problem(f"read {value:g}, expected a number above 0", ("dump", name))
+        if value is not None:
+            right = value > 0 and (value < math.inf or name == "M_phi")
+            yield from expect(value, "a number above 0", ("dump", name), right=right)

@@ -59,7 +59,15 @@ class Signed:
         return Signed(self.tape, slot, abs(self.value), 0.0, max(-self.low, self.high))
 
     def __mul__(self, other: Either) -> Either:
-        return _product(self, other)
+        if is_nothing(other):
+            return other
+        if not isinstance(other, Signed) and abs(other) == 1:
+            return self if other > 0 else -self
+        (a, a_negated), (b, b_negated) = _operand(self), _operand(other)
+        slot = self.tape.note("multiply", *ordered(a, b))
+        bounds = bounds_of_product(bounds_of(self), bounds_of(other))
+        value = self.value * value_of(other)
+        return _made(self.tape, slot, a_negated != b_negated, value, *bounds)
 
     __rmul__ = __mul__
 
@@ -70,15 +78,30 @@ class Signed:
         return _quotient(self.tape, other, self)
 
     def __add__(self, other: Either) -> Either:
-        return _total(self, other)
+        """A sum; of numbers that cancel for certain, 0."""
+        if is_nothing(other):
+            return other if other != other else self  # noqa: PLR0124 - NaN
+        tape = self.tape
+        (a, negated), (b, b_negated) = _operand(self), _operand(other)
+        if a == b and negated != b_negated:
+            return 0.0
+        low, high = (x + y for x, y in zip(bounds_of(self), bounds_of(other), strict=True))
+        value = self.value + value_of(other)
+        if value == 0 and self.value != 0:  # a choice may be 0; what happens to cancel is special
+            raise Untraceable
+        if negated == b_negated:
+            return _made(tape, tape.note("add", *ordered(a, b)), negated, value, low, high)
+        first, second = ordered(a, b)
+        turned = negated if first == a else b_negated
+        return _made(tape, tape.note("subtract", first, second), turned, value, low, high)
 
     __radd__ = __add__
 
     def __sub__(self, other: Either) -> Either:
-        return _total(self, -other)
+        return self + -other
 
     def __rsub__(self, other: Either) -> Either:
-        return _total(-self, other)
+        return -self + other
 
     def __lt__(self, other: Either) -> Condition:
         return _compared(self.tape, "less", self, other)
@@ -221,18 +244,6 @@ def _made(  # noqa: PLR0913, PLR0917
     return made
 
 
-def _product(one: Signed, other: Either) -> Either:
-    if is_nothing(other):
-        return other
-    if not isinstance(other, Signed) and abs(other) == 1:
-        return one if other > 0 else -one
-    (a, a_negated), (b, b_negated) = _operand(one), _operand(other)
-    slot = one.tape.note("multiply", *ordered(a, b))
-    bounds = bounds_of_product(bounds_of(one), bounds_of(other))
-    value = one.value * value_of(other)
-    return _made(one.tape, slot, a_negated != b_negated, value, *bounds)
-
-
 def _quotient(tape: Tape, one: Either, other: Either) -> Either:
     if is_nothing(one):
         return one
@@ -247,25 +258,6 @@ def _quotient(tape: Tape, one: Either, other: Either) -> Either:
     bounds = bounds_of_quotient(bounds_of(one), bounds_of(other))
     value = value_of(one) / value_of(other)
     return _made(tape, slot, a_negated != b_negated, value, *bounds)
-
-
-def _total(one: Signed, other: Either) -> Either:
-    """A sum; of numbers that cancel for certain, 0."""
-    if is_nothing(other):
-        return other if other != other else one  # noqa: PLR0124 - NaN
-    tape = one.tape
-    (a, negated), (b, b_negated) = _operand(one), _operand(other)
-    if a == b and negated != b_negated:
-        return 0.0
-    low, high = (x + y for x, y in zip(bounds_of(one), bounds_of(other), strict=True))
-    value = one.value + value_of(other)
-    if value == 0 and one.value != 0:  # a choice may be 0; what happens to cancel is special
-        raise Untraceable
-    if negated == b_negated:
-        return _made(tape, tape.note("add", *ordered(a, b)), negated, value, low, high)
-    first, second = ordered(a, b)
-    turned = negated if first == a else b_negated
-    return _made(tape, tape.note("subtract", first, second), turned, value, low, high)
 
 
 def _compared(tape: Tape, name: str, one: Either, other: Either) -> Condition:

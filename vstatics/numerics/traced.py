@@ -69,7 +69,14 @@ class Traced:
         return Traced(self.tape, 1, self.magnitude)
 
     def __mul__(self, other: Number) -> Number:
-        return _product(self, other)
+        if _is_nothing(other):
+            return other
+        if not is_traced(other) and abs(other) == 1:
+            return self if other > 0 else -self
+        a, b = self.magnitude, _magnitude(other)
+        slot = self.tape.note("multiply", *ordered(a.operand, b.operand))
+        made = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
+        return Traced(self.tape, self.sign * _sign(other), made)
 
     __rmul__ = __mul__
 
@@ -157,17 +164,6 @@ def _sign(number: Number) -> int:
 def _is_nothing(number: Number) -> bool:
     """Whether it is a plain 0 or NaN, with which there is nothing to calculate."""
     return not isinstance(number, Traced) and not absolute(number) > 0
-
-
-def _product(one: Traced, other: Number) -> Number:
-    if _is_nothing(other):
-        return other
-    if not is_traced(other) and abs(other) == 1:
-        return one if other > 0 else -one
-    a, b = one.magnitude, _magnitude(other)
-    slot = one.tape.note("multiply", *ordered(a.operand, b.operand))
-    made = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
-    return Traced(one.tape, one.sign * _sign(other), made)
 
 
 def _quotient(tape: Tape, one: Number, other: Number) -> Number:

@@ -118,10 +118,9 @@ def _file(document: Mapping[str, Any]) -> str:
 
 def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
     """The names of the rows of each table that has as many."""
-    rows = given.items() if isinstance(given, dict) else ()
     return {
         table: [str(name) for name in names]
-        for table, names in rows
+        for table, names in (given.items() if isinstance(given, dict) else ())
         if table in tables and isinstance(names, list) and len(names) == len(tables[table])
     }
 
@@ -150,8 +149,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
     for number, line in enumerate([*lines, "KJG="]):
         field = head(line)
         if field == "KJG" and tables:
-            part = "\n".join(lines[first:number])
-            case, named = _case(part, "deck"), _row_names(names, tables)
+            case, named = _case("\n".join(lines[first:number]), "deck"), _row_names(names, tables)
             reports.append(WrittenResult(tables, case, printed=True, rows=named))
             tables, names, first, table = {}, {}, number, ""
         elif field in PRINTED:
@@ -196,8 +194,7 @@ _Cells = dict[str, dict[str, dict[str, Figure]]]
 
 def is_result(text: str) -> bool:
     """Whether a text begins as such a file does."""
-    first = text.partition("\n")[0].strip().split(",")
-    return first in (COLUMNS, ["case", *COLUMNS])
+    return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
 
 
 def read_csv(text: str, file: str) -> list[WrittenResult]:

@@ -7,7 +7,7 @@ terminal, `terminal`. `csv` and `xlsx` write the numbers behind the texts.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import certain, rounded
@@ -98,6 +98,10 @@ class Grid(NamedTuple):
         rows = [[row[place] for place in chosen] for row in self.rows]
         return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
+    def changed(self, change: Callable[[Cell], Cell]) -> Grid:
+        """The same with other cells in place of its own."""
+        return self._replace(rows=[list(map(change, row)) for row in self.cells])
+
     def with_digits(self, digits: int | None) -> Grid:
         """The same with so many digits after the point; None: with those that suit a number.
 
@@ -107,13 +111,11 @@ class Grid(NamedTuple):
             return self
 
         def again(cell: Cell) -> Cell:
+            if cell.kind is not float or not cell.text:
+                return cell
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
-        rows = [
-            [again(cell) if cell.kind is float and cell.text else cell for cell in row]
-            for row in self.cells
-        ]
-        return self._replace(rows=rows)
+        return self.changed(again)
 
 
 Value = Cell | Datum | Sequence[str]
@@ -147,8 +149,7 @@ def grid_of(
     >>> grid.columns[0] == text("gear"), grid.columns[1] == Column("ratio"), grid.texts
     (True, True, [['1', '3.500']])
     """
-    cells = [[_cell(value) for value in row] for row in rows]
-    made = dict(enumerate(zip(*cells, strict=True)))
+    made = dict(enumerate(zip(*[[_cell(value) for value in row] for row in rows], strict=True)))
     columns: list[Column] = []
     kept: list[Sequence[Cell]] = []
     for place, heading in enumerate(headings):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, grid_of
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
+
+T = TypeVar("T")
 
 
 def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
@@ -25,8 +28,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
     """
     in_order = tables(results)
     yield _by_gear([one for one in in_order if one.quantity.rows == "one"])
-    matrix_last = sorted(in_order, key=lambda one: one.quantity.columns == "devices")
-    for one in matrix_last:
+    for one in sorted(in_order, key=lambda one: one.quantity.columns == "devices"):
         if one.quantity.rows != "one" and one.values.size:
             grid = _of_table(one)
             if one.quantity.name == "idle":
@@ -36,33 +38,23 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
 
 def _blanked(grid: Grid, blank: Booleans) -> Grid:
     """The same, with some numbers blank for people; their values stay."""
-    rows = [
-        [
-            row[0],
-            *(
-                cell._replace(text="") if no else cell
-                for cell, no in zip(row[1:], of_row, strict=True)
-            ),
-        ]
-        for row, of_row in zip(grid.cells, blank.tolist(), strict=True)
-    ]
-    return grid._replace(rows=rows)
+    return _by_place(grid, blank.tolist(), lambda cell, no: cell._replace(text="") if no else cell)
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
     """Marks of what transmits no power, as the word for it."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
-    rows = [
-        [
-            row[0],
-            *(
-                cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
-                for cell, role in zip(row[1:], of_row, strict=True)
-            ),
-        ]
-        for row, of_row in zip(grid.cells, zip(*by_gear, strict=True), strict=True)
-    ]
-    return grid._replace(rows=rows)
+
+    def word(cell: Cell, role: str) -> Cell:
+        return cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
+
+    return _by_place(grid, zip(*by_gear, strict=True), word)
+
+
+def _by_place(grid: Grid, told: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:
+    """The same with other cells behind its first column, by what is told of each."""
+    pairs = zip(grid.cells, told, strict=True)
+    return grid._replace(rows=[[row[0], *map(change, row[1:], of_row)] for row, of_row in pairs])
 
 
 def of_messages(results: Results) -> Grid:
@@ -150,10 +142,7 @@ def without_zeros(grid: Grid) -> Grid:
     >>> without_zeros(Grid("t", [text("x"), Column("y"), Column("z")], [["a", *cells]])).texts
     [['a', '', '.500']]
     """
-    rows = [
-        [cell._replace(text="") if cell.value == 0 else cell for cell in row] for row in grid.cells
-    ]
-    return grid._replace(rows=rows)
+    return grid.changed(lambda cell: cell._replace(text="") if cell.value == 0 else cell)
 
 
 def without_missing(grid: Grid) -> Grid:
@@ -163,8 +152,4 @@ def without_missing(grid: Grid) -> Grid:
     >>> without_missing(Grid("t", [text("x"), Column("y")], [["a", exact(None)]])).texts
     [['a', '']]
     """
-    rows = [
-        [cell._replace(text="") if cell.text == NOTHING else cell for cell in row]
-        for row in grid.cells
-    ]
-    return grid._replace(rows=rows)
+    return grid.changed(lambda cell: cell._replace(text="") if cell.text == NOTHING else cell)

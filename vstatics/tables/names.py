@@ -41,8 +41,7 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     """
     if name in BY_NAME:
         return BY_NAME[name]
-    message = f"there is no table {quoted(name)}{nearest_quantity(name)}"
-    raise ReadError(message, place=place)
+    raise ReadError(f"there is no table {quoted(name)}{nearest_quantity(name)}", place=place)
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:

@@ -70,8 +70,7 @@ class PortTable(NamedTuple):
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
         """Numbers of `MEASURES` in their units; None where no load tells them."""
-        scales = [self.scales[unit] for _, unit in MEASURES]
-        pairs = zip(values, scales, strict=True)
+        pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
 

@@ -75,8 +75,7 @@ def _parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Tabl
         first = table._replace(rows=table.rows[:elements], values=table.values[:elements])
         yield quantity.heading, _indices(quantity, "I=1,KL"), first
     rest = table._replace(rows=table.rows[elements:], values=table.values[elements:])
-    heading = quantity.members[case.drawing is not None]
-    yield heading, _indices(quantity, "I=(KL+1),KLG1"), rest
+    yield quantity.members[case.drawing is not None], _indices(quantity, "I=(KL+1),KLG1"), rest
 
 
 def _indices(quantity: Quantity, rows: str = "") -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import NamedTuple
 
@@ -24,6 +24,7 @@ from vstatics.writers.modelica_models import (
 MODEL = "Gearbox"
 """The model within the package."""
 HOUSE = "housing"
+TWO_FLANGES = ("flange_a", "flange_b")
 FULL_PRESSURE = 1e5
 """Pa, at which the normal force of a friction pack is `fn_max`."""
 
@@ -118,6 +119,11 @@ class _Gearbox:
         to = f"{HOUSE}.flange" if link == HOUSING else self.links[link]
         self.equations.append(f"connect({flange}, {to});")
 
+    def join_all(self, name: str, flanges: Sequence[str], links: Sequence[int]) -> None:
+        """The flanges of a component on links, as far as there are any."""
+        for flange, link in zip(flanges, links, strict=False):
+            self.join(f"{name}.{flange}", link)
+
     def planet(self, motion: PlanetInertia) -> None:
         name = self.names.new(f"J_{motion.name}")
         self.shared("SharedInertia", name, motion.speed, f"J = {motion.inertia!r}", motion.name)
@@ -135,14 +141,14 @@ class _Gearbox:
     def mechanism(self, one: Mechanism) -> None:
         """A pair, a plain set, or another device of three links; with a stiffness, a twist."""
         name, ratio = self.names.new(one.name), one.ratio
-        flanges: tuple[str, ...] = ("first", "second", "third")
+        flanges: Sequence[str] = ("first", "second", "third")
         if one.stiffness is not None:
             parts = zip(one.links, (1.0, -ratio, ratio - 1), strict=True)
             form = {link: part for link, part in parts if link != HOUSING and part}
             self.shared("ElasticLinks", name, form, _elastic(one, one.stiffness), one.name)
             return
         if one.third == HOUSING:
-            flanges = "flange_a", "flange_b"
+            flanges = TWO_FLANGES
             self.declare("Components.IdealGear", name, f"ratio = {ratio!r}", one.name)
         elif ratio < 0 and max(one.links) <= self.case.own_links:
             flanges = ("sun", "ring", "carrier") if ratio <= -1 else ("ring", "sun", "carrier")
@@ -151,16 +157,14 @@ class _Gearbox:
         else:
             self.used.add((THREE_LINK, 3))
             self.declare(THREE_LINK, name, f"u = {ratio!r}", one.name)
-        for flange, link in zip(flanges, one.links, strict=False):
-            self.join(f"{name}.{flange}", link)
+        self.join_all(name, flanges, one.links)
 
     def element(self, one: ShiftElement) -> None:
         """A clutch or brake with its control; a freewheel has none."""
         name = self.names.new(one.name)
         if one.is_freewheel:  # its flange_b may turn forward against its flange_a
             self.declare("Components.OneWayClutch", name, "fn_max = 1", one.name)
-            self.join(f"{name}.flange_a", one.second)
-            self.join(f"{name}.flange_b", one.first)
+            self.join_all(name, TWO_FLANGES, one.links[::-1])
             self.equations.append(f"{name}.f_normalized = 0;")
             return
         control, known = self.names.new(f"control_{one.name}"), _control(self.case, one)
@@ -171,8 +175,7 @@ class _Gearbox:
         turning = [link for link in one.links if link != HOUSING]
         kind = "Clutch" if turning[1:] else "Brake"
         self.declare(f"Components.{kind}", name, known.parameters, one.name)
-        for flange, link in zip(("flange_a", "flange_b"), turning, strict=False):
-            self.join(f"{name}.{flange}", link)
+        self.join_all(name, TWO_FLANGES, turning)
         self.equations.append(f"{name}.f_normalized = {control}/{known.largest!r};")
 
     def spring(self, one: Spring) -> None:
@@ -181,8 +184,7 @@ class _Gearbox:
             self.shared("ElasticLinks", name, one.form, _elastic(one, one.rate), one.name)
             return
         self.declare("Components.SpringDamper", name, _elastic(one, one.rate), one.name)
-        for flange, link in zip(("flange_a", "flange_b"), shaft, strict=True):
-            self.join(f"{name}.{flange}", link)
+        self.join_all(name, TWO_FLANGES, shaft)
 
 
 def _elastic(one: Spring | Mechanism, stiffness: float) -> str:

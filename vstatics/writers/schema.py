@@ -44,8 +44,7 @@ def json_schema(of_case: Schema) -> Schema:
         **object_of(properties, optional=sometimes),
     }
     kept = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}
-    definitions = {"case": kept, **of_case["$defs"]}
-    return documents("result", "Result of vstatics", one, definitions)
+    return documents("result", "Result of vstatics", one, {"case": kept, **of_case["$defs"]})
 
 
 def _table(quantity: Quantity) -> Schema:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 
 import click
 
@@ -13,6 +12,7 @@ from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
 from vstatics.cli.torsion.case import elastic_case, located
 from vstatics.errors import CaseError, ReadError
+from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
 
@@ -80,21 +80,18 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
     no mode; 2 wrong use.
     """
 
-    def calculate(reading: Reading) -> CaseAnswer:
+    def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import IdentificationAnswer
         from vstatics.torsion.vibration.grids import identified_grids
         from vstatics.torsion.vibration.measured import identify as identified
 
-        own = reading.case
-        chosen = own.gears[gear_number(own, gear) - 1].name
-        with _told(reading, chosen):
-            made = identified(own, chosen, omega, decrement, mode)
+        made = identified(case, chosen, omega, decrement, mode)
         return CaseAnswer(
             lambda: identified_grids(omega, made),
-            IdentificationAnswer(own.name, chosen, mode, omega, made),
+            IdentificationAnswer(case.name, chosen, mode, omega, made),
         )
 
-    return one.answer(calculate, extra="torsion")
+    return _answer(one, gear, calculate)
 
 
 @click.command()
@@ -135,32 +132,34 @@ def damping(
     no mode; 2 wrong use.
     """
 
-    def calculate(reading: Reading) -> CaseAnswer:
+    def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import DampingAnswer
         from vstatics.torsion.vibration.grids import damped_grids
         from vstatics.torsion.vibration.measured import damping as damped
 
-        own = reading.case
-        chosen = own.gears[gear_number(own, gear) - 1].name
-        with _told(reading, chosen):
-            made = damped(own, chosen, decrements, omega, mode)
+        made = damped(case, chosen, decrements, omega, mode)
         return CaseAnswer(
             lambda: damped_grids(decrements, made),
-            DampingAnswer(own.name, chosen, mode, made),
+            DampingAnswer(case.name, chosen, mode, made),
         )
 
-    return one.answer(calculate, extra="torsion")
+    return _answer(one, gear, calculate)
 
 
-@contextmanager
-def _told(reading: Reading, gear: str) -> Iterator[None]:
+def _answer(one: OneCase, gear: str, of_gear: Callable[[Transmission, str], CaseAnswer]) -> int:
     """What is wrong with the gear at its place; a mode or device that is not there: wrong use."""
-    try:
-        yield
-    except CaseError as error:
-        if error.problems[0].path[:1] != ("gears",):
-            raise
-        faults = [(gear, problem.message) for problem in error.problems]
-        raise ReadError(located(reading, faults)) from None
-    except ValueError as error:
-        raise click.UsageError(str(error)) from None
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        case = reading.case
+        chosen = case.gears[gear_number(case, gear) - 1].name
+        try:
+            return of_gear(case, chosen)
+        except CaseError as error:
+            if error.problems[0].path[:1] != ("gears",):
+                raise
+            faults = [(chosen, problem.message) for problem in error.problems]
+            raise ReadError(located(reading, faults)) from None
+        except ValueError as error:
+            raise click.UsageError(str(error)) from None
+
+    return one.answer(calculate, extra="torsion")

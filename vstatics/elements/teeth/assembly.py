@@ -33,8 +33,7 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
     def teeth(key: Key) -> int:
         return group.teeth(key).numerator if isinstance(key, str) else group.wheels[key].teeth
 
-    rows = np.array([*_rows(group, train, teeth)], dtype=object)
-    return int(common_step(rows, len(train)))
+    return int(common_step(np.array([*_rows(group, train, teeth)], dtype=object), len(train)))
 
 
 def _rows(
@@ -86,8 +85,7 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
         places = placements(layout.group, train)
         if seated(places, count):
             continue
-        wheels = layout.group.wheels_of(train)
-        sums = [_sum(layout, *pair) for pair in combinations(wheels, 2)]
+        sums = [_sum(layout, *pair) for pair in combinations(layout.group.wheels_of(train), 2)]
         failed = [
             f"{text} = {whole}/{part * count} is not whole; "
             for text, whole, part in filter(None, sums)
@@ -105,11 +103,11 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
     """Side wheels are to planets between them what a sun and a ring are."""
     count, whole = element.planets or 1, teeth["left"] + teeth["right"]
     if whole % count:
-        message = (
+        yield Doubt(
             f"{count} equally spaced planets can't be assembled: "
-            f"(left + right)/planets = {whole}/{count} is not whole"
+            f"(left + right)/planets = {whole}/{count} is not whole",
+            None,
         )
-        yield Doubt(message, None)
 
 
 def _sum(layout: AxisLayout, one: CentralWheel, other: CentralWheel) -> tuple[str, int, int] | None:

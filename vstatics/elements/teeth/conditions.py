@@ -64,8 +64,7 @@ def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
     1.047198
     """
     with np.errstate(invalid="ignore", divide="ignore"):
-        cosine = (first**2 + second**2 - apart**2) / (2 * first * second)
-        angle: Amount = np.arccos(cosine)
+        angle: Amount = np.arccos((first**2 + second**2 - apart**2) / (2 * first * second))
     return angle
 
 

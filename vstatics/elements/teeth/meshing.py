@@ -65,11 +65,11 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
         if ring.internal and more <= 0:
             yield Doubt(f"{wheel} doesn't fit into {ring}", ring.key)
         elif ring.internal and more < INSIDE:
-            message = (
+            yield Doubt(
                 f"tips of {wheel} and {ring} interfere: the ring has {more} teeth more, "
-                f"expected {INSIDE} or more"
+                f"expected {INSIDE} or more",
+                ring.key,
             )
-            yield Doubt(message, ring.key)
 
 
 def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:

@@ -113,8 +113,7 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
             f"{first + second:g}"
         )
         rims = layout.group.planets
-        alone = all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other))
-        if alone:
+        if all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other)):
             yield Doubt(message, one)
         else:
             yield Doubt(f"{message}, if all rims have one module", one, "note", has_cure=False)
@@ -166,14 +165,14 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
         least = min(gaps, default=None)
         if least and least[0] < TIP_CLEARANCE:
             _, rim, (span, wheel) = least
-            message = (
+            yield Doubt(
                 f"tips of neighbouring planets touch: ({layout.label(wheel)} "
                 f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
                 f"sin(180°/{count}) = {float(span) * sine:.4g}, "
                 f"expected more than {layout.label(rim)} + 2 = "
-                f"{float(layout.group.teeth(rim)) + 2:g}"
+                f"{float(layout.group.teeth(rim)) + 2:g}",
+                None,
             )
-            yield Doubt(message, None)
     for one, other in layout.group.meshes:
         yield from _crossing(layout, one, other, count)
 
@@ -186,11 +185,11 @@ def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[
     first, second, apart = (float(side) / 2 for side in sides)
     distance = crossing_distance(first, second, apart, 2 * math.pi / count)
     if distance - apart - TIPS < TIP_CLEARANCE:
-        message = (
+        yield Doubt(
             f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
-            f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}"
+            f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}",
+            None,
         )
-        yield Doubt(message, None)
 
 
 def counts(subject: Subject) -> str:

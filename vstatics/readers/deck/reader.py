@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from vstatics.errors import CaseError, Place, Problem, ReadError
+from vstatics.errors import CaseError, Path, Place, Problem, ReadError
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.deck.fields import Fields
@@ -86,8 +86,7 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
         raise ReadError(message, place=Place(source.file, 1, 1))
     found.problems.extend(damage)
     fields = Fields(found, len(text))
-    parts = _parts(fields)
-    reading = finish(parts, found.problems, fields.hidden, fields.places.locate)
+    reading = finish(_parts(fields), found.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
         _known = known_deck(found, reading.case, fields.places.planet)
     return reading
@@ -125,8 +124,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
     if sizes["F"] is None and not elements:
         fields.hidden += [("gears", gear, "engaged") for gear in range(1, gears + 1)]
     if links is not None and any(name.startswith("J") for name in names):
-        numbers = range(1, links + 1)
-        parts["link_names"] = [names.get(f"J{link}", str(link)) for link in numbers]
+        parts["link_names"] = [names.get(f"J{link}", str(link)) for link in range(1, links + 1)]
     parts["links"] = _above_all(parts) if links is None else links
     return parts
 
@@ -157,15 +155,16 @@ def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mecha
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
     """The planet ratios of the non-standard mechanisms, by their numbers."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
+    every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
-        fields.hidden += [("mechanisms", number) for number in range(1, mechanisms + 1)]
+        fields.hidden += every
         return {}
     numbers = fields.numbers("NNM", count, "KNM", integer)
     ratios = fields.numbers("UAQ", count, "KNM", real)
     planets: dict[int, float] = {}
     for position, (number, ratio) in enumerate(zip(numbers, ratios, strict=True), 1):
         if f"NNM({position})" in fields.unreadable:
-            fields.hidden += [("mechanisms", each) for each in range(1, mechanisms + 1)]
+            fields.hidden += every
             continue
         if not 1 <= number <= mechanisms:
             expected = f"expected the number of a mechanism, from 1 to {mechanisms}"
@@ -184,16 +183,14 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
     engaged = _engaged(fields, count)
     speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
     torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
-    members = _members(fields, "gears", count, names)
     return [
         Gear(engaged[n], speeds[n], torques[n], **{key: one[key] for key in one if one[key]})
-        for n, one in enumerate(members)
+        for n, one in enumerate(_members(fields, "gears", count, names))
     ]
 
 
 def _engaged(fields: Fields, gears: int) -> list[list[int]]:
-    counts = fields.counts("KFRI", gears, required=True)
-    engaged = fields.rows("NFRI", counts, "KFRI", integer)
+    engaged = fields.rows("NFRI", fields.counts("KFRI", gears, required=True), "KFRI", integer)
     fields.hidden += [("gears", gear, "engaged") for gear in engaged.unreadable]
     return engaged.numbers
 

@@ -169,8 +169,7 @@ def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
     """The lines of numbers of a field, up to the first line of prose."""
     rows: list[list[Token]] = []
     for tokens in token_lines(found, field):
-        alone = numbers_alone(tokens)
-        if not alone and (len(rows) >= expected or not starts_values(tokens)):
+        if not numbers_alone(tokens) and (len(rows) >= expected or not starts_values(tokens)):
             break
         rows.append(tokens)
     return rows
@@ -307,8 +306,7 @@ class _Taker(Generic[Number]):
             self.found.error(f"{label}: {read} before {end}, {expected}", *self.end)
         else:
             hint = self._hint(self.surplus.line)
-            message = f"{self.wanted.name}: {read}, {expected}{hint}"
-            self.found.error(message, *self.surplus.spot)
+            self.found.error(f"{self.wanted.name}: {read}, {expected}{hint}", *self.surplus.spot)
             self.unreadable.update(range(self.need))
 
     def _hint(self, last: int) -> str:

@@ -58,8 +58,7 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
     # no function in a function: it would hold itself, and with it the memory of the results
     if isinstance(part, Applied):
-        operands = [_values(operand, value_of) for operand in part.operands]
-        return OPERATIONS[part.name](operands)
+        return OPERATIONS[part.name]([_values(operand, value_of) for operand in part.operands])
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 
 

@@ -189,8 +189,7 @@ class _Parser:
 
     def operator(self) -> str:
         """What stands behind an operand: an operator, `)`, `,`, or nothing at the end."""
-        name = self.matched(NAME)
-        sign = name or self.matched(_SIGN)
+        sign = self.matched(NAME) or self.matched(_SIGN)
         if sign == ",":
             known = bool(self.calls) and self.calls[-1]
         else:

@@ -35,8 +35,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if given and not parts["gears"]:
         parts["gears"] = [Gear()]  # so that drag of the case has a place
     load = values.get("load", Load())
-    moves = bool(values.get("inertias"))
-    common = Common(load, values["coast"], values.get("drag", {}), moves)
+    common = Common(load, values["coast"], values.get("drag", {}), bool(values.get("inertias")))
     elements, gears = in_gears(parts["shift_elements"], parts["gears"], common, walk.spots)
     return {
         **{key: values[key] for key in _OWN if key in values},

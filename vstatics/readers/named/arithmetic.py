@@ -56,8 +56,7 @@ def calculated(text: str) -> LeadingNumber:
     if _PLAIN.match(text):
         return LeadingNumber(_finite(float(text)), "")
     reading = _Calculation(text.strip(" "))
-    value = reading.joined(0, 0)
-    return LeadingNumber(value, reading.text[reading.at :])
+    return LeadingNumber(reading.joined(0, 0), reading.text[reading.at :])
 
 
 def expected(text: str) -> str:

@@ -86,8 +86,7 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     """As many values as the row has."""
     node, count = spot.node, len(shape.items)
     if not isinstance(node, Listing) or len(node.items) != count:
-        expected = f"expected {count} numbers: [{shape.kind}]"
-        return walk.refuse(spot, shape, expected, length(node))
+        return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", length(node))
     items = enumerate(zip(node.items, shape.items, strict=True), 1)
     return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
@@ -100,8 +99,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
         return tuple(walk.items(spot, node.items, shape.row))
     if isinstance(node, Mapping) or is_null(node):
-        expected = f"expected a number, or points: [[{shape.row.kind}], ...]"
-        return walk.refuse(spot, shape, expected)
+        return walk.refuse(spot, shape, f"expected a number, or points: [[{shape.row.kind}], ...]")
     return ((0.0, walk.read(spot._replace(path=(*spot.path, 1, 2)), leaf)),)
 
 

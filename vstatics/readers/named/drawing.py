@@ -46,10 +46,9 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
         spots.unreadable += [("links",), ("mechanisms",)]
     else:
         names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
-        records = values["elements"]
         drawing = Drawing(
             len(names),
-            tuple(element_of(name, record, names) for name, record in records.items()),
+            tuple(element_of(name, record, names) for name, record in values["elements"].items()),
             tuple(parts["mechanisms"]),
             values.get("losses"),
             values.get("mesh_efficiency", {}),

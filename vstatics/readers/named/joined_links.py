@@ -73,8 +73,7 @@ def loose_links(
     """
     found = joined_links(root)
     counts = Counter(node.text for node in found)
-    elements = values.get("elements", {})
-    carriers = {record.get("carrier") for record in elements.values()}
+    carriers = {record.get("carrier") for record in values.get("elements", {}).values()}
     outputs = [values.get("output"), *values.get("outputs", ())]
     told = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
     told.update(values.get("inertias", ()))
@@ -89,8 +88,7 @@ def loose_links(
         if hint or number not in carriers:
             node = first[name]
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
-            place = spots.found.source.place(node.line, node.column)
-            yield Problem(message, (), place, "warning")
+            yield Problem(message, (), spots.found.source.place(node.line, node.column), "warning")
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table

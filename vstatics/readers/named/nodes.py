@@ -89,8 +89,7 @@ class Found:
     def check_depth(self, depth: int, line: int, column: int) -> None:
         """End where values are nested deeper than in any case."""
         if depth > MOST_DEEP:
-            message = f"nested deeper than {MOST_DEEP} levels, expected at most that"
-            self.stop(message, line, column)
+            self.stop(f"nested deeper than {MOST_DEEP} levels, expected at most that", line, column)
 
     def check_characters(self, text: str, line: int, column: int) -> None:
         """End at a text without whole characters only; an escape can make half of one."""
@@ -232,8 +231,7 @@ class Spots:
         known = problem.path
         while known not in self._spots:
             known = known[:-1]  # the root is always there
-        spot = self._spots[known]
-        label = _joined(spot.label, path_text(problem.path[len(known) :]))
+        label = _joined(self._spots[known].label, path_text(problem.path[len(known) :]))
         return problem._replace(
             message=f"{label}: {problem.message}" if label else problem.message,
             place=self.place(known),

@@ -141,8 +141,7 @@ class Walk:
         except ValueError as error:
             return self.refuse(spot, shape, error)
         if links is None:
-            expected = "expected the number of links or a list of their names"
-            return self.refuse(spot, shape, expected)
+            return self.refuse(spot, shape, "expected the number of links or a list of their names")
         self.references.set_links(links)
         return links
 

@@ -175,8 +175,7 @@ def _followed(given: Dump) -> _Course:
         if breaks is None or not largest > limits[breaks]:
             return _Course(case, largest)
         # (3.52), (3.61): a swing after an event is taken to begin at its level
-        begin = swing.level if torque else 0.0
-        at_limit = swing.speed_at(limits[breaks], begin, speed)
+        at_limit = swing.speed_at(limits[breaks], swing.level if torque else 0.0, speed)
         if at_limit is None:
             return _Course(case, largest, _CASES[grabs, (*slips, breaks)][0], limits[breaks])
         slips, torque, speed = (*slips, breaks), limits[breaks], at_limit
@@ -201,8 +200,7 @@ def _simplified(given: Dump, case: DumpCase) -> float:
     """The largest torque by the first approximation of a case [N*m]."""
     slipping = case.startswith("A")
     clutch_torque = given.slipping_torque if slipping else given.M_C0
-    begin = given.boundary_speed if slipping else given.omega1
-    speed = begin / FIRST_APPROXIMATION
+    speed = (given.boundary_speed if slipping else given.omega1) / FIRST_APPROXIMATION
     free = _swing(given, ("clutch", "grip"), clutch_torque)
     match case:
         case "A1" | "A2":  # (3.21)

@@ -190,8 +190,7 @@ def _links_of_set(case: Transmission, planet: str) -> list[int]:
     """The links of the set that a planet belongs to, its carrier first."""
     name = planet.rpartition(".")[0]
     members = next(one.members for one in case.own_devices if one.name == name)
-    ordered = sorted(members, key=lambda member: member.name != "carrier")
-    return [member.link for member in ordered]
+    return [member.link for member in sorted(members, key=lambda member: member.name != "carrier")]
 
 
 def path_compliance(

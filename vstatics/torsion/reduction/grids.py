@@ -18,12 +18,11 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
     >>> [grid.key for grid in reduction_grids("a", [one])]
     ['inertias', 'compliances', 'ratios', 'notes']
     """
-    tables = (
+    for title, heading, by_gear in (
         (f"Inertias reduced to {to} [kg*m^2]", "link", [one.inertias for one in gears]),
         (f"Compliances reduced to {to} [rad/(N*m)]", "device", [one.compliances for one in gears]),
         (f"Ratios w_{to}/w_link", "link", [one.ratios for one in gears]),
-    )
-    for title, heading, by_gear in tables:
+    ):
         yield _by_gear(title, heading, gears, by_gear)
     notes = [
         (gear.name, first, f"rigidly joined: {', '.join(others)}")

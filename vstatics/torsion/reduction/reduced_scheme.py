@@ -140,8 +140,7 @@ def _spring(
     device: TorsionalDevice, free: Floats, firsts: Sequence[int], own: Floats, found: Scales
 ) -> SchemeSpring | None:
     """An elastic device by the angles of masses on the reference shaft; none if it twists none."""
-    twist = form_values(device.twist, free)
-    by_mass, *_ = linalg.lstsq(free[firsts].T, twist)
+    by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
     by_mass = by_mass / own
     largest = np.abs(by_mass).max(initial=0.0)
     terms = {n: float(a) for n, a in enumerate(by_mass) if abs(a) > TIE * largest}

@@ -160,8 +160,7 @@ def _by_masses(
             system = _highest(_inner(scheme, systems))
         [mass] = system.masses
         if not system.frequency:
-            message = f"`{system.names[0]}` can't be removed: no device acts on it"
-            raise CaseError(message)
+            raise CaseError(f"`{system.names[0]}` can't be removed: no device acts on it")
         scheme = without_branch_mass(scheme, mass, rule)
         yield system, scheme
 
@@ -170,11 +169,10 @@ def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[Part
     """The systems that a rule may take out."""
     inner = [one for one in systems if acted_on_by_several(scheme, one.masses[0])]
     if not inner:
-        message = (
+        raise CaseError(
             "no link is left that a rule removes: one device alone acts on each of "
             f"{listed([one.names[0] for one in systems])}; name those to remove"
         )
-        raise CaseError(message)
     return inner
 
 
