@@ -9,14 +9,12 @@
 
 The room for cases that are drawn rather than prepared. `kinds` declares what there is,
 `element` holds a case's elements, `keys` their keys in YAML and JSON, `group` has exact
-ratios of planets on a carrier, `lower` makes three-link mechanisms of them, `build` a
+ratios of planets on a carrier, `lower` makes three-link mechanisms of them, `drawing` a
 transmission; `checks` and `teeth` say what cannot be. `planet_inertia` tells how masses of planets
 move, for vibration.
 """
 
-from vstatics.elements.build import transmission
-from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import CentralWheel, Element, PlanetMass
-from vstatics.elements.mesh_efficiency import MeshEfficiency
+from vstatics.elements.drawing import Drawing, transmission
+from vstatics.elements.element import CentralWheel, Element, MeshEfficiency, PlanetMass
 
 __all__ = ["CentralWheel", "Drawing", "Element", "MeshEfficiency", "PlanetMass", "transmission"]

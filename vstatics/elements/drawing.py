@@ -14,7 +14,7 @@ from vstatics.elements.kinds import Planetary
 from vstatics.elements.lower import DrawnPart, parts
 from vstatics.errors import Problem
 from vstatics.model.parts import HOUSING, Member, OwnDevice, Planet, WheelOfPlanet
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import ShiftElement, Transmission
 
 
 @dataclass(frozen=True)
@@ -64,6 +64,46 @@ class Drawing(DrawingFields):
             "drawing": self,
             "_lowered": self,
         }
+
+
+def transmission(
+    drawing: Drawing,
+    *,
+    shift_elements: Sequence[ShiftElement] = (),
+    link_names: Sequence[str] = (),
+    **others: Any,
+) -> Transmission:
+    """The transmission of a drawing.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    shift_elements : sequence of ShiftElement, optional
+    link_names : sequence of str, optional
+        Of the case's own links.
+    **others
+        Further arguments of `Transmission`: gears, input, output, ...
+
+    Raises
+    ------
+    CaseError
+        With everything that is wrong with the elements or with the rest.
+
+    Examples
+    --------
+    >>> from vstatics.elements import Element
+    >>> from vstatics.model.transmission import Gear
+    >>> from vstatics.statics.solve import solve
+    >>> sets = Element("P", "planetary", {"sun": 1, "ring": 2, "carrier": 3},
+    ...                {"sun": 30, "ring": 75})
+    >>> case = transmission(Drawing(3, [sets]), shift_elements=[ShiftElement(2)],
+    ...                     gears=[Gear([1])])
+    >>> solve(case).ratio
+    array([3.5])
+    """
+    return Transmission(
+        drawing.links, shift_elements, (), link_names=link_names, drawing=drawing, **others
+    )
 
 
 def drawing_of(case: Transmission) -> Drawing | None:

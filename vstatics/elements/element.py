@@ -54,6 +54,18 @@ class PlanetMass(NamedTuple):
     radius: float = 0.0
 
 
+class MeshEfficiency(NamedTuple):
+    """Efficiency of a single mesh, both axes held [-].
+
+    The defaults of gear meshes are those of the published comparison of loss models;
+    see docs/elements.md for all sources.
+    """
+
+    external: float = 0.98
+    internal: float = 0.99
+    bevel: float = 0.97
+
+
 @dataclass(frozen=True)
 class Element:
     """A typical element: what a drawing shows as one thing.

@@ -10,9 +10,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
-from vstatics.elements.element import CentralWheel, Element, Losses, PlanetMass
+from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency, PlanetMass
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
-from vstatics.elements.mesh_efficiency import MeshEfficiency
 from vstatics.model.parts import HOUSING, NO_DAMPING
 from vstatics.model.shape import (
     COUNT,

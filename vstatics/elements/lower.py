@@ -14,10 +14,9 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel, DrawingFields, Element
+from vstatics.elements.element import CentralWheel, DrawingFields, Element, MeshEfficiency
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary, Simple
-from vstatics.elements.mesh_efficiency import MeshEfficiency
 from vstatics.model.parts import Mechanism
 
 

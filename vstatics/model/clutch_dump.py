@@ -69,15 +69,6 @@ class ClutchDump(NamedTuple):
         return self._replace(**changed)
 
 
-def dump_of(
-    J3: Sequence[int] = (),  # noqa: N803
-    J4: Sequence[int] = (),  # noqa: N803
-    **others: Any,
-) -> ClutchDump:
-    """A clutch dump by the keys of a case."""
-    return ClutchDump(J3=J3, J4=J4, **others)
-
-
 def dump_record(dump: ClutchDump | None) -> dict[str, Any] | None:
     """A clutch dump by the keys of a case; that something is infinite is not written."""
     if dump is None:

@@ -103,14 +103,7 @@ class TransmissionFields:
         ValueError
             If there is none; it tells the nearest name.
         """
-        names = [gear.name for gear in self.gears]
-        if asked in names:
-            return names.index(str(asked)) + 1
-        number = typed_number(str(asked), len(names))
-        if number is not None:
-            return number
-        hint = nearest(str(asked), names) or f"; gears are {listed(names, 12)}"
-        raise ValueError(f"no gear {asked!r}{hint}")
+        return _number_of(asked, [gear.name for gear in self.gears], "gear")
 
     def link_number(self, asked: int | str) -> int:
         """The number of one of the case's own links: the one of a name, else the one of a number.
@@ -120,14 +113,7 @@ class TransmissionFields:
         ValueError
             If there is none; it tells the nearest name.
         """
-        names = list(self.link_names[: self.own_links])
-        if str(asked) in names:
-            return names.index(str(asked)) + 1
-        number = typed_number(str(asked), len(names))
-        if number:
-            return number
-        hint = nearest(str(asked), names) or f"; links are {listed(names, 12)}"
-        raise ValueError(f"no link {str(asked)!r}{hint}")
+        return _number_of(str(asked), self.link_names[: self.own_links], "link")
 
     def gear_input(self, gear: Gear) -> int:
         """The input link of a gear."""
@@ -196,6 +182,15 @@ class TransmissionFields:
         """Where the mechanisms stand among the devices: shift elements before, springs behind."""
         elements = len(self.shift_elements)
         return slice(elements, elements + len(self.mechanisms))
+
+
+def _number_of(asked: int | str, names: Sequence[str], what: str) -> int:
+    if asked in names:
+        return names.index(str(asked)) + 1
+    if number := typed_number(str(asked), len(names)):
+        return number
+    hint = nearest(str(asked), names) or f"; {what}s are {listed(names, 12)}"
+    raise ValueError(f"no {what} {asked!r}{hint}")
 
 
 def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:

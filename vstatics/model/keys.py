@@ -6,11 +6,11 @@ others refer to comes first.
 
 from __future__ import annotations
 
-from vstatics.model.friction import FRICTION
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
     GEAR_KINDS,
+    Friction,
     Gear,
     ShiftElement,
     load_fault,
@@ -18,6 +18,7 @@ from vstatics.model.parts import (
     mechanism_of,
 )
 from vstatics.model.shape import (
+    COUNT,
     FLAG,
     LINK,
     NUMBER,
@@ -26,6 +27,7 @@ from vstatics.model.shape import (
     TORQUE,
     ByKey,
     ByName,
+    ByPoints,
     Either,
     Ends,
     KeyShape,
@@ -33,8 +35,42 @@ from vstatics.model.shape import (
     Links,
     ListOf,
     Numbers,
+    RowOf,
 )
-from vstatics.model.torsional_keys import DUMP, ELASTIC, SPRING
+from vstatics.model.torsional_keys import ABOVE_0, DUMP, ELASTIC, SPRING
+
+FRICTION = ByKey(
+    "Friction",
+    "The friction pack of a shift element, whose controls are then pressures.",
+    (
+        KeyShape(
+            "radius",
+            Leaf("length"),
+            "Mean radius of friction, in m.",
+            required=True,
+            limits=ABOVE_0,
+            examples=(0.1,),
+        ),
+        KeyShape(
+            "area",
+            Leaf("area"),
+            "Area on which the pressure acts, in m^2.",
+            required=True,
+            limits=ABOVE_0,
+            examples=("60 cm^2",),
+        ),
+        KeyShape("surfaces", COUNT, "Pairs of friction surfaces.", required=True, examples=(8,)),
+        KeyShape(
+            "coefficient",
+            ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient")),
+            "Coefficient of friction: a number, or points [slip in rad/s, coefficient] in "
+            "ascending order, straight between.",
+            required=True,
+            examples=(0.12, [[0, 0.12], [10, 0.1]]),
+        ),
+    ),
+    Friction,
+)
 
 ELEMENT = ByKey(
     "Shift element",
@@ -67,7 +103,7 @@ ELEMENT = ByKey(
             TORQUE,
             "Torque that it can carry, relative to the input torque of the case, or with a unit; "
             "for the margins of `vstatics summary`.",
-            limits={"exclusiveMinimum": 0},
+            limits=ABOVE_0,
             examples=("600 N*m",),
         ),
         KeyShape(

@@ -12,6 +12,7 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     HOUSING,
+    Friction,
     Gear,
     Load,
     Mechanism,
@@ -68,9 +69,37 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     static = element.static
     yield from expect(static, "1 or more", (*path, "static"), right=1 <= static < math.inf)
     if element.friction is not None:
-        from vstatics.model.friction import of_friction  # others do without
-
         yield from of_friction(element.friction, (*path, "friction"))
+
+
+def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
+    """Sizes above 0, whole surfaces, slips in ascending order, coefficients above 0.
+
+    Examples
+    --------
+    >>> [one] = of_friction(Friction(0.1, 0.006, 8, ((3, 0.12), (1, 0.1))), ())
+    >>> print(one.message)
+    read 1, expected a slip of 3 rad/s or more: slips are in ascending order
+    """
+    for name, one in (("radius", "a radius"), ("area", "an area")):
+        size = getattr(friction, name)
+        yield from expect(size, f"{one} above 0", (*path, name), right=0 < size < math.inf)
+    surfaces, what = friction.surfaces, "a whole number of surfaces from 1"
+    right = surfaces >= 1 and surfaces == int(surfaces)
+    yield from expect(surfaces, what, (*path, "surfaces"), right=right)
+    here = (*path, "coefficient")
+    if not friction.coefficient:
+        yield Problem("there is no point, expected one at least", here)
+    least = 0.0
+    for number, (slip, coefficient) in enumerate(friction.coefficient, 1):
+        if not 0 <= slip < math.inf:
+            yield Problem(f"read {slip:g}, expected a slip of 0 or more", (*here, number, 1))
+        elif slip < least:
+            message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
+            yield Problem(f"{message}: slips are in ascending order", (*here, number, 1))
+        right = 0 < coefficient < math.inf
+        yield from expect(coefficient, "a coefficient above 0", (*here, number, 2), right=right)
+        least = max(least, slip)
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

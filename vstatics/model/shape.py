@@ -109,10 +109,6 @@ class KeyShape(NamedTuple):
         return bool(value == self.default or not (value or isinstance(value, (float, int))))
 
 
-def _no_fault(**_values: Any) -> str:
-    return ""
-
-
 class ByKey(NamedTuple):
     """A mapping of known keys."""
 
@@ -121,7 +117,7 @@ class ByKey(NamedTuple):
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
     """What the reader makes of the values, given by their keys: a part of the model."""
-    fault: Callable[..., str] = _no_fault
+    fault: Callable[..., str] = lambda **_: ""
     """What values that are each right are not right together: what was read, what was expected."""
 
     @property

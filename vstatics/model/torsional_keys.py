@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from vstatics.model.clutch_dump import MASSES, NEEDED, dump_of
+from functools import partial
+
+from vstatics.model.clutch_dump import MASSES, NEEDED, ClutchDump
 from vstatics.model.parts import damping_fault, damping_of
 from vstatics.model.shape import (
     LINK,
@@ -53,7 +55,7 @@ DAMPING = Either(
     written=True,
 )
 """Of what is elastic."""
-_ABOVE_0: Limits = {"exclusiveMinimum": 0}
+ABOVE_0: Limits = {"exclusiveMinimum": 0}
 _DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
 
 ELASTIC = (
@@ -62,7 +64,7 @@ ELASTIC = (
         Leaf("stiffness"),
         "For vibration: torque on its first link by the twist of its own row, in N*m/rad; rigid "
         "when not given.",
-        limits=_ABOVE_0,
+        limits=ABOVE_0,
         examples=(9e4,),
     ),
     _DAMPING,
@@ -86,12 +88,12 @@ SPRING = ByKey(
             "In place of links: any sum of angles, by coefficients.",
             examples=({"pinion": 1, "wheel": -1, "casing": -1},),
         ),
-        KeyShape("stiffness", Leaf("stiffness"), "In N*m/rad.", limits=_ABOVE_0),
+        KeyShape("stiffness", Leaf("stiffness"), "In N*m/rad.", limits=ABOVE_0),
         KeyShape(
             "compliance",
             Leaf("compliance"),
             "In place of the stiffness, in rad/(N*m).",
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
             examples=(84e-5,),
         ),
         _DAMPING,
@@ -99,7 +101,7 @@ SPRING = ByKey(
             "limit",
             Leaf("si_torque"),
             "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
             examples=("3000 N*m",),
         ),
     ),
@@ -135,28 +137,28 @@ DUMP = ByKey(
             Leaf("si_torque"),
             "Torque at which the clutch breaks away, on the first link of J2, in N*m.",
             required=True,
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
         ),
         KeyShape(
             "M_phi",
             Leaf("si_torque", infinite=True),
             "Torque at which the tyres lose their grip, that of all wheels on the first link of "
             "J4, in N*m; when not given they don't.",
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
         ),
         KeyShape(
             "omega1",
             Leaf("si_speed"),
             "Speed before of the first link of J1, in rad/s.",
             required=True,
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
         ),
         KeyShape(
             "E",
             Leaf("compliance"),
             "Compliance from J2 to J5 on the link `to`, in rad/(N*m); that of the elastic devices "
             "when not given.",
-            limits=_ABOVE_0,
+            limits=ABOVE_0,
         ),
         KeyShape(
             "to",
@@ -165,5 +167,5 @@ DUMP = ByKey(
             "not given.",
         ),
     ),
-    dump_of,
+    partial(ClutchDump, J3=(), J4=()),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
@@ -72,8 +73,12 @@ def text(made: dict[str, Any]) -> str:
       "ETA": [0.9]
     }
     """
-    entries = [f"  {_text(key)}: {_value(key, value)}" for key, value in made.items()]
-    return "{\n" + ",\n".join(entries) + "\n}"
+    return _braced((_text(key), _value(key, value)) for key, value in made.items())
+
+
+def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
+    inner = ",\n".join(f"{indent}  {key}: {value}" for key, value in entries)
+    return f"{{\n{inner}\n{indent}}}"
 
 
 def _value(key: str, value: Any) -> str:
@@ -91,8 +96,7 @@ def _value(key: str, value: Any) -> str:
 
 
 def _mapping(value: dict[str, Any]) -> str:
-    inner = [f"    {_text(key)}: {_text(entry)}" for key, entry in value.items()]
-    return "{\n" + ",\n".join(inner) + "\n  }"
+    return _braced(((_text(key), _text(entry)) for key, entry in value.items()), "  ")
 
 
 @cache

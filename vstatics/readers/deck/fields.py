@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import accumulate, pairwise
-from typing import Generic, NamedTuple
 
 from vstatics.errors import Path, Problem, nearest
 from vstatics.readers.deck.numbers import Number, integer, loose_count
@@ -20,13 +19,6 @@ from vstatics.readers.deck.values import (
     take_rows,
     values_in_words,
 )
-
-
-class GearRows(NamedTuple, Generic[Number]):
-    """The values of each gear, and the gears (from 1) of which some could not be read."""
-
-    numbers: list[list[Number]]
-    unreadable: set[int]
 
 
 class Fields:
@@ -108,17 +100,17 @@ class Fields:
 
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Callable[[str], Number]
-    ) -> GearRows[Number]:
-        """The values of each gear, as many as `counts` says."""
+    ) -> tuple[list[list[Number]], set[int]]:
+        """The values of each gear, as many as `counts` says, and the gears that have stand-ins."""
         gears = len(counts)
         if min(counts, default=0) < 0:
-            return GearRows([[] for _ in counts], set(range(1, gears + 1)))
+            return [[] for _ in counts], set(range(1, gears + 1))
         need, field = sum(counts), self.found.fields.get(key)
         if field is not None:
             values = take_rows(self.found, field, counts, counted, parse)
             self.places.named.append((row_labels(key, counts), values.spots))
         elif not need:
-            return GearRows([[] for _ in counts], set())
+            return [[] for _ in counts], set()
         else:
             values = stand_ins(None, need, parse)
             self._missing(key, f"{values_in_words(need)} ({counted})")
@@ -128,7 +120,7 @@ class Fields:
             for gear, (start, end) in enumerate(pairwise(ends), 1)
             if values.unreadable and not values.unreadable.isdisjoint(range(start, end))
         }
-        return GearRows([values.numbers[start:end] for start, end in pairwise(ends)], unreadable)
+        return [values.numbers[start:end] for start, end in pairwise(ends)], unreadable
 
     def _list(
         self, key: str, need: int, why: str, parse: Callable[[str], Number]

@@ -180,7 +180,9 @@ def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
 
 
 def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
-    engaged = _engaged(fields, count)
+    counts = fields.counts("KFRI", count, required=True)
+    engaged, unreadable = fields.rows("NFRI", counts, "KFRI", integer)
+    fields.hidden += [("gears", gear, "engaged") for gear in unreadable]
     speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
     torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
     return [
@@ -189,26 +191,20 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
     ]
 
 
-def _engaged(fields: Fields, gears: int) -> list[list[int]]:
-    engaged = fields.rows("NFRI", fields.counts("KFRI", gears, required=True), "KFRI", integer)
-    fields.hidden += [("gears", gear, "engaged") for gear in engaged.unreadable]
-    return engaged.numbers
-
-
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
     """The extra speeds or torques of each gear, by links."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
-    links = fields.rows(name, counts, counted, integer)
-    values = fields.rows(amount, counts, counted, real)
-    fields.hidden += [("gears", gear, part) for gear in links.unreadable | values.unreadable]
+    links, unreadable = fields.rows(name, counts, counted, integer)
+    values, without = fields.rows(amount, counts, counted, real)
+    fields.hidden += [("gears", gear, part) for gear in unreadable | without]
     given: list[dict[int, float]] = []
-    for gear, (row, numbers) in enumerate(zip(links.numbers, values.numbers, strict=True), 1):
+    for gear, (row, numbers) in enumerate(zip(links, values, strict=True), 1):
         given.append({})
         for position, (link, value) in enumerate(zip(row, numbers, strict=True), 1):
-            if link in given[-1] and gear not in links.unreadable:
+            if link in given[-1] and gear not in unreadable:
                 message = f"link {link} is given twice in gear {gear}, expected once"
                 fields.error(f"{name}({position},{gear})", message)
             else:

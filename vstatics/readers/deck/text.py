@@ -53,16 +53,6 @@ class Field(NamedTuple):
     """Offset at which the values must end, when another field follows in the line."""
 
 
-class Named(NamedTuple):
-    """A line ``NAME F3: C1``."""
-
-    kind: str
-    number: str
-    name: str
-    line: int
-    column: int
-
-
 class Scan:
     """What a text holds: its fields and names in their order, and what is wrong."""
 
@@ -73,7 +63,8 @@ class Scan:
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
         """Lines at which the values of the field above end: those with a field or a name."""
-        self.names: list[Named] = []
+        self.names: list[tuple[str, str, str, int, int]] = []
+        """Of lines ``NAME F3: C1``: kind, number and name, line and column."""
         self.unknown: dict[str, int] = {}
         """Words that stand where fields do, and their lines; for hints."""
         self.broken: set[str] = set()
@@ -142,8 +133,8 @@ def scan(source: Source) -> Scan:
             found.broken.add(name)
         elif kind == "name":
             found.stops.append(number)
-            kind, counted, name, column = what
-            found.names.append(Named(kind, counted, name, number, column))
+            *words, column = what
+            found.names.append((*words, number, column))
         elif kind == "word" and len(found.unknown) < 50:
             found.unknown.setdefault(what, number)
     while found.last > 1 and not source.lines[found.last - 1].strip():
