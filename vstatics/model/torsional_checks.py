@@ -15,7 +15,10 @@ from vstatics.model.springs import Spring, ends, spring_name
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
     """The inertias and springs of a case, what is elastic of its devices, and their names."""
-    yield from _of_inertias(case)
+    for link, inertia in case.inertias.items():
+        path = ("inertias", link)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        yield from not_negative(inertia, "an inertia", path)
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
     for number, element in enumerate(case.shift_elements, 1):
@@ -23,13 +26,6 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
     yield from _of_names(case)
-
-
-def _of_inertias(case: TransmissionFields) -> Iterator[Problem]:
-    for link, inertia in case.inertias.items():
-        path = ("inertias", link)
-        yield from of_link(link, path, case.own_links, lowest=1)
-        yield from not_negative(inertia, "an inertia", path)
 
 
 def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:

@@ -46,7 +46,9 @@ class Rows:
         """Fill the rows that do not vary; the arrays of those that do, to be written to."""
         if self._layout is not layout:
             for row, value in layout.constants:
-                self._fill(row, value)
+                if not self._holds(row, value):
+                    self.arrays[row].fill(value)
+                    self.holds[row] = value
             for row in layout.varied:
                 self.holds.pop(row, None)
             self._layout = layout
@@ -55,11 +57,6 @@ class Rows:
     def _holds(self, row: int, value: Any) -> bool:
         known = self.holds.get(row, self)
         return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
-
-    def _fill(self, row: int, value: Any) -> None:
-        if not self._holds(row, value):
-            self.arrays[row].fill(value)
-            self.holds[row] = value
 
     def alike(self, variants: int, layout: Layout) -> Rows:
         """Rows of the same types, for so many variants; those that do not vary are not filled."""

@@ -33,12 +33,12 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
             grid = _of_table(one)
             if one.quantity.name == "idle":
                 grid = _with_roles(grid, results)
-            yield _blanked(grid, structural_zeros(one, results)) if blanks else grid
-
-
-def _blanked(grid: Grid, blank: Booleans) -> Grid:
-    """The same, with some numbers blank for people; their values stay."""
-    return _by_place(grid, blank.tolist(), lambda cell, no: cell._replace(text="") if no else cell)
+            if blanks:  # for people; the values stay
+                zero = structural_zeros(one, results).tolist()
+                grid = _by_place(
+                    grid, zero, lambda cell, no: cell._replace(text="") if no else cell
+                )
+            yield grid
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:

@@ -195,8 +195,11 @@ def written(index: int, names: Sequence[str]) -> str:
     name = names[index]
     if names.count(name) > 1 or ('"' in name and "'" in name):
         return f"#{index + 1}"
-    if is_bare(name):
-        return name
+    return name if is_bare(name) else in_quotes(name)
+
+
+def in_quotes(name: str) -> str:
+    """A name between quotes that it does not have itself, unless it has both."""
     mark = "'" if '"' in name else '"'
     return f"{mark}{name}{mark}"
 

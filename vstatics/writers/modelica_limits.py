@@ -31,7 +31,13 @@ def lost(case: Transmission) -> list[str]:
 def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     elements, mechanisms = case.shift_elements, case.mechanisms
     lossy = [one for one in mechanisms if one.efficiency != 1 or one.back_efficiency is not None]
-    yield "the losses of", _own_names(case, [one.name for one in lossy])
+    # of mechanisms that were made from elements the names are those of the elements
+    owner = {
+        mechanisms[index].name: device.name
+        for device in case.own_devices
+        for index in device.mechanisms
+    }
+    yield "the losses of", [*dict.fromkeys(owner.get(one.name, one.name) for one in lossy)]
     yield "the drag of", [one.name for one in elements if one.drag]
     yield "the stiffness of", [one.name for one in elements if one.stiffness is not None]
     told = bool(case.load and case.load.torque)
@@ -61,13 +67,3 @@ def _of_case(case: Transmission) -> Iterator[str]:
         yield "that power enters at the output"
     if case.dump is not None:
         yield "the clutch that is dumped"
-
-
-def _own_names(case: Transmission, names: list[str]) -> list[str]:
-    """Names of mechanisms as those of the elements that they were made from."""
-    owner = {
-        case.mechanisms[index].name: device.name
-        for device in case.own_devices
-        for index in device.mechanisms
-    }
-    return list(dict.fromkeys(owner.get(name, name) for name in names))

@@ -63,7 +63,10 @@ def _doubts(element: Element) -> Iterator[Doubt]:
     if isinstance(element.shape, Planetary):
         yield from _with_cures(OfPlanets(element))
     elif element.kind == "chain":
-        yield from _sprockets(element)
+        for name, teeth in element.teeth.items():
+            if teeth < UNCUT:
+                message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
+                yield Doubt(message, name, "note")
     elif element.teeth and element.shape.meshes and element.kind != "bevel_pair":
         yield from _with_cures(OfWheels(element))
 
@@ -80,13 +83,6 @@ def _place(element: Element, about: Key | None) -> Path:
         if about in rims:
             return ("rims", planet, about)
     return ("teeth", about) if about in element.teeth else ("teeth",)
-
-
-def _sprockets(element: Element) -> Iterator[Doubt]:
-    for name, teeth in element.teeth.items():
-        if teeth < UNCUT:
-            message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
-            yield Doubt(message, name, "note")
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:

@@ -30,7 +30,12 @@ PASSING = {
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
     """Everything about the places of planets, each part of it in turn."""
-    hopeless = [*_without_room(layout)]
+    hopeless = [
+        Doubt(f"no planet `{planet}` fits between the wheels around it", layout.key(wheels[-1]))
+        for planet, rims in layout.group.planets.items()
+        for rim, teeth in rims.items()
+        if teeth is not None and teeth < 1 and (wheels := layout.around(rim))
+    ]
     yield from hopeless
     if not hopeless:
         yield from _coaxial(layout)
@@ -41,14 +46,6 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
         if count > 1:
             yield from assembled(layout)
             yield from _touching(layout, count)
-
-
-def _without_room(layout: AxisLayout) -> Iterator[Doubt]:
-    for planet, rims in layout.group.planets.items():
-        for rim, teeth in rims.items():
-            if teeth is not None and teeth < 1:
-                message = f"no planet `{planet}` fits between the wheels around it"
-                yield Doubt(message, layout.key(layout.around(rim)[-1]))
 
 
 def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:

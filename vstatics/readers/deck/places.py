@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 
 from vstatics.errors import Path, Problem
 from vstatics.readers.deck.table import FIELDS
@@ -27,18 +26,18 @@ WHOLE = {
 KINDS = {"link_names": "J", "shift_elements": "F", "mechanisms": "D", "gears": "P"}
 
 
-@dataclass
 class Places:
     """Where the values of a deck stand, by names such as ``NZF(1,2)``."""
 
-    source: Source
-    named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = field(default_factory=list)
-    """Names of values, and what gives their places; put together when one is asked for."""
-    planet: dict[int, int] = field(default_factory=dict)
-    """Position in NNM of each mechanism that is there."""
-    given: dict[tuple[str, int, int], int] = field(default_factory=dict)
-    """Position of a link in NWZ or NMZ, by ``("speeds", gear, link)``."""
-    _spots: dict[str, Spot] = field(default_factory=dict)
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = []
+        """Names of values, and what gives their places; put together when one is asked for."""
+        self.planet: dict[int, int] = {}
+        """Position in NNM of each mechanism that is there."""
+        self.given: dict[tuple[str, int, int], int] = {}
+        """Position of a link in NWZ or NMZ, by ``("speeds", gear, link)``."""
+        self._spots: dict[str, Spot] = {}
 
     @property
     def spots(self) -> dict[str, Spot]:

@@ -88,7 +88,9 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
     fields = Fields(found, len(text))
     reading = finish(_parts(fields), found.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
-        _known = known_deck(found, reading.case, fields.places.planet)
+        # without repeat counts a deck has more characters than values, whatever its numbers
+        is_kept = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
+        _known = KnownDeck(found, reading.case, fields.places.planet) if is_kept else None
     return reading
 
 
@@ -106,11 +108,14 @@ def _parts(fields: Fields) -> dict[str, Any]:
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
     gears = fields.or_guess(sizes["P"], "KFRI", "gears")
+    joining = _members(fields, "shift_elements", elements, names)
+    sets = _members(fields, "mechanisms", mechanisms, names)
+    planets = _planets(fields, mechanisms)
     parts: dict[str, Any] = {
-        "shift_elements": [
-            ShiftElement(**one) for one in _members(fields, "shift_elements", elements, names)
+        "shift_elements": [ShiftElement(**one) for one in joining],
+        "mechanisms": [
+            Mechanism(**one, planet_ratio=planets.get(number)) for number, one in enumerate(sets, 1)
         ],
-        "mechanisms": _mechanisms(fields, mechanisms, names),
         "gears": _gears(fields, gears, names),
         "input": _port(fields, "INP", 1),
         "output": _port(fields, "IOUT", 0),
@@ -142,14 +147,6 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
             ):
                 one[field.member] = number
     return made
-
-
-def _mechanisms(fields: Fields, count: int, names: dict[str, str]) -> list[Mechanism]:
-    members = _members(fields, "mechanisms", count, names)
-    planets = _planets(fields, count)
-    return [
-        Mechanism(**one, planet_ratio=planets.get(number)) for number, one in enumerate(members, 1)
-    ]
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
@@ -322,14 +319,3 @@ class KnownDeck:
         except CaseError:
             return None
         return None if any(doubts(case)) else case
-
-
-def known_deck(found: Scan, case: Transmission, planets: Iterable[int]) -> KnownDeck | None:
-    """A deck to be remembered; None if it is long, or counts its values otherwise than by words.
-
-    Without repeat counts a deck has more characters than values, whatever its numbers.
-    """
-    lines = found.source.lines
-    if sum(map(len, lines)) > LONGEST_REMEMBERED_DECK or any("*" in line for line in lines):
-        return None
-    return KnownDeck(found, case, planets)

@@ -12,6 +12,7 @@ from typing import NamedTuple, TypeAlias
 from vstatics.errors import nearest, quoted, spoken, typed_number
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, what
+from vstatics.tables.names import in_quotes
 
 Keys: TypeAlias = tuple[str, ...]
 """The parts of a path, without quotes."""
@@ -83,12 +84,7 @@ def written(keys: Sequence[str]) -> str:
     >>> written(("controls", "F.1", "2"))
     'controls."F.1".2'
     """
-    return ".".join(key if _BARE.fullmatch(key) else _in_quotes(key) for key in keys)
-
-
-def _in_quotes(key: str) -> str:
-    mark = "'" if '"' in key else '"'
-    return f"{mark}{key}{mark}"
+    return ".".join(key if _BARE.fullmatch(key) else in_quotes(key) for key in keys)
 
 
 def keys_of(node: Node) -> list[str]:

@@ -124,11 +124,14 @@ def _parallel_as_one(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
     different: list[SchemeSpring] = []
     for spring in map(_normal, springs):
         for place, other in enumerate(different):
-            if _same(spring.twist, other.twist):
+            twist = other.twist
+            if spring.twist.keys() == twist.keys() and all(
+                math.isclose(a, twist[mass], rel_tol=TIE) for mass, a in spring.twist.items()
+            ):
                 stiffness = 1 / spring.compliance + 1 / other.compliance
                 damping = spring.damping + other.damping
                 name = f"{other.name}+{spring.name}"
-                different[place] = SchemeSpring(name, other.twist, 1 / stiffness, damping)
+                different[place] = SchemeSpring(name, twist, 1 / stiffness, damping)
                 break
         else:
             if spring.twist:
@@ -142,10 +145,3 @@ def _normal(spring: SchemeSpring) -> SchemeSpring:
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}
     return SchemeSpring(spring.name, twist, spring.compliance / first**2, spring.damping * first**2)
-
-
-def _same(one: Mapping[int, float], two: Mapping[int, float]) -> bool:
-    """Whether two twists are one."""
-    return one.keys() == two.keys() and all(
-        math.isclose(a, two[mass], rel_tol=TIE) for mass, a in one.items()
-    )

@@ -103,9 +103,14 @@ def _gear_reduction(case: Transmission, gear: Gear, to: int) -> GearReduction:
         return GearReduction(gear.name, error=found)
     groups = joined_links(system)
     names, of = system.names, found.scales
+    inertias: dict[str, float | None] = {}
+    for group in groups:
+        parts = [(system.bodies[link].inertia, of[link]) for link in group]
+        known = [inertia / scale**2 for inertia, scale in parts if scale]
+        inertias[names[group[0]]] = sum(known) if known else None
     return GearReduction(
         gear.name,
-        {**_inertias(system, groups, found), **_of_planets(system, found)},
+        inertias | _of_planets(system, found),
         {
             device.name: reduced_compliance(device, of[next(iter(device.twist))])
             for device in system.elastic
@@ -114,18 +119,6 @@ def _gear_reduction(case: Transmission, gear: Gear, to: int) -> GearReduction:
         {names[first]: [names[link] for link in others] for first, *others in groups if others},
         {names[first]: NO_REACTION for first, *_ in groups if of[first] == 0},
     )
-
-
-def _inertias(
-    system: TorsionalSystem, groups: Sequence[Sequence[int]], found: Scales
-) -> dict[str, float | None]:
-    """Of what is rigidly joined, under the name of the first link."""
-    inertias: dict[str, float | None] = {}
-    for group in groups:
-        parts = [(system.bodies[link].inertia, found.scales[link]) for link in group]
-        known = [inertia / scale**2 for inertia, scale in parts if scale]
-        inertias[system.names[group[0]]] = sum(known) if known else None
-    return inertias
 
 
 def _of_planets(system: TorsionalSystem, found: Scales) -> dict[str, float | None]:
