@@ -20,8 +20,7 @@ from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes, part_of
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
-from vstatics.model.part_checks import of_back_efficiency, of_efficiency
-from vstatics.model.parts import HOUSING
+from vstatics.model.part_checks import of_back_efficiency, of_efficiency, sets_side_by_side
 from vstatics.model.torsional_checks import not_negative, of_elastic
 
 
@@ -74,22 +73,18 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
 
 def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
     """Sets that have a wheel and the carrier in common, as two halves of a Ravigneaux set do."""
-    seen: dict[tuple[int, int], str] = {}
-    for number, element in enumerate(drawing.elements, 1):
-        if not isinstance(element.shape, Planetary):
-            continue
-        group = group_of(element)
-        pairs = [(group.carrier, wheel.link) for wheel in group.wheels if wheel.link != HOUSING]
-        others = [seen[pair] for pair in pairs if pair in seen and group.carrier != HOUSING]
-        if others:
-            message = (
-                f"has a wheel and the carrier in common with {others[0]}: if they share planets "
-                "too, draw them as one element, such as `ravigneaux` or `planet_group`; losses "
-                "are not exact otherwise"
-            )
-            yield Problem(message, ("elements", number), severity="note")
-        for pair in pairs:
-            seen.setdefault(pair, element.name)
+    sets = (
+        (number, one.name, one.link("carrier"), [wheel.link for wheel in group_of(one).wheels])
+        for number, one in enumerate(drawing.elements, 1)
+        if isinstance(one.shape, Planetary)
+    )
+    for number, other in sets_side_by_side(sets):
+        message = (
+            f"has a wheel and the carrier in common with {other}: if they share planets too, "
+            "draw them as one element, such as `ravigneaux` or `planet_group`; losses are not "
+            "exact otherwise"
+        )
+        yield Problem(message, ("elements", number), severity="note")
 
 
 def _problems(element: Element, path: Path) -> Iterator[Problem]:

@@ -14,9 +14,9 @@ from vstatics.model.part_checks import (
     of_link,
     of_load,
     of_mechanism,
+    sets_side_by_side,
 )
 from vstatics.model.parts import (
-    HOUSING,
     Mechanism,
     ShiftElement,
     element_name,
@@ -91,21 +91,18 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
 
     Such mechanisms have the third link and one wheel in common, and losses.
     """
-    seen: dict[tuple[int, int], str] = {}
-    for number, mechanism in _not_drawn(case):
-        if mechanism.third == HOUSING or mechanism.efficiency == 1:
-            continue
-        wheels = [link for link in mechanism.links[:2] if link != HOUSING]
-        others = [seen[mechanism.third, link] for link in wheels if (mechanism.third, link) in seen]
-        if others:
-            message = (
-                f"shares a wheel and the carrier with {others[0]}: if they share planets too, the "
-                "losses of this form are not exact; give the set as an element, or each mesh as a "
-                "mechanism (docs/elements.md)"
-            )
-            yield Problem(message, ("mechanisms", number), severity="note")
-        for link in wheels:
-            seen.setdefault((mechanism.third, link), mechanism.name or mechanism_name(number))
+    sets = (
+        (number, one.name or mechanism_name(number), one.third, one.links[:2])
+        for number, one in _not_drawn(case)
+        if one.efficiency != 1
+    )
+    for number, other in sets_side_by_side(sets):
+        message = (
+            f"shares a wheel and the carrier with {other}: if they share planets too, the "
+            "losses of this form are not exact; give the set as an element, or each mesh as a "
+            "mechanism (docs/elements.md)"
+        )
+        yield Problem(message, ("mechanisms", number), severity="note")
 
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:

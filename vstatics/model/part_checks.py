@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from vstatics.errors import Path, Problem, type_and_value
 from vstatics.model.fields import TransmissionFields
@@ -162,6 +162,18 @@ def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
     if value is not None:
         what = "an efficiency from 0 (self-locking) to 1"
         yield from expect(value, what, path, right=0 <= value <= 1)
+
+
+def sets_side_by_side(
+    sets: Iterable[tuple[int, str, int, Iterable[int]]],
+) -> Iterator[tuple[int, str]]:
+    """Of sets (number, name, carrier, wheels): which has a wheel and the carrier of one before."""
+    seen: dict[tuple[int, int], str] = {}
+    for number, name, carrier, wheels in sets:
+        pairs = [(carrier, wheel) for wheel in wheels if HOUSING not in (carrier, wheel)]
+        yield from [(number, seen[pair]) for pair in pairs if pair in seen][:1]
+        for pair in pairs:
+            seen.setdefault(pair, name)
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:

@@ -26,6 +26,10 @@ elastic_case = gathered(
 )
 """The case and the options of a command of this group; the command gets `one`."""
 
+one_gear = click.option(
+    "--gear", required=True, metavar="G", help="The gear, by its name or number."
+)
+
 
 def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
     """The gears that are asked for, each once; all where none is.

@@ -10,7 +10,7 @@ from vstatics.cli.frame.cases import gear_number
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
-from vstatics.cli.torsion.case import elastic_case, located
+from vstatics.cli.torsion.case import elastic_case, located, one_gear
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
@@ -28,7 +28,7 @@ def _of_one_mode(command: Command) -> Command:
             metavar="K",
             help="Of those that are not rigid, the lowest is 1.",
         ),
-        click.option("--gear", required=True, metavar="G", help="The gear, by its name or number."),
+        one_gear,
     ):
         command = option(command)
     return command

@@ -16,7 +16,7 @@ from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import separated, value
-from vstatics.cli.torsion.case import located
+from vstatics.cli.torsion.case import located, one_gear
 from vstatics.errors import ReadError, spoken
 from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
@@ -46,7 +46,7 @@ def _names(text: str) -> list[str]:
 
 
 @click.command()
-@click.option("--gear", required=True, metavar="G", help="The gear, by its name or number.")
+@one_gear
 @click.option(
     "--links",
     "frequencies",
