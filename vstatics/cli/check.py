@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import click
 
@@ -16,15 +16,48 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Problem, ReadError, plural
+from vstatics.errors import CaseError, Problem, ReadError, Severity, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
+from vstatics.tables.answer import Words, line, plain_data
 from vstatics.tables.grid import Grid, grid_of
 from vstatics.tables.text import lines
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
+
+
+class ProblemRecord(NamedTuple):
+    """A problem as it stands in JSON."""
+
+    file: str
+    """As it was called, `<stdin>` for standard input."""
+    line: Annotated[int, Words(minimum=1)] | None
+    """From 1; None for the file as a whole."""
+    column: Annotated[int, Words(minimum=1)] | None
+    severity: Severity
+    message: str
+
+
+def records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
+    """The problems of a file.
+
+    >>> from vstatics.errors import Place
+    >>> list(records("a.yaml", [Problem("read 0", place=Place("a.yaml", 3, 7))]))
+    [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0')]
+    """
+    for problem in problems:
+        name, row, column = problem.place[:3] if problem.place else (file, 0, 0)
+        yield ProblemRecord(
+            name, row or None, column if row else None, problem.severity, problem.message
+        )
+
+
+def text(problems: Iterable[ProblemRecord]) -> str:
+    """An array, a line for each problem."""
+    lines = [line(plain_data(one)).rstrip("\n") for one in problems]
+    return "[\n" + ",\n".join(lines) + "\n]\n" if lines else "[]\n"
 
 
 FORMATS = ("text", "json")
@@ -160,13 +193,11 @@ def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
 
 def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
     """The problems of all cases in JSON, and whether one failed."""
-    from vstatics.cli import problem_json
-
-    found, failed = list[problem_json.ProblemRecord](), False
+    found, failed = list[ProblemRecord](), False
     for file, problems, fails, _ in _calculated(cases, options):
         failed |= fails
-        found += problem_json.records(file, options.telling.printed(problems))
-    return problem_json.text(found), failed
+        found += records(file, options.telling.printed(problems))
+    return text(found), failed
 
 
 _TRIED_PART = 1e-9

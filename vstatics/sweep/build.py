@@ -15,9 +15,8 @@ from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.selection import read_objective, read_where
-from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.texts import Text, located
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath

@@ -19,8 +19,7 @@ from vstatics.readers.named.nodes import (
     shown,
     what,
 )
-from vstatics.sweep.options import OPTIONS, Option, SweepOptions
-from vstatics.sweep.texts import Stretch, Text, joined
+from vstatics.sweep.options import OPTIONS, Option, Stretch, SweepOptions, Text, joined
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:

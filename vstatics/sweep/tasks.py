@@ -12,7 +12,7 @@ from vstatics.jobs import pieces
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.jobs.workers import workers
-from vstatics.sweep import calculation
+from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.kept import best
@@ -68,7 +68,7 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
-    rows = calculation.calculate(plan, *plan.span(piece))
+    rows = blocks.calculate(plan, *plan.span(piece))
     return best.within(plan, rows) if plan.objectives else rows
 
 

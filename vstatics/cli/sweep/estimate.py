@@ -8,7 +8,7 @@ import time
 from vstatics.cli.frame.estimates import CommandEstimate, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.sweep import calculation
+from vstatics.sweep import blocks
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.best import BEST
 from vstatics.sweep.plan import SweepPlan
@@ -57,7 +57,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     last = max(plan.variants.count - ROWS, 0)
     starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
-    parts = [calculation.calculate(plan, *two) for two in ends]
+    parts = [blocks.calculate(plan, *two) for two in ends]
     length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
     return length / sum(len(part.variants) for part in parts)
 
@@ -73,10 +73,10 @@ def most_rows(plan: SweepPlan) -> int:
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
-    start, stop = calculation.middle(plan)
-    calculation.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    start, stop = blocks.middle(plan)
+    blocks.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
-    rows = calculation.calculate(plan, start, stop)
+    rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
     part = len(rows.variants) / max(stop - start, 1)

@@ -12,8 +12,7 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch
-from vstatics.synthesis.boxes.checks import check_box_search
+from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter

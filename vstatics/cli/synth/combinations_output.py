@@ -16,8 +16,7 @@ from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
-from vstatics.synthesis.gears.engaged_sets import EngagedSets, combination_grids
-from vstatics.synthesis.gears.kinds import EngagedKind
+from vstatics.synthesis.gears.kinds import EngagedKind, EngagedSets, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 from vstatics.tables.answer import Count, line, told
 from vstatics.tables.grid import Grid

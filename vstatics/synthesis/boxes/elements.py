@@ -13,8 +13,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.minors import GearSpeeds
+from vstatics.synthesis.boxes.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 
 

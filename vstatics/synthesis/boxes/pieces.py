@@ -11,11 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.cells import cell_room
 from vstatics.synthesis.boxes.elements import PortGears, set_room
-from vstatics.synthesis.boxes.engaged import Combinations, combinations_table
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
-from vstatics.synthesis.boxes.minors import GearSpeeds, gear_speeds
+from vstatics.synthesis.boxes.engaged import (
+    Combinations,
+    GearSpeeds,
+    combinations_table,
+    gear_speeds,
+)
+from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports, cell_room
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
