@@ -31,7 +31,7 @@ class SweepTask(NamedTuple):
 
     def describe(self, item: object) -> str:
         """The variants of a piece, in words."""
-        piece = item.piece if isinstance(item, Portion) else item
+        piece = _number(item)
         if not isinstance(piece, int):
             return "putting the output together"
         start, stop = self.plan.span(piece)
@@ -72,7 +72,8 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
     return best.within(plan, rows) if plan.objectives else rows
 
 
-def _number(item: Item) -> int:
+def _number(item: Any) -> Any:
+    """The number of a piece, or what is none."""
     return item.piece if isinstance(item, Portion) else item
 
 

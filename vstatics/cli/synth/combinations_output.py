@@ -126,8 +126,8 @@ def _lines(found: EngagedSets) -> Iterator[str]:
     """Combinations as JSON, an object each."""
     names = [line(element.name).rstrip() for element in found.elements]
     kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
-    columns = (found.members, found.kinds, found.ratios, found.free)
-    for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
+    columns = (column.tolist() for column in found[1:])
+    for members, kind, ratio, free in zip(*columns, strict=True):
         engaged = ", ".join([names[one] for one in members])
         number = repr(ratio) if math.isfinite(ratio) else "null"
         is_free = "true" if free else "false"

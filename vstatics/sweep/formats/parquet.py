@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
-from typing import Any
+from typing import IO, Any
 
 from vstatics.sweep.chunk import STATUS, Chunk
 
@@ -12,7 +12,7 @@ GROUP = 262_144
 """Rows of a row group, at most one piece more."""
 
 
-def write(path: str, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
+def write(file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
     """Write chunks to a file, one row group at a time.
 
     Raises
@@ -24,7 +24,7 @@ def write(path: str, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
     schema = pa.schema(
         pa.field(one, kinds.get(one, pa.float64()), nullable=one not in kinds) for one in headings
     )
-    with parquet.ParquetWriter(path, schema) as writer:
+    with parquet.ParquetWriter(file, schema) as writer:
         for group in _groups(chunks):
             batches = [_batch(chunk, schema) for chunk in group]
             writer.write_table(pa.Table.from_batches(batches, schema), row_group_size=2 * GROUP)

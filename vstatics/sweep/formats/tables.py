@@ -8,28 +8,21 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Values, exact, grid_of, text
+from vstatics.tables.grid import Cell, Column, Values, exact, grid_of
+from vstatics.tables.grid import text as words
 
 CELL_DIGITS = 12
 """Significant ones, as in CSV."""
 
 
-def write(path: str, form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
-    """Write chunks to a file, as one table.
-
-    Raises
-    ------
-    OSError
-    """
-    columns = (text(one) if one == "status" else Column(one) for one in headings)
+def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> bytes:
+    """Chunks as one table."""
+    columns = (words(one) if one == "status" else Column(one) for one in headings)
     grid = grid_of("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
-        data = xlsx.write([("", [grid])], several=False)
-    else:
-        writer = markdown if form == "markdown" else latex
-        data = writer.write([], [grid]).encode()
-    with open(path, "wb") as file:  # noqa: PTH123
-        file.write(data)
+        return xlsx.write([("", [grid])], several=False)
+    write = markdown.write if form == "markdown" else latex.write
+    return write([], [grid]).encode()
 
 
 def _rows(chunk: Chunk) -> Iterator[Values]:

@@ -46,7 +46,12 @@ class BoxSearch(NamedTuple):
     @property
     def links(self) -> int:
         """Links of the scheme of its sets; the one that is held for good is among them."""
-        return self.sets + self.engaged + (0 if self.own_input else 1) + (1 if self.fixed else 0)
+        return self.sets + self.engaged + (not self.own_input) + bool(self.fixed)
+
+    @property
+    def shafts(self) -> int:
+        """Links that move, an input shaft of its own among them."""
+        return self.links + self.own_input - bool(self.fixed)
 
 
 class BoxFigures(NamedTuple):
@@ -82,7 +87,7 @@ class FoundBox(NamedTuple):
     --------
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
     ...                ((0,), (1,)), 0.0)
-    >>> list(box.brakes), list(box.clutches)
+    >>> box.brakes, box.clutches
     ([(2, -1)], [(0, 1)])
     """
 
@@ -103,14 +108,14 @@ class FoundBox(NamedTuple):
     """The largest |ln(i/target)|. [-]"""
 
     @property
-    def brakes(self) -> Iterator[tuple[int, int]]:
+    def brakes(self) -> list[tuple[int, int]]:
         """Elements that hold a link."""
-        return (one for one in self.elements if one[1] == HELD)
+        return [one for one in self.elements if one[1] == HELD]
 
     @property
-    def clutches(self) -> Iterator[tuple[int, int]]:
+    def clutches(self) -> list[tuple[int, int]]:
         """Elements that join two links."""
-        return (one for one in self.elements if one[1] != HELD)
+        return [one for one in self.elements if one[1] != HELD]
 
 
 LARGEST_RATIO = 1000.0
@@ -169,8 +174,7 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
     >>> elements_there(BoxSearch(4, 5, 3, (2.0, 1.0)))
     (6, 28)
     """
-    shafts = search.links + (1 if search.own_input else 0) - (1 if search.fixed else 0)
-    return shafts - 2, math.comb(shafts, 2)
+    return search.shafts - 2, math.comb(search.shafts, 2)
 
 
 def _of_numbers(search: BoxSearch) -> Iterator[Problem]:

@@ -202,11 +202,10 @@ class BoxFilter(NamedTuple):
         >>> BoxFilter(brakes=(1,)).before(box), BoxFilter(limits={"clutches": 0}).before(box)
         (True, False)
         """
-        counts = {"brakes": len(list(box.brakes)), "clutches": len(list(box.clutches))}
-        allowed = {"brakes": self.brakes, "clutches": self.clutches}
+        kinds = (("brakes", box.brakes, self.brakes), ("clutches", box.clutches, self.clutches))
         return all(
-            (not allowed[name] or count in allowed[name]) and count <= self.limits.get(name, count)
-            for name, count in counts.items()
+            (not allowed or len(own) in allowed) and len(own) <= self.limits.get(name, math.inf)
+            for name, own, allowed in kinds
         )
 
     def lets(self, found: MeasuredBox) -> bool:

@@ -183,11 +183,7 @@ def _one_more(
             gone += 1
         else:
             ratio = port.ratios[which]
-            same = 0
-            while same < count and abs(room.ratios[after, same] - ratio) > SAME_BOX_RATIO * abs(
-                ratio
-            ):
-                same += 1
+            same = place_of(ratio, room.ratios[after], count)
             if same < count:
                 gone += 1
                 room.reach[after, same] |= port.reach[which]
@@ -200,6 +196,15 @@ def _one_more(
     room.gone[after] = gone
     room.counts[after] = count
     return True
+
+
+@compiled
+def place_of(ratio: float, ratios: Floats, count: int) -> int:
+    """The place of the same ratio among the first ones; their count where there is none."""
+    same = 0
+    while same < count and abs(ratios[same] - ratio) > SAME_BOX_RATIO * abs(ratio):
+        same += 1
+    return same
 
 
 @compiled

@@ -17,7 +17,7 @@ from vstatics.statics.state import values_of
 from vstatics.synthesis.boxes.box import HELD, BoxFigures, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
 from vstatics.synthesis.boxes.least_form import least_box
-from vstatics.synthesis.gears.case_of_scheme import INERTIA, gear_names, set_name
+from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
 from vstatics.synthesis.structures.scheme import link_name
 
 
@@ -54,7 +54,7 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
     number = {link: place for place, link in enumerate(links, 1)} | {HELD: HOUSING}
     if box.held is not None:
         number[box.held] = HOUSING
-    names = target_names(targets)
+    names = names_of_gears(targets)
     inertia = f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2."
     assumed = f"Every set has the efficiency {efficiency:g} with its carrier held"
     return Transmission(
@@ -119,26 +119,6 @@ def box_element_name(element: tuple[int, int]) -> str:
     """
     first, second = element_links(element)
     return f"T-{first}" if element[1] == HELD else f"F-{first}-{second}"
-
-
-def target_names(targets: Sequence[float]) -> tuple[str, ...]:
-    """The name of the gear of each target: forward by descending ratio, then those backward.
-
-    >>> target_names([1, -2.5, 3.2]), target_names([-2, 1, -4])
-    (('2', 'R', '1'), ('R2', '1', 'R1'))
-    """
-    forward = sum(target > 0 for target in targets)
-    names = gear_names(forward, len(targets) - forward)
-    return tuple(name for _, name in sorted(zip(in_order(targets), names, strict=True)))
-
-
-def in_order(targets: Sequence[float]) -> list[int]:
-    """The indices of targets in the order of their gears.
-
-    >>> in_order([1, -2.5, 3.2])
-    [2, 0, 1]
-    """
-    return sorted(range(len(targets)), key=lambda index: (targets[index] < 0, -abs(targets[index])))
 
 
 FIGURE_DECIMALS = 9
@@ -214,7 +194,7 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     least = least_box(box)
     case = box_case(least, search.targets, efficiency)
     gears = _chosen(least, search.targets, _solved(case))
-    names = target_names(search.targets)
+    names = names_of_gears(search.targets)
     told = tuple(
         BoxGear(
             names[gear.place],
@@ -307,14 +287,15 @@ def _figures(
     forward = [gear for gear in gears if targets[gear.place] > 0]
     backward = gears[len(forward) :]
     losses = [gear.values.loss for gear in forward or gears]
+    values = [gear.values for gear in gears]
     return BoxFigures(
         error=box.error,
         loss=math.fsum(losses) / len(losses),
-        planet_speed=_largest(gear.values.planet_speed for gear in gears),
-        slip=_largest(gear.values.slip for gear in gears),
-        torque=_largest(gear.values.torque for gear in gears),
-        brakes=sum(1 for _ in box.brakes),
-        clutches=sum(1 for _ in box.clutches),
+        planet_speed=_largest(one.planet_speed for one in values),
+        slip=_largest(one.slip for one in values),
+        torque=_largest(one.torque for one in values),
+        brakes=len(box.brakes),
+        clutches=len(box.clutches),
         single=all(is_single([gear.engaged for gear in part]) for part in (forward, backward)),
         planar=box_is_planar(case),
     )

@@ -14,11 +14,11 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.elements import PortGears, SetRoom, element_sets, matched
+from vstatics.synthesis.boxes.elements import PortGears, SetRoom, element_sets, matched, place_of
 from vstatics.synthesis.boxes.engaged import Combinations, GearSpeeds, all_used, number_of
 from vstatics.synthesis.boxes.ranges import divide, extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.set_ratios import Asked, FitRoom, fit_room, fitted
-from vstatics.synthesis.tolerances import LEAST_SUM_OF_SQUARES, NO_BOX_SPEED, SAME_BOX_RATIO
+from vstatics.synthesis.tolerances import LEAST_SUM_OF_SQUARES, NO_BOX_SPEED
 
 SPREADS = np.array([0.5, 0.2, 0.06])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
@@ -371,9 +371,7 @@ def _different(
         room.cells.ratio_of[subset] = -1
         if port.reach[which]:
             ratio = port.ratios[which]
-            same = 0
-            while same < count and abs(ratios[same] - ratio) > SAME_BOX_RATIO * abs(ratio):
-                same += 1
+            same = place_of(ratio, ratios, count)
             room.cells.ratio_of[subset] = same
             if same == count:
                 ratios[count] = ratio

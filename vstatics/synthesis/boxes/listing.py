@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Mapping
-from typing import Annotated, Any, NamedTuple, NoReturn
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from typing import Annotated, Any, NamedTuple, NoReturn, get_args, get_origin, get_type_hints
 
 from vstatics.errors import Problem, ReadError, of_file, plural, type_and_value
 from vstatics.model.transmission import Transmission
@@ -35,12 +36,6 @@ class ListedGear(NamedTuple):
 class ListedBox(NamedTuple):
     """A box of a document, with its number in the order of the document from 1."""
 
-    number: int
-    code: SchemeCode
-    elements: Mapping[str, tuple[str, ...]]
-    """By name the two links that each joins, or a link and the housing."""
-    ratios: Mapping[str, float]
-    gears: Mapping[str, ListedGear]
     error: float
     loss: float
     planet_speed: float
@@ -48,11 +43,17 @@ class ListedBox(NamedTuple):
     torque: float
     brakes: int
     clutches: int
+    family: Count
     single: bool
     planar: bool
-    family: Count
     pareto: bool
+    code: SchemeCode
+    elements: Mapping[str, tuple[str, ...]]
+    """By name the two links that each joins, or a link and the housing."""
+    ratios: Mapping[str, float]
+    gears: Mapping[str, ListedGear]
     case: Annotated[Mapping[str, Any], Words(description="As vstatics convert has it.")]
+    number: int = 0
     input: Count = 0
     """Links of the code; 0 where the document was read, which needs them not."""
     output: Count = 0
@@ -79,18 +80,18 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
     """A found box as it is listed."""
     found, box = ranked.found, ranked.found.box
     return ListedBox(
-        number,
-        box.scheme.code,
-        found.elements,
-        found.ratios,
-        {gear.name: ListedGear(*gear[1:]) for gear in found.gears},
-        *found.figures,
-        ranked.family,
-        ranked.pareto,
-        mapping(found.case),
-        box.input,
-        box.output,
-        box.held,
+        **found.figures._asdict(),
+        family=ranked.family,
+        pareto=ranked.pareto,
+        code=box.scheme.code,
+        elements=found.elements,
+        ratios=found.ratios,
+        gears={gear.name: ListedGear(*gear[1:]) for gear in found.gears},
+        case=mapping(found.case),
+        number=number,
+        input=box.input,
+        output=box.output,
+        held=box.held,
     )
 
 
@@ -137,6 +138,8 @@ def drawn_boxes(listing: BoxListing, most: int) -> list[ListedBox]:
 
 
 ASKED = "a document of found boxes, as `vstatics synth box -f json` writes it"
+MOST_SIZE = 1e300
+"""Of a number of a document."""
 MOST_WRONG = 20
 """So many problems of a document are told."""
 
@@ -211,103 +214,95 @@ def listing_of(document: Any) -> BoxListing:
         raise ReadError(f"expected {ASKED}: an object with `searched` and `boxes`")
     boxes: list[ListedBox] = []
     problems: list[Problem] = []
-    searched = _whole(document.get("searched"), "searched", problems)
+    searched = _read(int, document.get("searched"), "searched", problems)
     for number, given in enumerate(document["boxes"], 1):
         if len(problems) >= MOST_WRONG:
             break
-        own: list[Problem] = []
-        box = _box(given, number, own)
-        problems += own
-        if box is not None and not own:
-            boxes.append(box)
+        boxes += _box(given, number, problems)
     if problems:
         raise ReadError(problems[:MOST_WRONG])
     return BoxListing(searched, tuple(boxes))
 
 
-_FIGURES: tuple[str, ...] = ("error", "loss", "planet_speed", "slip", "torque")
-_COUNTS: tuple[str, ...] = ("brakes", "clutches", "family")
-_MARKS: tuple[str, ...] = ("single", "planar", "pareto")
-
-
-_Reader = Callable[[Any, str, list[Problem]], Any]
-"""Reads a value of a place, and keeps what is wrong with it."""
-
-
-def _box(given: Any, number: int, problems: list[Problem]) -> ListedBox | None:
+def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
+    """A box, if it is one; what is wrong with it is told."""
     where = f"box {number}"
-    if not isinstance(given, dict):
-        problems.append(Problem(f"{where}: read {type_and_value(given)}, expected an object"))
-        return None
-    expected = [*_FIGURES, *_COUNTS, *_MARKS, "code", "elements", "ratios", "gears", "case"]
-    missing = [key for key in expected if key not in given]
-    if missing:
-        keys = ", ".join(f"`{key}`" for key in missing)
-        problems.append(Problem(f"{where}: expected the {plural('key', len(missing))} {keys}"))
-        return None
-    fields: dict[str, Any] = {"number": number, "code": str(given["code"])}
-    kinds: list[tuple[tuple[str, ...], _Reader]] = [
-        (_FIGURES, _number),
-        (_COUNTS, _whole),
-        (_MARKS, _mark),
-    ]
-    for its_keys, read in kinds:
-        fields |= {key: read(given[key], f"{where}.{key}", problems) for key in its_keys}
-    parts = {
-        key: _mapping(given[key], f"{where}.{key}", problems)
-        for key in ("elements", "ratios", "gears", "case")
-    }
-    readers: dict[str, _Reader] = {"elements": _names, "ratios": _number, "gears": _gear}
-    for key, of_each in readers.items():
-        fields[key] = {
-            name: of_each(value, f"{where}.{key}.{name}", problems)
-            for name, value in parts[key].items()
-        }
-    return ListedBox(**fields, case=parts["case"])
+    if _fits(dict, given, where, problems):
+        missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
+        if missing:
+            noun = plural("key", len(missing))
+            problems.append(Problem(f"{where}: expected the {noun} {', '.join(missing)}"))
+        else:
+            yield _read(ListedBox, given, where, problems)._replace(number=number)
 
 
-def _gear(given: Any, where: str, problems: list[Problem]) -> ListedGear:
-    parts = _mapping(given, where, problems)
-    return ListedGear(
-        _names(parts.get("engaged"), f"{where}.engaged", problems),
-        _number(parts.get("ratio"), f"{where}.ratio", problems),
-        _number(parts.get("target"), f"{where}.target", problems),
-    )
+@cache
+def _kinds(record: Any) -> dict[str, Any]:
+    """The types of the keys that a record has."""
+    kinds = get_type_hints(record)
+    return {key: kinds[key] for key in record._fields if key not in record._field_defaults}
 
 
-def _number(given: Any, where: str, problems: list[Problem]) -> float:
-    """A number; NaN of what has none."""
-    if given is None:
-        return math.nan
-    if isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < 1e300:
-        return float(given)
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected a number"))
-    return math.nan
+_EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool], Any]] = {
+    float: ("a number", lambda one: _is_number(one) and abs(one) < MOST_SIZE, math.nan),
+    int: ("a count", lambda one: isinstance(one, int) and _is_number(one) and one >= 0, 0),
+    bool: ("true or false", lambda one: isinstance(one, bool), False),
+    tuple: (
+        "a list of names",
+        lambda one: isinstance(one, list) and all(isinstance(name, str) for name in one),
+        (),
+    ),
+    dict: ("an object", lambda one: isinstance(one, dict), {}),
+}
+"""By the type of a value: what is expected of JSON, whether something is such, what stands for it
+if not."""
 
 
-def _whole(given: Any, where: str, problems: list[Problem]) -> int:
-    if isinstance(given, int) and not isinstance(given, bool) and given >= 0:
-        return given
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected a count"))
-    return 0
+def _is_number(given: Any) -> bool:
+    return isinstance(given, int | float) and not isinstance(given, bool)
 
 
-def _mark(given: Any, where: str, problems: list[Problem]) -> bool:
-    if isinstance(given, bool):
-        return given
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected true or false"))
+def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
+    """Whether a value is of a type; it is told if not."""
+    expected, is_such, _ = _EXPECTED[kind]
+    if is_such(given):
+        return True
+    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected {expected}"))
     return False
 
 
-def _names(given: Any, where: str, problems: list[Problem]) -> tuple[str, ...]:
-    if isinstance(given, list) and all(isinstance(one, str) for one in given):
-        return tuple(given)
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected a list of names"))
-    return ()
+def _read(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
+    """What a type makes of JSON; what is wrong is told, and something stands in its place."""
+    return _within(kind, _outside(kind, given, where, problems), where, problems)
 
 
-def _mapping(given: Any, where: str, problems: list[Problem]) -> Mapping[str, Any]:
-    if isinstance(given, dict):
-        return given
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected an object"))
-    return {}
+def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
+    """The same, but for what is in an object."""
+    if kind in (str, Any):
+        return given if kind is Any else str(given)
+    if kind is float and given is None:
+        return math.nan
+    plain = get_origin(kind) or kind
+    if plain is Mapping or hasattr(kind, "_fields"):
+        plain = dict
+    return plain(given if _fits(plain, given, where, problems) else _EXPECTED[plain][2])
+
+
+def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
+    """What is in an object, of a record only when all of its keys are looked at."""
+    if hasattr(kind, "_fields"):
+        kinds = _kinds(kind)
+        parts = {
+            key: _outside(one, value.get(key), f"{where}.{key}", problems)
+            for key, one in kinds.items()
+        }
+        return kind(
+            **{
+                key: _within(one, parts[key], f"{where}.{key}", problems)
+                for key, one in kinds.items()
+            }
+        )
+    if get_origin(kind) is not Mapping:
+        return value
+    of_each = get_args(kind)[1]
+    return {name: _read(of_each, one, f"{where}.{name}", problems) for name, one in value.items()}

@@ -185,11 +185,9 @@ def _asked(search: BoxSearch) -> Asked:
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    moving = search.links - bool(search.fixed) + search.own_input
-    table = combinations_table(moving, search.engaged, search.elements)
+    table = combinations_table(search.shafts, search.engaged, search.elements)
     asked = _asked(search)
     targets, sets = len(asked.targets), search.sets
-    all_of_them = len(table.places)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets),
@@ -197,7 +195,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
-        parts=np.zeros((all_of_them, 2, 2**sets)),
+        parts=np.zeros((len(table.places), 2, 2**sets)),
     )
 
 

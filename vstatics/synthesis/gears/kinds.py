@@ -244,19 +244,13 @@ class EngagedSets(NamedTuple):
         """One by one."""
         names = [element.name for element in self.elements]
         words = [kind.word for kind in EngagedKind]
-        columns = (self.members, self.kinds, self.ratios, self.free)
-        for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
+        columns = (column.tolist() for column in self[1:])
+        for members, kind, ratio, free in zip(*columns, strict=True):
             yield EngagedSet([names[one] for one in members], words[kind], ratio, free)
 
     def where(self, chosen: Booleans) -> EngagedSets:
         """Some of them."""
-        return EngagedSets(
-            self.elements,
-            self.members[chosen],
-            self.kinds[chosen],
-            self.ratios[chosen],
-            self.free[chosen],
-        )
+        return EngagedSets._make((self.elements, *(column[chosen] for column in self[1:])))
 
     @property
     def gears(self) -> Booleans:

@@ -241,19 +241,21 @@ class CombinationSearch:
     def samples(self) -> Iterator[EngagedSets]:
         """The first combinations of each size."""
         for size in self.sizes:
-            yield self._found(_members(subsets(range(self.choice), size), size, 100))
+            yield self._first(size, 100)
 
     def seconds(self) -> float:
         """About how long all of them take, by a piece of them [s]."""
-        self._found(_members(subsets(range(self.choice), self.sizes[0]), self.sizes[0], 1))
+        self._first(self.sizes[0], 1)
         total = 0.0
         for size in self.sizes:
-            few = min(self._room(size), 2000)
-            members = _members(subsets(range(self.choice), size), size, few)
             began = time.perf_counter()
-            list(self._found(members).each())
-            total += (time.perf_counter() - began) / len(members) * self._count(size)
+            found = list(self._first(size, min(self._room(size), 2000)).each())
+            total += (time.perf_counter() - began) / len(found) * self._count(size)
         return total
+
+    def _first(self, size: int, most: int) -> EngagedSets:
+        """What the first combinations of a size do."""
+        return self._found(_members(subsets(range(self.choice), size), size, most))
 
     def _room(self, size: int) -> int:
         return max(ROW_NUMBERS_AT_ONCE // ((size + 3) * max(self._forms.free, 1)), 1)

@@ -167,20 +167,8 @@ def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
     >>> _bit_counts(np.array([0, 7, 2**63 + 256], dtype=np.uint64))
     array([0, 3, 2], dtype=uint8)
     """
-    counts = np.zeros(bits.shape, dtype=np.uint8)
-    table = _byte_counts()
-    for byte in range(0, 64, 8):
-        counts += table[(bits >> np.uint64(byte)).astype(np.uint8)]
-    return counts
-
-
-@cache
-def _byte_counts() -> NDArray[np.uint8]:
-    """How many bits are set in each byte."""
-    counts = np.zeros(1, dtype=np.uint8)
-    for _ in range(8):
-        counts = np.concatenate([counts, counts + np.uint8(1)])
-    return counts
+    by_byte = np.ascontiguousarray(bits)[..., np.newaxis].view(np.uint8)
+    return np.asarray(np.unpackbits(by_byte, axis=-1).sum(axis=-1, dtype=np.uint8))
 
 
 bit_counts: Callable[[Bits], NDArray[np.uint8]] = getattr(np, "bitwise_count", _bit_counts)
