@@ -54,12 +54,6 @@ def records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
         )
 
 
-def text(problems: Iterable[ProblemRecord]) -> str:
-    """An array, a line for each problem."""
-    lines = [line(plain_data(one)).rstrip("\n") for one in problems]
-    return "[\n" + ",\n".join(lines) + "\n]\n" if lines else "[]\n"
-
-
 FORMATS = ("text", "json")
 
 
@@ -151,8 +145,7 @@ def check(
         raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
     as_json = to.form == "json"
     options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=as_json))
-    write = _problems if as_json else _conditions
-    text, failed = write(cases, options)
+    text, failed = _told(cases, options, as_json=as_json)
     files.write_output(text, output)
     return FAILED if failed else DONE
 
@@ -179,25 +172,24 @@ def _is_scenario(file: str) -> bool:
     return is_a("scenario", data, name)
 
 
-def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """The conditions of all cases, and whether one failed; problems are printed."""
-    found, failed = "", False
+def _told(cases: Sequence[str], options: CaseOptions, *, as_json: bool) -> tuple[str, bool]:
+    """What is told of all cases, and whether one failed.
+
+    In JSON an array with a line for each problem; else the conditions, and problems are printed.
+    """
+    found, failed = list[str](), False
     for file, problems, fails, grid in _calculated(cases, options):
-        files.show(options.telling.printed(problems))
+        failed |= fails
+        printed = options.telling.printed(problems)
+        if as_json:
+            found += (line(plain_data(one)).rstrip("\n") for one in records(file, printed))
+            continue
+        files.show(printed)
         files.show(options.telling.quiet_failure(problems, file))
-        failed |= fails
-        if grid is not None:
-            found += "\n".join(lines(grid, indent="  ")) + "\n"
-    return found, failed
-
-
-def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """The problems of all cases in JSON, and whether one failed."""
-    found, failed = list[ProblemRecord](), False
-    for file, problems, fails, _ in _calculated(cases, options):
-        failed |= fails
-        found += records(file, options.telling.printed(problems))
-    return text(found), failed
+        found += [] if grid is None else [f"{text}\n" for text in lines(grid, indent="  ")]
+    if as_json:
+        return "[\n" + ",\n".join(found) + "\n]\n" if found else "[]\n", failed
+    return "".join(found), failed
 
 
 _TRIED_PART = 1e-9

@@ -179,7 +179,9 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     return CalculatedCase(name, results, told, data, settings.telling, scenario)
 
 
-def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
+def read_data(
+    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
+) -> Reading:
     """Read the case of a command that does not show its results, and print its warnings.
 
     Raises
@@ -187,13 +189,6 @@ def read_one(file: str, input_format: readers.Format | None, telling: Telling) -
     ReadError
         If it can't be read; with the problems to print.
     """
-    return read_data(*files.read_input(file), input_format, telling)
-
-
-def read_data(
-    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
-) -> Reading:
-    """As `read_one`, of what was read from a file of that name."""
     try:
         reading = readers.read(data, name, input_format)
     except ReadError as error:

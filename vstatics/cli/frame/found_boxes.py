@@ -56,12 +56,12 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
         If the file has none, or can't be written.
     """
     from vstatics.pictures.boxes.picture import render_boxes
-    from vstatics.synthesis.boxes.listing import read_boxes
+    from vstatics.synthesis.boxes.listing import read_document
 
     if len(cases) > 1 or to.is_folder:
         raise click.UsageError("boxes: expected one document of found boxes, and a file for it")
     data, name = files.read_input(cases[0])
-    listing = read_boxes(data, name)
+    listing, _ = read_document(data, name)
     try:
         drawn = render_boxes(listing, form, style)
     except (CaseError, ReadError) as error:

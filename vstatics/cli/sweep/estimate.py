@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import time
 
-from vstatics.cli.frame.estimates import CommandEstimate, size_text
+from vstatics.cli.frame.estimates import CommandEstimate, free_room, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.sweep import blocks
@@ -31,14 +30,12 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     ReadError
         With both sizes.
     """
-    from shutil import disk_usage
-
     if plan.where is not None or plan.objectives:
         return
-    try:
-        free = disk_usage(os.path.dirname(pieces.output)).free + pieces.size()  # noqa: PTH120
-    except OSError:
-        return  # it is told when the output is to be written
+    free = free_room(pieces.output)
+    if free is None:
+        return
+    free += pieces.size()
     names = ("variant", *plan.names, "status", *plan.headings)
     if sum(LONGEST_NUMBER + len(name.encode()) for name in names) * plan.variants.count <= free:
         return
@@ -97,5 +94,5 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
 
 
-def _listed(names: list[str], most: int = 8) -> str:
-    return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])
+def _listed(names: list[str]) -> str:
+    return ", ".join(names if len(names) <= 8 else [*names[:7], "...", names[-1]])

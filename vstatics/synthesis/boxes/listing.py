@@ -166,19 +166,14 @@ def is_listing(data: bytes) -> bool:
 _BEGINNING = re.compile(rb'(?:\xef\xbb\xbf)?\s*\{\s*"searched"\s*:')
 
 
-def read_boxes(data: bytes, file: str) -> BoxListing:
-    """Read a document of found boxes, as ``vstatics synth box -f json`` writes it.
+def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
+    """What ``vstatics synth box -f json`` writes: the found boxes, and the document itself.
 
     Raises
     ------
     ReadError
         With what is wrong, at the box that it is in.
     """
-    return read_document(data, file)[0]
-
-
-def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
-    """The found boxes of a document, and the document; errors as of `read_boxes`."""
     try:
         document = json.loads(data.decode("utf-8-sig"), parse_constant=_refuse_constant)
     except json.JSONDecodeError as error:

@@ -200,7 +200,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
 
 
 ENOUGH = 3.0
-"""So long pieces are tried. [s]"""
+"""So long pieces are tried, one at least. [s]"""
 GOLDEN = 0.6180339887498949
 """Multiples of it are spread evenly: so pieces from everywhere come first."""
 
@@ -219,15 +219,13 @@ class BoxEstimate(NamedTuple):
     """Whether all pieces were tried."""
 
 
-def box_estimate(search: BoxSearch, enough: float = ENOUGH) -> BoxEstimate:
+def box_estimate(search: BoxSearch) -> BoxEstimate:
     """About how many boxes there are, and how long they take.
 
     Parameters
     ----------
     search : BoxSearch
         A sound one, see `check_box_search`.
-    enough : float
-        So long pieces are tried, one at least. [s]
     """
     pieces = cut(search)
     prepare()
@@ -236,7 +234,7 @@ def box_estimate(search: BoxSearch, enough: float = ENOUGH) -> BoxEstimate:
     for piece in _spread(pieces):
         one = found_in(search, piece)
         searched, found, tried = searched + one.searched, found + len(one.boxes), tried + 1
-        if time.perf_counter() - began > enough:
+        if time.perf_counter() - began > ENOUGH:
             break
     seconds = time.perf_counter() - began
     share = tried / max(pieces, 1) or 1.0

@@ -198,9 +198,8 @@ class FitProblem(NamedTuple):
     @property
     def unused(self) -> list[int]:
         """The indices of mechanisms that matter for nothing that is wanted, and are not fixed."""
-        count = len(self.own.case.mechanisms)
-        fixed = [index for index in range(count) if self.bounds.is_fixed(index)]
-        return sorted({*range(count)} - {*self.varied, *fixed})
+        varied, every = self.varied, range(len(self.own.case.mechanisms))
+        return [one for one in every if one not in varied and not self.bounds.is_fixed(one)]
 
     @property
     def anchor(self) -> Floats:

@@ -23,8 +23,13 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import COAXIAL, TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem, teeth_problem
 from vstatics.synthesis.teeth.rows import LOOKED, TeethRows
-from vstatics.synthesis.teeth.search import BestTeeth, best_teeth, different_teeth
-from vstatics.synthesis.teeth.solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
+from vstatics.synthesis.teeth.search import (
+    MOST_TEETH_SOLUTIONS,
+    BestTeeth,
+    best_teeth,
+    different_teeth,
+)
+from vstatics.synthesis.teeth.solutions import TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth.table import TeethTable, teeth_table
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget, least_errors
 from vstatics.synthesis.tolerances import FIRST_ERROR_LIMIT, MET_ERROR, NARROW_WINDOW, ROUNDED_ERROR
@@ -90,16 +95,15 @@ HALVINGS = 30
 
 def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
     """The least and largest ratios that the ranges of teeth alone allow [-]."""
-    low, high = [], []
+    found = []
     for ratio in rows.layout.ratios:
         sizes = [1.0, 1.0]
         for wheel, power in ratio.powers.items():
             ends = sorted(max(float(end), 1.0) ** power for end in rows.ends(wheel))
             sizes = [size * end for size, end in zip(sizes, ends, strict=True)]
-        first, second = sorted(ratio.sign * size for size in sizes)
-        low.append(first)
-        high.append(second)
-    return np.array(low), np.array(high)
+        found.append(sorted(ratio.sign * size for size in sizes))
+    low, high = np.array(found).T
+    return low, high
 
 
 def narrowed(
@@ -234,7 +238,7 @@ def find_teeth(
     ends = reach(rows, tables)
     refuse_signs(problem, *ends)
     if len(full) == len(tables):
-        best = best_teeth(full, problem.targets, MOST_TEETH_SOLUTIONS, advance=advance)
+        best = best_teeth(full, problem.targets, advance=advance)
     else:
         full, best = _by_limits(problem, rows, tables, ends, advance)
     solutions = [*teeth_solutions(problem, full, best)]
@@ -305,7 +309,7 @@ def _by_limits(
         is_whole = all(table.is_whole for table in listed)
         if all(table.total for table in listed):
             within = most if is_whole else math.inf
-            found = best_teeth(listed, targets, MOST_TEETH_SOLUTIONS, most=within, advance=advance)
+            found = best_teeth(listed, targets, most=within, advance=advance)
             if len(found.errors) and (is_whole or best is None):
                 best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
             if different_teeth(listed, found.places).sum() >= MOST_TEETH_SOLUTIONS:

@@ -18,12 +18,10 @@ from vstatics.statics.solve import solve
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
-from vstatics.synthesis.teeth.search import BestTeeth
+from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
 from vstatics.tables.answer import SOMETIMES, told
 
-MOST_TEETH_SOLUTIONS = 20
-"""So many solutions are given."""
 ERROR_DECIMALS = 14
 """Decimals of an error; what is below them is rounding."""
 
