@@ -18,6 +18,7 @@ from vstatics.synthesis.boxes.box import HELD, BoxFigures, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
 from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
+from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.structures.scheme import link_name
 
 
@@ -192,26 +193,25 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     (1.0, 2.0, True, True)
     """
     least = least_box(box)
-    case = box_case(least, search.targets, efficiency)
-    gears = _chosen(least, search.targets, _solved(case))
-    names = names_of_gears(search.targets)
-    told = tuple(
+    targets = search.targets
+    case = box_case(least, targets, efficiency)
+    solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
+    sets = _chosen(least, targets, solved)
+    gears = tuple(
         BoxGear(
-            names[gear.place],
-            tuple(box_element_name(least.elements[number]) for number in gear.engaged),
-            gear.values.ratio,
-            search.targets[gear.place],
+            names[place],
+            tuple(box_element_name(least.elements[number]) for number in one),
+            solved(one).ratio,
+            targets[place],
         )
-        for gear in gears
+        for place, one in zip(order, sets, strict=True)
     )
-    by_place = {gear.place: gear.engaged for gear in gears}
-    parts = [gear.ratio / gear.target for gear in told]  # the solver may find another sign
-    error = max(abs(math.log(part)) if part > 0 else math.inf for part in parts)
     chosen = least._replace(
-        gears=tuple(by_place[place] for place in range(len(gears))), error=error
+        gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
+        error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign
     )
-    figures = _figures(chosen, case, search.targets, gears)
-    return MeasuredBox(chosen, search.targets, efficiency, told, figures)
+    figures = _figures(chosen, case, targets, sets, solved)
+    return MeasuredBox(chosen, targets, efficiency, gears, figures)
 
 
 class _GearValues(NamedTuple):
@@ -222,15 +222,6 @@ class _GearValues(NamedTuple):
     planet_speed: float
     slip: float
     torque: float
-
-
-class _ChosenGear(NamedTuple):
-    """The elements of a gear, with what they give."""
-
-    place: int
-    """Of its target."""
-    engaged: Engaged
-    values: _GearValues
 
 
 _Solved = Callable[[Engaged], _GearValues]
@@ -264,8 +255,8 @@ def _largest(numbers: Iterable[float]) -> float:
     return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
 
 
-def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_ChosenGear]:
-    """The gears in their order, each with one of the sets of elements that give its ratio."""
+def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequence[Engaged]:
+    """Of each gear, in their order, one of the sets of elements that give its ratio."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
         [choices[index] for index in order if (targets[index] > 0) == forward]
@@ -276,18 +267,20 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_C
         found = solved(engaged)
         return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
 
-    sets = chosen_sets(ranges, len(box.elements), cost)
-    return [_ChosenGear(index, one, solved(one)) for index, one in zip(order, sets, strict=True)]
+    return chosen_sets(ranges, len(box.elements), cost)
 
 
 def _figures(
-    box: FoundBox, case: Transmission, targets: Sequence[float], gears: Sequence[_ChosenGear]
+    box: FoundBox,
+    case: Transmission,
+    targets: Sequence[float],
+    sets: Sequence[Engaged],
+    solved: _Solved,
 ) -> BoxFigures:
-    """The figures of a box with the gears that are chosen."""
-    forward = [gear for gear in gears if targets[gear.place] > 0]
-    backward = gears[len(forward) :]
-    losses = [gear.values.loss for gear in forward or gears]
-    values = [gear.values for gear in gears]
+    """The figures of a box with the sets of elements that are chosen for its gears in order."""
+    forward = sum(target > 0 for target in targets)
+    values = [solved(one) for one in sets]
+    losses = [one.loss for one in values[:forward] or values]
     return BoxFigures(
         error=box.error,
         loss=math.fsum(losses) / len(losses),
@@ -296,7 +289,7 @@ def _figures(
         torque=_largest(one.torque for one in values),
         brakes=len(box.brakes),
         clutches=len(box.clutches),
-        single=all(is_single([gear.engaged for gear in part]) for part in (forward, backward)),
+        single=is_single(sets[:forward]) and is_single(sets[forward:]),
         planar=box_is_planar(case),
     )
 

@@ -213,18 +213,15 @@ class CombinationSearch:
             )
             raise CaseError(message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
-        if room > MOST_ROW_NUMBERS or self._work() > WORK * (at_most or math.inf):
+        free = needed(self.case) + 1  # of the steps of elimination, about
+        work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
+        if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
             message = (
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
                 f"{lacking}; expected some of them, or fewer to engage"
             )
             raise CaseError(message, ("shift_elements",))
-
-    def _work(self) -> float:
-        """How many steps of elimination there are, about."""
-        free = needed(self.case) + 1
-        return sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
 
     def batches(self) -> Iterator[EngagedSets]:
         """All combinations in the order of the elements, some thousands at a time."""

@@ -71,18 +71,18 @@ def _mechanisms(found: Fit) -> Grid:
     for index, (name, ratio) in enumerate(found.ratios.items()):
         low, high = problem.bounds.low[index], problem.bounds.high[index]
         numbers = (number(one) for one in (ratio, low, high))
-        rows.append((name, *numbers, mechanism_note(problem, index, ratio, found)))
+        rows.append((name, *numbers, _note(found, index, ratio)))
     return grid_of("Mechanisms", ["mechanism", "ratio", "from", "to", "note"], rows)
 
 
-def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) -> str:
+def _note(found: Fit, index: int, ratio: float) -> str:
     """What is to be said of the ratio of a mechanism, by its index."""
-    low, high = problem.bounds.low[index], problem.bounds.high[index]
-    if low == high:
+    problem = found.problem
+    if problem.bounds.is_fixed(index):
         return "given"
     if index in problem.unused:
         return "in no wanted ratio"
-    if ratio in (low, high):
+    if ratio in (problem.bounds.low[index], problem.bounds.high[index]):
         return "at its bound"
     return "free" if problem.own.case.mechanisms[index].name in found.free else ""
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 from itertools import permutations, product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -180,9 +179,6 @@ def orders(classes: str) -> tuple[tuple[int, ...], ...]:
     >>> orders("sets"), orders("members"), len(orders("order"))
     (((0, 1, 2),), ((0, 1, 2), (2, 1, 0)), 6)
     """
-    all_of_them: dict[str, Any] = {
-        "sets": ((0, 1, 2),),
-        "members": ((0, 1, 2), (2, 1, 0)),
-        "order": tuple(permutations(range(MEMBERS))),
-    }
-    return tuple(all_of_them[classes])
+    if classes == "order":
+        return tuple(permutations(range(MEMBERS)))
+    return ((0, 1, 2), (2, 1, 0))[: 1 + (classes == "members")]
