@@ -10,7 +10,7 @@ import click
 from vstatics import extras, readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import CaseOptions, calculate_one, unexpected
+from vstatics.cli.frame.cases import CaseOptions, calculate_one, show_problems, unexpected
 from vstatics.cli.frame.documents import is_a, scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
@@ -40,11 +40,11 @@ class ProblemRecord(NamedTuple):
     message: str
 
 
-def records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
+def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
     """The problems of a file.
 
     >>> from vstatics.errors import Place
-    >>> list(records("a.yaml", [Problem("read 0", place=Place("a.yaml", 3, 7))]))
+    >>> list(problem_records("a.yaml", [Problem("read 0", place=Place("a.yaml", 3, 7))]))
     [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0')]
     """
     for problem in problems:
@@ -180,12 +180,11 @@ def _told(cases: Sequence[str], options: CaseOptions, *, as_json: bool) -> tuple
     found, failed = list[str](), False
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
-        printed = options.telling.printed(problems)
         if as_json:
-            found += (line(plain_data(one)).rstrip("\n") for one in records(file, printed))
+            records = problem_records(file, options.telling.printed(problems))
+            found += (line(plain_data(one)).rstrip("\n") for one in records)
             continue
-        files.show(printed)
-        files.show(options.telling.quiet_failure(problems, file))
+        show_problems(problems, options.telling, file)
         found += [] if grid is None else [f"{text}\n" for text in lines(grid, indent="  ")]
     if as_json:
         return "[\n" + ",\n".join(found) + "\n]\n" if found else "[]\n", failed

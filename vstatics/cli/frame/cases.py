@@ -143,9 +143,14 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
-        files.show(settings.telling.printed(outcome.problems))
-        files.show(settings.telling.quiet_failure(outcome.problems, outcome.file))
+        show_problems(outcome.problems, settings.telling, outcome.file)
         yield outcome
+
+
+def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
+    """Print problems of a file on stderr, and that it fails by what is not printed."""
+    files.show(telling.printed(problems))
+    files.show(telling.quiet_failure(problems, name))
 
 
 def check_streams(cases: Sequence[str]) -> None:
@@ -193,8 +198,7 @@ def read_data(
         reading = readers.read(data, name, input_format)
     except ReadError as error:
         raise ReadError(telling.printed(documents.no_case(data, name) or error.problems)) from None
-    files.show(telling.printed(reading.warnings))
-    files.show(telling.quiet_failure(reading.warnings, name))
+    show_problems(reading.warnings, telling, name)
     return reading
 
 

@@ -36,8 +36,8 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     if free is None:
         return
     free += pieces.size()
-    names = ("variant", *plan.names, "status", *plan.headings)
-    if sum(LONGEST_NUMBER + len(name.encode()) for name in names) * plan.variants.count <= free:
+    longest = sum(LONGEST_NUMBER + len(name.encode()) for name in plan.output_headings)
+    if longest * plan.variants.count <= free:
         return
     size = _row_bytes(plan, form) * plan.variants.count
     if size > free:
@@ -69,7 +69,7 @@ def most_rows(plan: SweepPlan) -> int:
 
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
-    variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
+    variants, headings = plan.variants.count, plan.output_headings
     start, stop = blocks.middle(plan)
     blocks.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
@@ -87,7 +87,7 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     said = {
         "variants": str(variants),
         "rows": expected,
-        "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
+        "columns": f"{len(headings)}: {_listed(headings)}",
         "size": size,
     }
     jobs_used = min(jobs, max(plan.pieces, 1))

@@ -46,8 +46,7 @@ def read_scenario_subject(
         reading = subject.own.reading
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
-    files.show(telling.printed(reading.warnings))
-    files.show(telling.quiet_failure(reading.warnings, subject.case.file))
+    arguments.show_problems(reading.warnings, telling, subject.case.file)
     return subject, list(reading.warnings)
 
 

@@ -46,7 +46,14 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
         `given_up` whether there may be one although none was found.
     """
     count = len(parts)
-    _begin(parts, asked, room)
+    room.best[:] = math.inf
+    room.given_up[0] = False
+    room.stages[0] = 0
+    for ratio in range(count):  # the bounds are the first cell
+        put(parts[ratio, 0], room.parts[0, ratio, 0])
+        put(parts[ratio, 1], room.parts[0, ratio, 1])
+    room.low[0] = asked.low
+    room.high[0] = asked.high
     looked = fits = 0
     top = 1
     while top > 0 and looked < MOST_CELLS:
@@ -70,19 +77,6 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
     room.given_up[0] |= top > 0
     room.given_up[0] &= room.best[0] == math.inf
     return float(room.best[0])
-
-
-@compiled
-def _begin(parts: Floats, asked: Asked, room: CellRoom) -> None:
-    """Begin with the bounds as the only cell."""
-    room.best[:] = math.inf
-    room.given_up[0] = False
-    room.stages[0] = 0
-    for ratio in range(len(parts)):
-        put(parts[ratio, 0], room.parts[0, ratio, 0])
-        put(parts[ratio, 1], room.parts[0, ratio, 1])
-    room.low[0] = asked.low
-    room.high[0] = asked.high
 
 
 @compiled

@@ -147,17 +147,10 @@ class _SizedRows:
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
         of_factors = np.where(there, of_factors / abs(divisor), 0.0)
-        self._subtract(others, factors[:, None], of_factors[:, None], row)
-        chosen = place[0][there], self.systems[there]
-        self.values[others][:, *chosen] = 0.0
-        return there, factors
-
-    def _subtract(self, others: slice, factors: Floats, of_factors: Floats, row: int) -> None:
-        """``less`` of the entries of `numerics`, on arrays."""
-        mine, its_size = self.values[row], self.sizes[row]
+        # `less` of the entries of `numerics`, on arrays
         values, sizes = self.values[others], self.sizes[others]
-        products = factors * mine
-        sizes += of_factors * abs(mine) + abs(factors) * its_size
+        products = factors[:, None] * mine
+        sizes += of_factors[:, None] * abs(mine) + abs(factors[:, None]) * its_size
         larger = TRACED_REAL * np.maximum(abs(values), abs(products))
         known = (sizes * (KEPT_PART * TRACED_REAL) <= larger) & (sizes < np.inf)
         lost = ~known & (larger != 0)
@@ -165,6 +158,8 @@ class _SizedRows:
         values -= products
         rounding = np.minimum(ZERO * sizes, larger)
         values[(abs(values) <= rounding) & (rounding < np.inf)] = 0.0
+        values[:, *(one[there] for one in place)] = 0.0
+        return there, factors
 
 
 class KindAlone(NamedTuple):

@@ -94,10 +94,11 @@ def all_elements(case: Transmission) -> list[ShiftElement]:
     for element in case.shift_elements:
         if not element.is_freewheel:
             own.setdefault(frozenset(element.links), element)
-    new = [pair for pair in pairs if frozenset(pair) not in own]
-    kept = {own[frozenset(pair)].name for pair in pairs if frozenset(pair) in own}
-    names = dict(zip(new, _names(case, new, kept), strict=True))
-    return [own.get(frozenset(pair)) or ShiftElement(*pair, name=names[pair]) for pair in pairs]
+    known = [own.get(frozenset(pair)) for pair in pairs]
+    new = [pair for pair, one in zip(pairs, known, strict=True) if not one]
+    names = iter(_names(case, new, {one.name for one in known if one}))
+    both = zip(pairs, known, strict=True)
+    return [one or ShiftElement(*pair, name=next(names)) for pair, one in both]
 
 
 def count_all_elements(case: Transmission) -> int:

@@ -109,7 +109,10 @@ def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
     ([[0, 1, 2, 0, 1, 3], [0, 1, 2, 0, 2, 3]], array([4, 4, 4, 5, 4, 5, 5]))
     """
     check_search(search)
-    yield from _grown(search, _alone(search))
+    codes = arrays.first_codes()
+    found = None if search.classes == "none" else symmetries(codes, arrays.orders(search.classes))
+    first = SchemeBatch(codes, arrays.link_counts(codes), found, np.zeros(1, np.intp))
+    yield from _grown(search, first)
 
 
 def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]:
@@ -150,15 +153,6 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
     numbers = np.cumsum(found.least) - 1
     own = found._replace(which=numbers[found.which], least=found.least[found.least])
     return SchemeBatch(grown[found.least], links[found.least], own, which[found.least])
-
-
-def _alone(search: StructureSearch) -> SchemeBatch:
-    """The scheme of one set."""
-    codes = arrays.first_codes()
-    found = None
-    if search.classes != "none":
-        found = symmetries(codes, arrays.orders(search.classes))
-    return SchemeBatch(codes, arrays.link_counts(codes), found, np.zeros(1, np.intp))
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
