@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from vstatics.sweep.chunk import (
     rows_of,
 )
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
+from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
     OfMechanism,
@@ -35,10 +36,6 @@ from vstatics.sweep.variants.targets import (
     impossible,
     own_number,
 )
-
-if TYPE_CHECKING:
-    from vstatics.sweep.chunk import Chunk
-    from vstatics.sweep.plan import SweepPlan
 
 
 class BlockTables(NamedTuple):

@@ -136,12 +136,12 @@ class Output:
 
     def _write(self, accounts: Sequence[Account]) -> None:
         """Write what is made of all rows together."""
-        from vstatics.sweep.formats import parquet, tables
+        from vstatics.sweep.formats import tables
 
         rows = self.task.plan.output_headings, self._chunks(accounts)
         with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
             if self.task.form == "parquet":
-                parquet.write(file, *rows)
+                tables.write_parquet(file, *rows)
             else:
                 file.write(tables.text(self.task.form, *rows))
 
