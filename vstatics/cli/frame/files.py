@@ -47,8 +47,8 @@ def read_input(file: str) -> tuple[bytes, str]:
 
 
 @contextlib.contextmanager
-def problems_of_file(file: str) -> Iterator[None]:
-    """Tell problems without a place as those of a file as a whole.
+def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
+    """Tell problems as those of a file as a whole, with a hint behind each.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def problems_of_file(file: str) -> Iterator[None]:
     try:
         yield
     except CaseError as error:
-        raise ReadError(of_file(file, one.message) for one in error.problems) from None
+        raise ReadError(of_file(file, one.message + hint) for one in error.problems) from None
 
 
 def _nearest_file(file: str) -> str:

@@ -90,7 +90,7 @@ class SweepNames:
         """The names of all rows that a table may have, also in a variant that has more modes."""
         if table == OMEGA:
             return [str(number) for number in range(1, len(self.case.link_names) + 1)]
-        return table_rows(table, self.case)
+        return self.rows(table)
 
     def row(self, table: str) -> str:
         """What a row of a table is."""

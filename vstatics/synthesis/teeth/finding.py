@@ -41,7 +41,8 @@ def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tup
         ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
         for one, table in zip(rows, tables, strict=True)
     ]
-    return np.concatenate([low for low, _ in ends]), np.concatenate([high for _, high in ends])
+    low, high = map(np.concatenate, zip(*ends, strict=True))
+    return low, high
 
 
 def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
