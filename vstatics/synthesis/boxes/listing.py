@@ -238,19 +238,17 @@ def _kinds(record: Any) -> dict[str, Any]:
     return {key: kinds[key] for key in record._fields if key not in record._field_defaults}
 
 
-_EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool], Any]] = {
-    float: ("a number", lambda one: _is_number(one) and abs(one) < MOST_SIZE, math.nan),
-    int: ("a count", lambda one: isinstance(one, int) and _is_number(one) and one >= 0, 0),
-    bool: ("true or false", lambda one: isinstance(one, bool), False),
+_EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
+    float: ("a number", lambda one: _is_number(one) and abs(one) < MOST_SIZE),
+    int: ("a count", lambda one: isinstance(one, int) and _is_number(one) and one >= 0),
+    bool: ("true or false", lambda one: isinstance(one, bool)),
     tuple: (
         "a list of names",
         lambda one: isinstance(one, list) and all(isinstance(name, str) for name in one),
-        (),
     ),
-    dict: ("an object", lambda one: isinstance(one, dict), {}),
+    dict: ("an object", lambda one: isinstance(one, dict)),
 }
-"""By the type of a value: what is expected of JSON, whether something is such, what stands for it
-if not."""
+"""By the type of a value: what is expected of JSON, and whether something is such."""
 
 
 def _is_number(given: Any) -> bool:
@@ -259,7 +257,7 @@ def _is_number(given: Any) -> bool:
 
 def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
     """Whether a value is of a type; it is told if not."""
-    expected, is_such, _ = _EXPECTED[kind]
+    expected, is_such = _EXPECTED[kind]
     if is_such(given):
         return True
     problems.append(Problem(f"{where}: read {type_and_value(given)}, expected {expected}"))
@@ -280,7 +278,7 @@ def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
     plain = get_origin(kind) or kind
     if plain is Mapping or hasattr(kind, "_fields"):
         plain = dict
-    return plain(given if _fits(plain, given, where, problems) else _EXPECTED[plain][2])
+    return plain(given) if _fits(plain, given, where, problems) else plain()
 
 
 def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
