@@ -11,8 +11,7 @@ from tests.commands import vstatics
 from tests.sweep.sweeps import CASE_TEXT, DIFFERENTIAL
 from tests.sweep.test_file import read
 from vstatics import sweep
-from vstatics.sweep.options import SweepOptions
-from vstatics.sweep.texts import Text
+from vstatics.sweep.options import SweepOptions, Text
 
 
 def test_the_command_line_wins() -> None:

@@ -17,7 +17,7 @@ from vstatics.errors import ReadError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 from vstatics.sweep import build
-from vstatics.sweep.calculation import calculate
+from vstatics.sweep.blocks import calculate
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs

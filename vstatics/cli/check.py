@@ -2,29 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import click
 
 from vstatics import extras, readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import CaseOptions, calculate_one, unexpected
+from vstatics.cli.frame.cases import CaseOptions, calculate_one, show_problems, unexpected
 from vstatics.cli.frame.documents import is_a, scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Problem, ReadError, plural
+from vstatics.errors import CaseError, Problem, ReadError, Severity, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
+from vstatics.tables.answer import Words, line, plain_data
 from vstatics.tables.grid import Grid, grid_of
 from vstatics.tables.text import lines
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
+
+
+class ProblemRecord(NamedTuple):
+    """A problem as it stands in JSON."""
+
+    file: str
+    """As it was called, `<stdin>` for standard input."""
+    line: Annotated[int, Words(minimum=1)] | None
+    """From 1; None for the file as a whole."""
+    column: Annotated[int, Words(minimum=1)] | None
+    severity: Severity
+    message: str
+
+
+def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
+    """The problems of a file.
+
+    >>> from vstatics.errors import Place
+    >>> list(problem_records("a.yaml", [Problem("read 0", place=Place("a.yaml", 3, 7))]))
+    [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0')]
+    """
+    for problem in problems:
+        name, row, column = problem.place[:3] if problem.place else (file, 0, 0)
+        yield ProblemRecord(
+            name, row or None, column if row else None, problem.severity, problem.message
+        )
 
 
 FORMATS = ("text", "json")
@@ -118,8 +145,7 @@ def check(
         raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
     as_json = to.form == "json"
     options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=as_json))
-    write = _problems if as_json else _conditions
-    text, failed = write(cases, options)
+    text, failed = _told(cases, options, as_json=as_json)
     files.write_output(text, output)
     return FAILED if failed else DONE
 
@@ -146,27 +172,23 @@ def _is_scenario(file: str) -> bool:
     return is_a("scenario", data, name)
 
 
-def _conditions(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """The conditions of all cases, and whether one failed; problems are printed."""
-    found, failed = "", False
+def _told(cases: Sequence[str], options: CaseOptions, *, as_json: bool) -> tuple[str, bool]:
+    """What is told of all cases, and whether one failed.
+
+    In JSON an array with a line for each problem; else the conditions, and problems are printed.
+    """
+    found, failed = list[str](), False
     for file, problems, fails, grid in _calculated(cases, options):
-        files.show(options.telling.printed(problems))
-        files.show(options.telling.quiet_failure(problems, file))
         failed |= fails
-        if grid is not None:
-            found += "\n".join(lines(grid, indent="  ")) + "\n"
-    return found, failed
-
-
-def _problems(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """The problems of all cases in JSON, and whether one failed."""
-    from vstatics.cli import problem_json
-
-    found, failed = list[problem_json.ProblemRecord](), False
-    for file, problems, fails, _ in _calculated(cases, options):
-        failed |= fails
-        found += problem_json.records(file, options.telling.printed(problems))
-    return problem_json.text(found), failed
+        if as_json:
+            records = problem_records(file, options.telling.printed(problems))
+            found += (line(plain_data(one)).rstrip("\n") for one in records)
+            continue
+        show_problems(problems, options.telling, file)
+        found += [] if grid is None else [f"{text}\n" for text in lines(grid, indent="  ")]
+    if as_json:
+        return "[\n" + ",\n".join(found) + "\n]\n" if found else "[]\n", failed
+    return "".join(found), failed
 
 
 _TRIED_PART = 1e-9

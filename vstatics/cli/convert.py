@@ -87,7 +87,7 @@ def convert(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
             ".mo, or --to"
         )
-    reading = arguments.read_one(source, input_format, telling)
+    reading = arguments.read_data(*files.read_input(source), input_format, telling)
     try:
         text, lost = write(reading.case, wanted)
     except CaseError as error:

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from vstatics.cli.problem_json import ProblemRecord
+from vstatics.cli.check import ProblemRecord
 from vstatics.cli.synth.box import BoxSearchEstimate
 from vstatics.cli.synth.combinations_output import CombinationEstimate
 from vstatics.cli.synth.structures import StructureCount, StructureEstimate
@@ -22,7 +22,7 @@ from vstatics.simulation.scenario.keys import SCENARIO
 from vstatics.summary.answer import SummaryAnswer
 from vstatics.sweep.kept.statistics import SamplesAnswer
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
-from vstatics.synthesis.gears.engaged_sets import EngagedSet, EngagedSetList
+from vstatics.synthesis.gears.kinds import EngagedSet, EngagedSetList
 from vstatics.synthesis.ratios.fitting import Fit
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.teeth.solutions import TeethAnswer

@@ -17,7 +17,7 @@ from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listin
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import value
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
@@ -188,12 +188,8 @@ def _summarized(
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
-    try:
+    with files.problems_of_file(outcome.file, "; see --at-most"):
         summary = summarize(results, at_most=at_most, output_torque=output_torque)
-    except CaseError as error:
-        raise ReadError(
-            of_file(outcome.file, f"{problem.message}; see --at-most") for problem in error.problems
-        ) from None
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 

@@ -5,15 +5,16 @@ Everything is calculated in blocks, so that the results of a block stay in tens 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
-from vstatics.sweep.block_tables import BlockTables, block_tables, possible_numbers
 from vstatics.sweep.chunk import (
     CONFLICT,
     INVALID,
@@ -26,17 +27,81 @@ from vstatics.sweep.chunk import (
     joined,
     rows_of,
 )
+from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.targets import (
+    OF_MECHANISM,
+    OfMechanism,
+    Target,
+    impossible,
+    own_number,
+)
 
-if TYPE_CHECKING:
-    from vstatics.model.transmission import Transmission
-    from vstatics.sweep.plan import SweepPlan
+
+class BlockTables(NamedTuple):
+    """The tables of a block of variants: of statics, and natural frequencies."""
+
+    results: Results | None
+    modes: Frequencies | None
+
+    def existing(self, name: str) -> Floats:
+        """A table by its name, one of those that the plan asks for."""
+        if name == OMEGA and self.modes is not None:
+            return self.modes.omegas
+        assert self.results is not None  # noqa: S101 - the plan has looked
+        return self.results.existing(name)
+
+
+def possible_numbers(
+    case: Transmission, targets: Sequence[Target], values: Floats
+) -> tuple[Floats, Booleans]:
+    """The varied numbers, with the case's own in place of impossible ones, and who has these."""
+    invalid = np.zeros(len(values), dtype=np.bool_)
+    possible = values
+    for column, target in enumerate(targets):
+        wrong = impossible(target.quantity, values[:, column])
+        if wrong.any():
+            possible = values.copy(order="F") if possible is values else possible
+            possible[wrong, column] = own_number(case, target.owner, target.quantity)
+            invalid |= wrong
+    return possible, invalid
+
+
+def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
+    """What the plan asks for, of varied numbers that are possible."""
+    case, targets, asked = plan.case, plan.targets, plan.modes
+    results = modes = None
+    if plan.asks_for_results:
+        numbers = _of_mechanisms(case, targets, values)
+        results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
+    if asked:
+        modes = frequencies(case, targets, values, asked)
+    return BlockTables(results, modes)
+
+
+def _of_mechanisms(
+    case: Transmission, targets: Sequence[Target], values: Floats
+) -> dict[OfMechanism, Floats]:
+    """What `vstatics.solve` takes of a block, (variants, mechanisms): each one's lie together."""
+    varied = {target.quantity for target in targets}
+    numbers: dict[OfMechanism, Floats] = {}
+    for quantity in OF_MECHANISM:
+        if quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
+            table = np.empty((len(case.mechanisms), len(values)))
+            table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+            numbers[quantity] = table.T
+    for column, target in enumerate(targets):
+        if target.quantity in OF_MECHANISM:
+            numbers[target.quantity][:, target.owner] = values[:, column]
+    return numbers
+
 
 BLOCK_BYTES = 32 * 2**20
 LEAST_BLOCK, MOST_BLOCK = 256, 16384
 
 
 def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
-    """Calculate the variants from `start` up to `stop`.
+    """Calculate the variants from `start` up to `stop`, of a case or of a scenario.
 
     Parameters
     ----------
@@ -49,9 +114,21 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     Chunk
         With a row for each variant that passed the plan's condition.
     """
+    if not isinstance(plan.subject, Transmission):
+        from vstatics.sweep.runs import calculate as of_runs  # others need no simulation
+
+        return of_runs(plan, plan.subject, start, stop)
     own = solve(plan.case) if plan.asks_for_results else None
-    parts = [_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)]
-    return joined(parts)
+    return joined([_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)])
+
+
+def middle(plan: SweepPlan) -> tuple[int, int]:
+    """The ends of a block in the middle of a sweep, by which the whole is estimated."""
+    start, stop = plan.span(plan.pieces // 2)
+    if not isinstance(plan.subject, Transmission):
+        return start, stop
+    ends = list(blocks(plan.subject, start, stop))
+    return ends[len(ends) // 2]
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:

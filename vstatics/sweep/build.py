@@ -15,9 +15,8 @@ from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.selection import read_objective, read_where
-from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.texts import Text, located
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath
@@ -79,7 +78,9 @@ def plan(
         If there can be no such sweep.
     """
     if isinstance(subject, Transmission):
-        subject = _with_conventions(subject, options)
+        coast = subject.coast if options.coast is None else options.coast
+        idle = cast("IdleConvention", options.idle or subject.idle)
+        subject = replace(subject, coast=coast, idle=idle)
     variants: Variants
     if table is not None:
         variants = _table(subject, table)
@@ -91,14 +92,6 @@ def plan(
         if isinstance(variants, VariantTable):
             variants.close()
         raise
-
-
-def _with_conventions(case: Transmission, options: SweepOptions) -> Transmission:
-    coast = case.coast if options.coast is None else options.coast
-    idle = cast("IdleConvention", options.idle or case.idle)
-    return (
-        case if (coast, idle) == (case.coast, case.idle) else replace(case, coast=coast, idle=idle)
-    )
 
 
 def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike]) -> Variants:

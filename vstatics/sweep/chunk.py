@@ -31,6 +31,10 @@ STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid", "stopped")
 OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
 
 
+OF_ROWS = ("variants", "values", "status", "columns", "objectives")
+"""The fields of a chunk that have a row for each of its variants."""
+
+
 class Chunk(NamedTuple):
     """The variants of a part of a sweep that passed its conditions."""
 
@@ -78,13 +82,7 @@ class Chunk(NamedTuple):
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
         """The chunk with these rows only."""
-        return self._replace(
-            variants=self.variants[chosen],
-            values=self.values[chosen],
-            status=self.status[chosen],
-            columns=self.columns[chosen],
-            objectives=self.objectives[chosen],
-        )
+        return self._replace(**{name: getattr(self, name)[chosen] for name in OF_ROWS})
 
 
 def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
@@ -131,9 +129,8 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     """The rows of several chunks, and all that was counted, as one."""
     if len(parts) == 1:
         return parts[0]
-    fields = ("variants", "values", "status", "columns", "objectives")
     rows: dict[str, Any] = {
-        name: np.concatenate([getattr(part, name) for part in parts]) for name in fields
+        name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
     return parts[0]._replace(**rows, counts=counted(parts))
 

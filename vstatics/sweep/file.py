@@ -19,8 +19,7 @@ from vstatics.readers.named.nodes import (
     shown,
     what,
 )
-from vstatics.sweep.options import OPTIONS, Option, SweepOptions
-from vstatics.sweep.texts import Stretch, Text, joined
+from vstatics.sweep.options import OPTIONS, Option, Stretch, SweepOptions, Text, joined
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
@@ -101,11 +100,10 @@ class _Reader:
 
     def count(self, node: Node, option: Option) -> int:
         text = node.text.replace("_", "") if isinstance(node, Scalar) else ""
-        if not (text.isascii() and text.isdigit()):
-            raise _WrongError(f"a whole number from {option.least} on")
-        if len(text) > LONGEST_ARITHMETIC:
+        is_count = text.isascii() and text.isdigit()
+        if is_count and len(text) > LONGEST_ARITHMETIC:
             raise _WrongError(f"a whole number of at most {LONGEST_ARITHMETIC} digits")
-        if int(text) < option.least:
+        if not is_count or int(text) < option.least:
             raise _WrongError(f"a whole number from {option.least} on")
         return int(text)
 

@@ -74,6 +74,7 @@ def frequencies(
            [[20.]]])
     """
     from vstatics.torsion.system.state import vibrating
+    from vstatics.torsion.vibration.variants import variant_frequencies
 
     count = 1 + max((mode for modes in asked.values() for mode in modes), default=-1)
     omegas = np.full((len(values), len(case.gears), count), np.nan)
@@ -91,8 +92,10 @@ def frequencies(
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                found = _of_gear(case, system, targets, values[rows], modes)
-                omegas[rows[:, np.newaxis], gear, modes] = found
+                stiff, heavy = _elastic_and_heavy(case, system, targets, values[rows])
+                omegas[rows[:, np.newaxis], gear, modes] = variant_frequencies(
+                    system, modes, stiffnesses=stiff, inertias=heavy, variants=len(rows)
+                )
     return Frequencies(omegas, tied_up, conflict)
 
 
@@ -175,22 +178,6 @@ def _by_ratios(
     others = _elastic_and_heavy(case, system, targets, values)
     varied = VariedSystem(system, turning, twists, *others)
     return frequencies_of_ratios(varied, modes, len(values))
-
-
-def _of_gear(
-    case: Transmission,
-    system: TorsionalSystem,
-    targets: Sequence[Target],
-    values: Floats,
-    modes: Sequence[int],
-) -> Floats:
-    """The frequencies of a gear, of shape (variants, modes)."""
-    from vstatics.torsion.vibration.variants import variant_frequencies
-
-    stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
-    return variant_frequencies(
-        system, modes, stiffnesses=stiffnesses, inertias=inertias, variants=len(values)
-    )
 
 
 def _elastic_and_heavy(

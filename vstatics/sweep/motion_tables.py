@@ -33,8 +33,7 @@ class MotionTable(NamedTuple):
 
 def _of_peak(field: Literal["torque", "time"]) -> OfRow:
     def number(motion: Motion, row: str, _: int) -> float:
-        peak = motion.peaks.get(row)
-        return math.nan if peak is None else float(getattr(peak, field))
+        return float(getattr(motion.peaks.get(row), field, math.nan))
 
     return number
 

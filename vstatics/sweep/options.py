@@ -3,13 +3,70 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple, get_args
 
+from vstatics.errors import Place, Problem, ReadError
 from vstatics.model.transmission import IdleConvention
 from vstatics.sweep.formats import FORMATS
-from vstatics.sweep.texts import Text
 from vstatics.sweep.variants.samples import METHODS
+
+
+class Stretch(NamedTuple):
+    """Where a part of a text stands."""
+
+    first: int
+    """Its first column in the text, from 1."""
+    place: Place
+    as_written: bool = True
+    """Letter by letter; else, as where several lines became one, only as a whole."""
+
+
+class Text(NamedTuple):
+    """The text of an option, and where it stands in a sweep file, if in one."""
+
+    text: str
+    parts: tuple[Stretch, ...] = ()
+
+    def place(self, column: int) -> Place | None:
+        """Where a column of the text stands."""
+        for first, place, as_written in reversed(self.parts):
+            if column >= first:
+                further = column - first if as_written else 0
+                return place._replace(column=place.column + further)
+        return self.parts[0].place if self.parts else None
+
+
+def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
+    """A text and others behind it, with a separator between these, each with its place.
+
+    >>> joined(Text("D1.ratio="), (Text("-2"), Text("-3")), ",").text
+    'D1.ratio=-2,-3'
+    """
+    text, parts = first.text, list(first.parts)
+    for number, other in enumerate(others):
+        text += separator if number else ""
+        parts += [part._replace(first=len(text) + part.first) for part in other.parts]
+        text += other.text
+    return Text(text, tuple(parts))
+
+
+@contextmanager
+def located(text: Text) -> Iterator[None]:
+    """Give problems with the text of an option their place in the sweep file."""
+    try:
+        yield
+    except ReadError as error:
+        raise ReadError([_moved(problem, text) for problem in error.problems]) from None
+
+
+def _moved(problem: Problem, text: Text) -> Problem:
+    place = problem.place
+    if place is None or not text.parts or not place.file.startswith("--"):
+        return problem
+    return problem._replace(place=text.place(place.column))
+
 
 Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
 """How an option is read; `list`: one text, of items with commas; `vary`: texts such as `a=1`."""

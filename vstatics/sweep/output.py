@@ -124,17 +124,8 @@ class Output:
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
-            if self.task.form == "parquet":
-                from vstatics.sweep.formats import parquet
-
-                path = self.store.path(pieces.ASSEMBLED)
-                parquet.write(path, plan.output_headings, self._chunks(accounts))
-            elif self.task.form in MOST_ROWS:
-                from vstatics.sweep.formats import tables
-
-                path = self.store.path(pieces.ASSEMBLED)
-                chunks = self._chunks(accounts)
-                tables.write(path, self.task.form, plan.output_headings, chunks)
+            if self.task.form in ("parquet", *MOST_ROWS):
+                self._write(accounts)
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
@@ -142,6 +133,17 @@ class Output:
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), counts)
+
+    def _write(self, accounts: Sequence[Account]) -> None:
+        """Write what is made of all rows together."""
+        from vstatics.sweep.formats import tables
+
+        rows = self.task.plan.output_headings, self._chunks(accounts)
+        with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
+            if self.task.form == "parquet":
+                tables.write_parquet(file, *rows)
+            else:
+                file.write(tables.text(self.task.form, *rows))
 
     def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form

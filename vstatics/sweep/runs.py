@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.motion_tables import MotionTables
+from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import VariedScenario
-
-if TYPE_CHECKING:
-    from vstatics.sweep.plan import SweepPlan
 
 LEAST_PIECE, MOST_PIECES = 16, 4096
 """Runs of a piece, which take about half a second; more where there were too many pieces."""

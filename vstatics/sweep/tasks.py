@@ -12,7 +12,7 @@ from vstatics.jobs import pieces
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.jobs.workers import workers
-from vstatics.sweep import calculation
+from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
 from vstatics.sweep.kept import best
@@ -31,7 +31,7 @@ class SweepTask(NamedTuple):
 
     def describe(self, item: object) -> str:
         """The variants of a piece, in words."""
-        piece = item.piece if isinstance(item, Portion) else item
+        piece = _number(item)
         if not isinstance(piece, int):
             return "putting the output together"
         start, stop = self.plan.span(piece)
@@ -68,11 +68,12 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
-    rows = calculation.calculate(plan, *plan.span(piece))
+    rows = blocks.calculate(plan, *plan.span(piece))
     return best.within(plan, rows) if plan.objectives else rows
 
 
-def _number(item: Item) -> int:
+def _number(item: Any) -> Any:
+    """The number of a piece, or what is none."""
     return item.piece if isinstance(item, Portion) else item
 
 

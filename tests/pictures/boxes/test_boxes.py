@@ -22,9 +22,8 @@ from vstatics.pictures.boxes.stick import stick_diagram
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet.style import Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.case import box_case
-from vstatics.synthesis.boxes.listing import drawn_boxes
-from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.synthesis.boxes.figures import box_case
+from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
 
 
 def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:

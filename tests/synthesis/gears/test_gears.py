@@ -11,8 +11,7 @@ from tests.commands import CASES
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load
 from vstatics.errors import CaseError
 from vstatics.synthesis import combinations
-from vstatics.synthesis.gears.engaged_sets import EngagedSet
-from vstatics.synthesis.gears.kinds import kind_alone
+from vstatics.synthesis.gears.kinds import EngagedSet, kind_alone
 from vstatics.synthesis.gears.search import CombinationSearch
 
 P1, P2, P3, P4 = 2.0, 2.6, 2.2, 2.4

@@ -19,12 +19,12 @@ from vstatics.elements.element import Element
 from vstatics.elements.teeth import doubts
 from vstatics.explain.bodies import on_own_links
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.synthesis.teeth.case import case_with_teeth
 from vstatics.synthesis.teeth.finding import FoundTeeth, find_teeth
 from vstatics.synthesis.teeth.layout import teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios
 from vstatics.synthesis.teeth.rows import TeethRows
+from vstatics.synthesis.teeth.solutions import case_with_teeth
 
 RULES = oracle.Rules(0.5, 14)
 

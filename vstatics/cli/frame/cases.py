@@ -143,9 +143,14 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
-        files.show(settings.telling.printed(outcome.problems))
-        files.show(settings.telling.quiet_failure(outcome.problems, outcome.file))
+        show_problems(outcome.problems, settings.telling, outcome.file)
         yield outcome
+
+
+def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
+    """Print problems of a file on stderr, and that it fails by what is not printed."""
+    files.show(telling.printed(problems))
+    files.show(telling.quiet_failure(problems, name))
 
 
 def check_streams(cases: Sequence[str]) -> None:
@@ -179,7 +184,9 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     return CalculatedCase(name, results, told, data, settings.telling, scenario)
 
 
-def read_one(file: str, input_format: readers.Format | None, telling: Telling) -> Reading:
+def read_data(
+    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
+) -> Reading:
     """Read the case of a command that does not show its results, and print its warnings.
 
     Raises
@@ -187,19 +194,11 @@ def read_one(file: str, input_format: readers.Format | None, telling: Telling) -
     ReadError
         If it can't be read; with the problems to print.
     """
-    return read_data(*files.read_input(file), input_format, telling)
-
-
-def read_data(
-    data: bytes, name: str, input_format: readers.Format | None, telling: Telling
-) -> Reading:
-    """As `read_one`, of what was read from a file of that name."""
     try:
         reading = readers.read(data, name, input_format)
     except ReadError as error:
         raise ReadError(telling.printed(documents.no_case(data, name) or error.problems)) from None
-    files.show(telling.printed(reading.warnings))
-    files.show(telling.quiet_failure(reading.warnings, name))
+    show_problems(reading.warnings, telling, name)
     return reading
 
 

@@ -11,7 +11,7 @@ from functools import partial
 
 import click
 
-from vstatics.errors import Place, Problem, ReadError, nearest, of_file, printable
+from vstatics.errors import CaseError, Place, Problem, ReadError, nearest, of_file, printable
 from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
@@ -44,6 +44,20 @@ def read_input(file: str) -> tuple[bytes, str]:
     except OSError as error:
         reason = error.strerror or str(error)
     raise ReadError([of_file(name, f"can't be read: {reason}")])
+
+
+@contextlib.contextmanager
+def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
+    """Tell problems as those of a file as a whole, with a hint behind each.
+
+    Raises
+    ------
+    ReadError
+    """
+    try:
+        yield
+    except CaseError as error:
+        raise ReadError(of_file(file, one.message + hint) for one in error.problems) from None
 
 
 def _nearest_file(file: str) -> str:

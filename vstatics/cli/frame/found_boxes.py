@@ -13,7 +13,7 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import Destination
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.errors import ReadError, of_file
 from vstatics.statics.solve import solve
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
         return None
     if not is_a("boxes", data, name):
         return None
-    from vstatics.synthesis.boxes.reading import read_document
+    from vstatics.synthesis.boxes.listing import read_document
 
     return read_document(data, name)
 
@@ -56,16 +56,14 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
         If the file has none, or can't be written.
     """
     from vstatics.pictures.boxes.picture import render_boxes
-    from vstatics.synthesis.boxes.reading import read_boxes
+    from vstatics.synthesis.boxes.listing import read_document
 
     if len(cases) > 1 or to.is_folder:
         raise click.UsageError("boxes: expected one document of found boxes, and a file for it")
     data, name = files.read_input(cases[0])
-    listing = read_boxes(data, name)
-    try:
+    listing, _ = read_document(data, name)
+    with files.problems_of_file(name):
         drawn = render_boxes(listing, form, style)
-    except (CaseError, ReadError) as error:
-        raise ReadError(of_file(name, one.message) for one in error.problems) from None
     files.write_data(drawn, to.output)
     return DONE
 
@@ -82,10 +80,8 @@ def report_boxes(
     """
     from vstatics.report.boxes import boxes_page
 
-    try:
+    with files.problems_of_file(file):
         page = boxes_page(listing, document, digits)
-    except (CaseError, ReadError) as error:
-        raise ReadError(of_file(file, one.message) for one in error.problems) from None
     files.write_data(files.encoded(page), output)
     return DONE
 
@@ -109,10 +105,8 @@ def calculated_boxes(
     if not listing.boxes:
         raise ReadError([of_file(file, "no box was found, so there is nothing to summarize")])
     for box in _chosen_boxes(listing, asked):
-        try:
+        with files.problems_of_file(file):
             case = box.transmission()
-        except ReadError as error:
-            raise ReadError(of_file(file, one.message) for one in error.problems) from None
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
         yield CalculatedCase(name, results, [], telling=settings.telling)

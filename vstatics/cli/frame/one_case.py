@@ -10,7 +10,7 @@ import click
 
 from vstatics import readers
 from vstatics.cli.frame import cases, files, formats, texts
-from vstatics.cli.frame.cases import check_streams, read_data
+from vstatics.cli.frame.cases import check_streams, read_data, show_problems
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.options import gathered
@@ -150,8 +150,7 @@ def show(file: str, to: Destination, title: str, found: CaseAnswer) -> None:
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
     """Print problems on stderr."""
-    files.show(telling.printed(problems))
-    files.show(telling.quiet_failure(problems, file_name(file)))
+    show_problems(problems, telling, file_name(file))
 
 
 def warnings_of(messages: Iterable[str], file: str) -> list[Problem]:

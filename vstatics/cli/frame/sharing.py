@@ -15,7 +15,7 @@ from vstatics.cli.frame.options import Command, Option, gathered
 from vstatics.errors import CaseError
 from vstatics.jobs.files import is_stream, unwritable
 from vstatics.jobs.finished_cases import Description
-from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 
 JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
@@ -103,6 +103,23 @@ def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) 
     else:
         return
     raise click.exceptions.Exit(status)
+
+
+def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
+    """What there is to go on with after an end before the end.
+
+    Parameters
+    ----------
+    finished : int
+    whole : str
+        Of so many: "64 variants".
+    """
+    if not finished:
+        return "nothing was finished"
+    is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
+    name = f"{output}{SUFFIX}" if is_named else store.directory
+    there = f"{finished} of {whole} are finished and kept in {name}"
+    return f"{there}; the same command with --resume goes on"
 
 
 def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import time
 
-from vstatics.cli.frame.estimates import CommandEstimate, size_text
+from vstatics.cli.frame.estimates import CommandEstimate, free_room, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.sweep import calculation
+from vstatics.sweep import blocks
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.best import BEST
 from vstatics.sweep.plan import SweepPlan
@@ -31,16 +30,14 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
     ReadError
         With both sizes.
     """
-    from shutil import disk_usage
-
     if plan.where is not None or plan.objectives:
         return
-    try:
-        free = disk_usage(os.path.dirname(pieces.output)).free + pieces.size()  # noqa: PTH120
-    except OSError:
-        return  # it is told when the output is to be written
-    names = ("variant", *plan.names, "status", *plan.headings)
-    if sum(LONGEST_NUMBER + len(name.encode()) for name in names) * plan.variants.count <= free:
+    free = free_room(pieces.output)
+    if free is None:
+        return
+    free += pieces.size()
+    longest = sum(LONGEST_NUMBER + len(name.encode()) for name in plan.output_headings)
+    if longest * plan.variants.count <= free:
         return
     size = _row_bytes(plan, form) * plan.variants.count
     if size > free:
@@ -57,7 +54,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     last = max(plan.variants.count - ROWS, 0)
     starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
-    parts = [calculation.calculate(plan, *two) for two in ends]
+    parts = [blocks.calculate(plan, *two) for two in ends]
     length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
     return length / sum(len(part.variants) for part in parts)
 
@@ -72,11 +69,11 @@ def most_rows(plan: SweepPlan) -> int:
 
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
-    variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
-    start, stop = calculation.middle(plan)
-    calculation.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    variants, headings = plan.variants.count, plan.output_headings
+    start, stop = blocks.middle(plan)
+    blocks.calculate(plan, start, min(start + 100, stop))  # the first time costs more
     began = time.perf_counter()
-    rows = calculation.calculate(plan, start, stop)
+    rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
     part = len(rows.variants) / max(stop - start, 1)
@@ -90,12 +87,12 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     said = {
         "variants": str(variants),
         "rows": expected,
-        "columns": f"{columns}: {_listed(['variant', *plan.names, 'status', *plan.headings])}",
+        "columns": f"{len(headings)}: {_listed(headings)}",
         "size": size,
     }
     jobs_used = min(jobs, max(plan.pieces, 1))
     return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
 
 
-def _listed(names: list[str], most: int = 8) -> str:
-    return ", ".join(names if len(names) <= most else [*names[: most - 1], "...", names[-1]])
+def _listed(names: list[str]) -> str:
+    return ", ".join(names if len(names) <= 8 else [*names[:7], "...", names[-1]])

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import stopped_by
-from vstatics.cli.frame.sharing import Sharing, going_on_later
+from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.sweep.estimate import check_room
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import chunk
@@ -63,7 +63,10 @@ def to_file(run: SweepRun, output: str) -> int:
     with FinishedPieces(output) as store:
         check_room(plan, run.form, output, store)
         written = Output(plan, run.form, store, raw=run.raw)
-        with going_on_later(output, store, lambda: _kept(written, output)):
+        whole = f"{plan.variants.count} variants"
+        with going_on_later(
+            output, store, lambda: kept_pieces(written.finished, whole, store, output)
+        ):
             made = description(plan, run.form)
             sharing.open(store, output, made, plan.pieces, "variant is calculated", quiet=quiet)
             kept = written.finished
@@ -73,17 +76,6 @@ def to_file(run: SweepRun, output: str) -> int:
                 written.calculate(called, advance)
                 report = written.assemble(called)
     return _summary(run, report, time.perf_counter() - began, kept)
-
-
-def _kept(written: Output, output: str) -> str:
-    """What there is to go on with after an end before the end."""
-    plan = written.task.plan
-    if not written.finished:
-        return "nothing was finished"
-    return (
-        f"{written.finished} of {plan.variants.count} variants are finished and kept in "
-        f"{output}{SUFFIX}; the same command with --resume goes on"
-    )
 
 
 def to_stream(run: SweepRun) -> int:

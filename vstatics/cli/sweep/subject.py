@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import click
 
 from vstatics import readers
@@ -14,12 +12,8 @@ from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
 
-
-class ReadSubject(NamedTuple):
-    """A case or a scenario, and what is doubtful of the case."""
-
-    subject: Subject
-    warnings: list[Problem]
+ReadSubject = tuple[Subject, list[Problem]]
+"""A case or a scenario, and what is doubtful of the case."""
 
 
 def read_subject(file: str, input_format: readers.Format | None, telling: Telling) -> ReadSubject:
@@ -34,7 +28,7 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
     if input_format is None and is_a("scenario", data, name):
         return read_scenario_subject(Document(data, name), telling)
     reading = arguments.read_data(data, name, input_format, telling)
-    return ReadSubject(reading.case, list(reading.warnings))
+    return reading.case, list(reading.warnings)
 
 
 def read_scenario_subject(
@@ -52,9 +46,8 @@ def read_scenario_subject(
         reading = subject.own.reading
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
-    files.show(telling.printed(reading.warnings))
-    files.show(telling.quiet_failure(reading.warnings, subject.case.file))
-    return ReadSubject(subject, list(reading.warnings))
+    arguments.show_problems(reading.warnings, telling, subject.case.file)
+    return subject, list(reading.warnings)
 
 
 def spare(subject: Subject, output: str | None) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
@@ -12,8 +13,7 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch
-from vstatics.synthesis.boxes.checks import check_box_search
+from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter
@@ -64,10 +64,6 @@ def _asked(search: BoxSearch, efficiency: float, figures: WantedFigures) -> BoxA
     with wrong_use(("ratios", *BoxSearch._fields)):
         check_box_search(search)
     return BoxAsked(search, efficiency, figures.of_boxes(search.elements))
-
-
-def _bounds(text: str) -> tuple[float, float]:
-    return pair(text, "1.4:5")
 
 
 def _efficiency(given: float) -> float:
@@ -137,7 +133,7 @@ options = gathered(
             "--bounds",
             default="1.4:5",
             show_default=True,
-            callback=value(told(_bounds), "--bounds"),
+            callback=value(told(partial(pair, example="1.4:5")), "--bounds"),
             metavar="LOW:HIGH",
             help="Ring teeth/sun teeth of each set.",
         ),

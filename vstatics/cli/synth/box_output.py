@@ -133,10 +133,10 @@ def _items(found: FoundBoxes) -> list[BoxFiles]:
     drawn = set(numbers)
     if len(drawn) > MOST_DRAWN_CASES:
         drawn = {box.number for box in drawn_boxes(found.listing, MOST_DRAWN_CASES)}
-    names = file_names(len(found.boxes))
+    width = max(4, len(str(len(found.boxes))))
     return [
-        BoxFiles(name, box.found.case, number in drawn)
-        for number, name, box in zip(numbers, names, found.boxes, strict=True)
+        BoxFiles(f"box-{number:0{width}}", box.found.case, number in drawn)
+        for number, box in zip(numbers, found.boxes, strict=True)
     ]
 
 
@@ -149,16 +149,6 @@ def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
 
         made[".svg"] = stick_diagram(item.case)
     return made
-
-
-def file_names(count: int) -> list[str]:
-    """Names of the files of so many boxes, without suffix.
-
-    >>> file_names(2)
-    ['box-0001', 'box-0002']
-    """
-    width = max(4, len(str(count)))
-    return [f"box-{number:0{width}}" for number in range(1, count + 1)]
 
 
 def _put(folder: str, name: str, content: bytes) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import time
 from typing import NamedTuple
 
@@ -10,13 +9,13 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.progress import progress
-from vstatics.cli.frame.sharing import Sharing, going_on_later
+from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.synth.box_options import BoxAsked
 from vstatics.cli.synth.box_output import FoundBoxes, write_folder
 from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import is_stream, replace, unwritable
-from vstatics.jobs.finished_pieces import SUFFIX, FinishedPieces
+from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
@@ -94,8 +93,11 @@ def _to_store(run: BoxRun, count: int) -> FoundBoxes:
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
         pieces = _opened(run, store, output, count)
+        whole = f"{count} pieces of the search"
         with (
-            going_on_later(output, store, lambda: _kept(store, output, count)),
+            going_on_later(
+                output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
+            ),
             run.workers(count) as called,
         ):
             found = _found(run, pieces, called)
@@ -147,17 +149,6 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
             advance(len(some))
     chosen = ranked(asked.search, measured, asked.wanted)
     return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen)
-
-
-def _kept(store: FinishedPieces, output: str, count: int) -> str:
-    """What there is to go on with after an end before the end."""
-    finished = len(store.finished())
-    if not finished:
-        return "nothing was finished"
-    pieces = f"{finished} of {count} pieces of the search are finished and kept"
-    is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
-    name = f"{output}{SUFFIX}" if is_named else store.directory
-    return f"{pieces} in {name}; the same command with --resume goes on"
 
 
 def _summary(output: str, found: FoundBoxes, seconds: float) -> str:

@@ -88,8 +88,7 @@ def combinations(
     to, telling = one.destination(), one.telling
     form = None if target is None else case_format(target, [one.case], to.output)
     from vstatics.cli.synth.combinations_output import check_room, show, show_estimate
-    from vstatics.synthesis.gears.element_choice import AUTO, chosen_elements
-    from vstatics.synthesis.gears.search import CombinationSearch
+    from vstatics.synthesis.gears.search import AUTO, CombinationSearch, chosen_elements
 
     reading = one.read()
     chosen = _chosen([each.name for each in reading.case.shift_elements], elements)

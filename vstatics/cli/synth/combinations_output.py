@@ -16,8 +16,7 @@ from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
-from vstatics.synthesis.gears.engaged_sets import EngagedSets, combination_grids
-from vstatics.synthesis.gears.kinds import EngagedKind
+from vstatics.synthesis.gears.kinds import EngagedKind, EngagedSets, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 from vstatics.tables.answer import Count, line, told
 from vstatics.tables.grid import Grid
@@ -127,8 +126,8 @@ def _lines(found: EngagedSets) -> Iterator[str]:
     """Combinations as JSON, an object each."""
     names = [line(element.name).rstrip() for element in found.elements]
     kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
-    columns = (found.members, found.kinds, found.ratios, found.free)
-    for members, kind, ratio, free in zip(*(one.tolist() for one in columns), strict=True):
+    columns = (column.tolist() for column in found[1:])
+    for members, kind, ratio, free in zip(*columns, strict=True):
         engaged = ", ".join([names[one] for one in members])
         number = repr(ratio) if math.isfinite(ratio) else "null"
         is_free = "true" if free else "false"

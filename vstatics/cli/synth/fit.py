@@ -19,11 +19,15 @@ from vstatics.errors import Problem, listed, of_file, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.scalars import number
 from vstatics.readers.reading import Reading
-from vstatics.synthesis.ratios.estimate import dry_document, dry_grids
-from vstatics.synthesis.ratios.fitted_case import fitted_case, left_out_by_fit, lost_by_fit
-from vstatics.synthesis.ratios.fitting import TOLERANCE, Fit
+from vstatics.synthesis.ratios.fitting import (
+    TOLERANCE,
+    Fit,
+    fitted_case,
+    left_out_by_fit,
+    lost_by_fit,
+)
 from vstatics.synthesis.ratios.fitting import fit as fitted
-from vstatics.synthesis.ratios.grids import fit_grids
+from vstatics.synthesis.ratios.grids import dry_document, dry_grids, fit_grids
 from vstatics.synthesis.ratios.problem import doubts, fit_problem
 
 

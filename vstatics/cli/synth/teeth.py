@@ -14,13 +14,11 @@ from vstatics.cli.synth.case_file import case_format, write_case, written_case
 from vstatics.errors import Problem, listed, of_file, quoted
 from vstatics.readers.named.scalars import number
 from vstatics.readers.reading import Reading
-from vstatics.synthesis.teeth.case import case_with_teeth
-from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, find_teeth
+from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, doubts_before, find_teeth
 from vstatics.synthesis.teeth.grids import asked_grids, teeth_grids
 from vstatics.synthesis.teeth.limits import CLEARANCE, TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios, teeth_problem
-from vstatics.synthesis.teeth.reach import doubts_before
-from vstatics.synthesis.teeth.solutions import TeethAnswer, asked_document
+from vstatics.synthesis.teeth.solutions import TeethAnswer, asked_document, case_with_teeth
 from vstatics.synthesis.teeth.targets import TeethError
 
 

@@ -1,7 +1,7 @@
 """Formats of the output of a sweep: how its pieces look, and how they become one file.
 
-`text` writes CSV and JSON lines, `npz` and `parquet` columns of numbers, `tables` Markdown, LaTeX
-and workbooks for few rows that people read.
+`text` writes CSV and JSON lines, `npz` columns of numbers; `tables` has what is made of all rows
+together, Parquet, and Markdown, LaTeX and workbooks for few rows that people read.
 """
 
 from __future__ import annotations

@@ -1,35 +1,80 @@
-"""Markdown, LaTeX and workbooks of a sweep: for few rows, that people read."""
+"""Files that are made of all rows of a sweep together: Parquet, by pyarrow, and tables for people.
+
+Parquet has full numbers, the status as a dictionary, what does not exist as null. Markdown, LaTeX
+and workbooks are for few rows.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
+from typing import IO, Any
 
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Values, exact, grid_of, text
+from vstatics.tables.grid import Cell, Column, Values, exact, grid_of
+from vstatics.tables.grid import text as words
 
-CELL_DIGITS = 12
-"""Significant ones, as in CSV."""
+GROUP = 262_144
+"""Rows of a row group, at most one piece more."""
 
 
-def write(path: str, form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
-    """Write chunks to a file, as one table.
+def write_parquet(file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
+    """Write chunks to a Parquet file, one row group at a time.
 
     Raises
     ------
     OSError
     """
-    columns = (text(one) if one == "status" else Column(one) for one in headings)
+    pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    kinds = {"variant": pa.int64(), "status": pa.dictionary(pa.int8(), pa.string())}
+    schema = pa.schema(
+        pa.field(one, kinds.get(one, pa.float64()), nullable=one not in kinds) for one in headings
+    )
+    with parquet.ParquetWriter(file, schema) as writer:
+        for group in _groups(chunks):
+            batches = [_batch(chunk, schema) for chunk in group]
+            writer.write_table(pa.Table.from_batches(batches, schema), row_group_size=2 * GROUP)
+
+
+def _groups(chunks: Iterable[Chunk]) -> Iterator[list[Chunk]]:
+    """Chunks together, so that the row groups have a good size."""
+    group: list[Chunk] = []
+    rows = 0
+    for chunk in chunks:
+        group.append(chunk)
+        rows += len(chunk.variants)
+        if rows >= GROUP:
+            yield group
+            group, rows = [], 0
+    if group:
+        yield group
+
+
+def _batch(chunk: Chunk, schema: Any) -> Any:
+    pa = import_module("pyarrow")  # costs start-up time, and may be missing
+    status = pa.DictionaryArray.from_arrays(chunk.status.astype("i1"), list(STATUS))
+    arrays = [
+        status if name == "status" else pa.array(column, from_pandas=True)
+        for name, column in chunk.output_columns().items()
+    ]
+    return pa.record_batch(arrays, schema=schema)
+
+
+CELL_DIGITS = 12
+"""Significant ones, as in CSV."""
+
+
+def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> bytes:
+    """Chunks as one table."""
+    columns = (words(one) if one == "status" else Column(one) for one in headings)
     grid = grid_of("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
-        data = xlsx.write([("", [grid])], several=False)
-    else:
-        writer = markdown if form == "markdown" else latex
-        data = writer.write([], [grid]).encode()
-    with open(path, "wb") as file:  # noqa: PTH123
-        file.write(data)
+        return xlsx.write([("", [grid])], several=False)
+    write = markdown.write if form == "markdown" else latex.write
+    return write([], [grid]).encode()
 
 
 def _rows(chunk: Chunk) -> Iterator[Values]:

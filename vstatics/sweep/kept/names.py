@@ -90,7 +90,7 @@ class SweepNames:
         """The names of all rows that a table may have, also in a variant that has more modes."""
         if table == OMEGA:
             return [str(number) for number in range(1, len(self.case.link_names) + 1)]
-        return table_rows(table, self.case)
+        return self.rows(table)
 
     def row(self, table: str) -> str:
         """What a row of a table is."""
@@ -125,9 +125,13 @@ class SweepNames:
         written = subscript.written
         if written == ":":
             return None
-        in_quotes = written[0] in "\"'"
-        name = written[1:-1] if in_quotes else written
-        found = [] if written[0] == "#" else self._called(name, names, kind)
+        name = written[1:-1] if written[0] in "\"'" else written
+        if kind == "one":
+            found = [names.index(name)] if name in names else []
+        else:
+            found = rows_called(name, kind, self.case)
+        if written[0] == "#":
+            found = []
         if len(found) == 1:
             return found[0]
         if found:
@@ -136,12 +140,6 @@ class SweepNames:
         if number is not None:
             return number - 1
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
-
-    def _called(self, name: str, names: Sequence[str], kind: Rows) -> list[int]:
-        """Indices of the rows or gears of a name."""
-        if kind != "one":
-            return rows_called(name, kind, self.case)
-        return [names.index(name)] if name in names else []
 
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
         """What to say of a row or a gear that there is not."""

@@ -151,21 +151,14 @@ class VariantTable:
         self, targets: Iterable[Varied], rows: Floats | Spool, digest: str | None = None
     ) -> None:
         self.targets = tuple(targets)
-        self._rows: Floats | Spool
-        shape: tuple[int, ...]
-        if isinstance(rows, Spool):
-            if digest is None:
-                raise TypeError("a table in a spool needs the digest of its rows")
-            self._rows, shape = rows, (rows.rows, rows.columns)
-        else:
-            self._rows = np.array(rows, np.float64, order="F")
-            shape = self._rows.shape
-            digest = digest or hashlib.sha256(np.ascontiguousarray(self._rows).data).hexdigest()
-        if len(shape) != 2 or shape[1] != len(self.targets):
-            expected = f"(variants, {len(self.targets)})"
-            raise ValueError(f"read a table of shape {shape}, expected {expected}")
-        self.count = int(shape[0])
-        self.digest = digest
+        if not isinstance(rows, Spool):
+            rows = np.array(rows, np.float64, order="F")
+            if rows.ndim != 2 or rows.shape[1] != len(self.targets):
+                expected = f"(variants, {len(self.targets)})"
+                raise ValueError(f"read a table of shape {rows.shape}, expected {expected}")
+            digest = digest or hashlib.sha256(np.ascontiguousarray(rows).data).hexdigest()
+        self._rows, self.digest = rows, digest
+        self.count = rows.rows if isinstance(rows, Spool) else len(rows)
 
     def block(self, start: int, stop: int) -> Floats:
         """The numbers of a block of variants, as `Variants` says."""

@@ -13,16 +13,24 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from vstatics.errors import Place, ReadError, quoted
 from vstatics.model.transmission import Transmission
+from vstatics.readers.named.nodes import Mapping, Node, decode
+from vstatics.sweep.variants.scenario_numbers import (
+    NumberPath,
+    Trees,
+    in_si,
+    number_path,
+    sample_unit,
+    with_numbers,
+    written_number,
+)
 from vstatics.sweep.variants.targets import Varied, refusal, target
 
 if TYPE_CHECKING:
     from vstatics.readers import Format
-    from vstatics.readers.named.nodes import Found, Node
     from vstatics.readers.reading import Reading
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
     from vstatics.sweep.motion_tables import Kind
-    from vstatics.sweep.variants.scenario_numbers import NumberPath, Trees
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
@@ -71,7 +79,6 @@ class VariedScenario:
         """
         from vstatics.readers.named.reader import case_tree
         from vstatics.simulation.scenario.file import read_scenario
-        from vstatics.sweep.variants.scenario_numbers import Trees
 
         return Trees(read_scenario(*self.scenario).root, case_tree(*self.case, self.case_format))
 
@@ -101,12 +108,11 @@ class VariedScenario:
             If it can't be read with them.
         """
         from vstatics.readers.named.reader import read_case_tree
-        from vstatics.sweep.variants.scenario_numbers import with_numbers
 
         trees = with_numbers(self.trees, paths, values)
         reading = self._own_case
         if trees.case is not None and trees.case is not self.trees.case:
-            reading = read_case_tree(trees.case, _nothing_found(self.case))
+            reading = read_case_tree(trees.case, decode(*self.case))
         return self._read(trees.scenario, reading)
 
     def run(self, paths: Sequence[NumberPath], values: Sequence[float]) -> Motion:
@@ -136,8 +142,6 @@ class VariedScenario:
         ------
         ReadError
         """
-        from vstatics.sweep.variants.scenario_numbers import number_path
-
         return number_path(text, self.trees, place)
 
     def in_unit(self, path: NumberPath, unit: str, place: Place | None) -> NumberPath:
@@ -148,8 +152,6 @@ class VariedScenario:
         ReadError
             If they are bare, or in two units, where the document has a unit.
         """
-        from vstatics.sweep.variants.scenario_numbers import written_number
-
         if unit and path.unit and unit != path.unit:
             raise refusal(f"read values in {unit}, expected them in {path.unit}", place)
         known = written_number(path, self.trees)
@@ -168,8 +170,6 @@ class VariedScenario:
         ------
         ReadError
         """
-        from vstatics.sweep.variants.scenario_numbers import in_si, sample_unit, written_number
-
         path = self.target(text)
         known = written_number(path, self.trees)
         unit = sample_unit(self.trees.scenario, text) or (known.unit if known else "")
@@ -183,8 +183,6 @@ class VariedScenario:
         ReadError
             If the document has it not.
         """
-        from vstatics.sweep.variants.scenario_numbers import written_number
-
         known = written_number(path, self.trees)
         if known is None:
             raise refusal(f"{quoted(path.name)} is not written in the document", place)
@@ -204,8 +202,6 @@ class VariedScenario:
         ReadError
             As the documents' reader says it.
         """
-        from vstatics.sweep.variants.scenario_numbers import written_number
-
         for path, value in zip(paths, values, strict=True):
             if written_number(path, self.trees) is None:
                 self._check_new(path, value)
@@ -224,18 +220,10 @@ class VariedScenario:
             raise first
 
     def _read(self, root: Node, reading: Reading) -> ScenarioFile:
-        from vstatics.readers.named.nodes import Mapping
         from vstatics.simulation.scenario.file import ScenarioDocument
 
         assert isinstance(root, Mapping)  # noqa: S101 - as it was read
-        return ScenarioDocument(root, _nothing_found(self.scenario)).with_case(reading)
-
-
-def _nothing_found(document: Document) -> Found:
-    """The text of a document, in which no problem was found so far."""
-    from vstatics.readers.named.nodes import decode
-
-    return decode(*document)
+        return ScenarioDocument(root, decode(*self.scenario)).with_case(reading)
 
 
 def load_varied(file: str, case: str | None = None) -> VariedScenario:

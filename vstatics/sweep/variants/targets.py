@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, Protocol, get_args
 import numpy as np
 
 from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, spoken, typed_number
-from vstatics.model.parts import Damping, Mechanism, ShiftElement, damping
+from vstatics.model.parts import Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
@@ -108,7 +108,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     found = _found(name, OWNERS[quantity], case)
     if quantity not in known or len(found) != 1:
         raise refusal(_not_one(name, quantity, case), place, begin)
-    if quantity == "damping" and damping_of(devices_of(case)[found[0]]).loss_factor:
+    if quantity == "damping" and damping(devices_of(case)[found[0]].damping).loss_factor:
         message = f"{quoted(name)} is damped by a ratio or loss factor: give N*m*s/rad to vary it"
         raise refusal(message, place, begin)
     return Target(f"{_names(OWNERS[quantity], case)[found[0]]}.{quantity}", found[0], quantity)
@@ -117,10 +117,11 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
     """The names of what a case has that can be varied: of devices those that are elastic."""
     names = _names(owner, case)
+    pairs = zip(case.devices, devices_of(case), strict=True)
+    elastic = [name for name, device in pairs if stiffness_of(device) is not None]
     if owner == "devices":
-        devices = zip(names, devices_of(case), strict=True)
-        return [name for name, device in devices if stiffness_of(device) is not None]
-    return names if owner == "mechanisms" or has_vibration(case) else []
+        return elastic
+    return names if owner == "mechanisms" or elastic or case.inertias else []
 
 
 def _names(owner: Owner, case: Transmission) -> Sequence[str]:
@@ -228,17 +229,6 @@ def stiffness_of(device: Device) -> float | None:
     return device.rate if isinstance(device, Spring) else device.stiffness
 
 
-def damping_of(device: Device) -> Damping:
-    """The damping of a device."""
-    return damping(device.damping)
-
-
-def has_vibration(case: Transmission) -> bool:
-    """Whether anything is elastic or heavy."""
-    elastic = any(stiffness_of(device) is not None for device in devices_of(case))
-    return elastic or bool(case.inertias)
-
-
 def own_number(case: Transmission, index: int, quantity: str) -> float:
     """What a varied number is in the case itself.
 
@@ -263,7 +253,7 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
         return number
     device = devices_of(case)[index]
     if quantity == "damping":
-        return damping_of(device).viscous
+        return damping(device.damping).viscous
     if isinstance(device, Spring) and quantity == "compliance" and device.compliance is not None:
         return device.compliance
     stiffness = stiffness_of(device) or 0.0

@@ -9,10 +9,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.errors import CaseError
+from vstatics.extras import require
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.tolerances import SAME_RATIO
-from vstatics.synthesis.boxes.box import BoxFigures, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, MeasuredBox
+from vstatics.synthesis.boxes.box import (
+    EFFICIENCY,
+    BoxFigures,
+    BoxSearch,
+    FoundBox,
+    check_box_search,
+)
+from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, MeasuredBox, measured
 from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
@@ -194,11 +202,10 @@ class BoxFilter(NamedTuple):
         >>> BoxFilter(brakes=(1,)).before(box), BoxFilter(limits={"clutches": 0}).before(box)
         (True, False)
         """
-        counts = {"brakes": len(list(box.brakes)), "clutches": len(list(box.clutches))}
-        allowed = {"brakes": self.brakes, "clutches": self.clutches}
+        kinds = (("brakes", box.brakes, self.brakes), ("clutches", box.clutches, self.clutches))
         return all(
-            (not allowed[name] or count in allowed[name]) and count <= self.limits.get(name, count)
-            for name, count in counts.items()
+            (not allowed or len(own) in allowed) and len(own) <= self.limits.get(name, math.inf)
+            for name, own, allowed in kinds
         )
 
     def lets(self, found: MeasuredBox) -> bool:
@@ -210,3 +217,59 @@ class BoxFilter(NamedTuple):
             and figures.planar >= self.planar
             and not any(getattr(figures, name) > most for name, most in self.limits.items())
         )
+
+
+ALL = BoxFilter()
+
+
+class BoxList(NamedTuple):
+    """What a search found."""
+
+    searched: int
+    """Boxes that were looked at."""
+    boxes: tuple[RankedBox, ...]
+    """Those that are wanted, in their order."""
+    given_up: int
+    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+
+
+def find_boxes(
+    search: BoxSearch, efficiency: float = EFFICIENCY, wanted: BoxFilter = ALL
+) -> BoxList:
+    """Find all gearboxes whose gears have wanted ratios, in this process.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    efficiency : float
+        Of each set with its carrier held, above 0 and up to 1. [-]
+    wanted : BoxFilter
+        All boxes when not given.
+
+    Raises
+    ------
+    CaseError
+        If the search can't be, or the library that compiles it is missing.
+
+    Examples
+    --------
+    A set with its ring held makes 1 + p, and direct drive when it is locked in any way:
+
+    >>> found = find_boxes(BoxSearch(1, 2, 1, (3.0, 1.0)))
+    >>> found.searched, [list(one.found.elements) for one in found.boxes]
+    (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
+    """
+    require("boxes", "the search for gearboxes")
+    from vstatics.synthesis.boxes.pieces import cut, found_in  # compiles
+
+    low, high = search.bounds
+    search = search._replace(targets=tuple(search.targets), bounds=(low, high))
+    check_box_search(search)
+    if not 0 < efficiency <= 1:
+        message = f"read {efficiency:g}, expected a number above 0, up to 1"
+        raise CaseError(message, ("efficiency",))
+    pieces = [found_in(search, piece) for piece in range(cut(search))]
+    boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
+    searched = sum(piece.searched for piece in pieces)
+    given_up = sum(piece.given_up for piece in pieces)
+    return BoxList(searched, ranked(search, boxes, wanted), given_up)

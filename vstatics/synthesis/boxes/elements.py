@@ -13,8 +13,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.minors import GearSpeeds
+from vstatics.synthesis.boxes.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 
 
@@ -184,11 +183,7 @@ def _one_more(
             gone += 1
         else:
             ratio = port.ratios[which]
-            same = 0
-            while same < count and abs(room.ratios[after, same] - ratio) > SAME_BOX_RATIO * abs(
-                ratio
-            ):
-                same += 1
+            same = place_of(ratio, room.ratios[after], count)
             if same < count:
                 gone += 1
                 room.reach[after, same] |= port.reach[which]
@@ -201,6 +196,15 @@ def _one_more(
     room.gone[after] = gone
     room.counts[after] = count
     return True
+
+
+@compiled
+def place_of(ratio: float, ratios: Floats, count: int) -> int:
+    """The place of the same ratio among the first ones; their count where there is none."""
+    same = 0
+    while same < count and abs(ratios[same] - ratio) > SAME_BOX_RATIO * abs(ratio):
+        same += 1
+    return same
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""The figures of a found box: losses, speeds inside, torques of elements, whether it is planar."""
+"""A found box as a case, and its figures: losses, speeds, torques of elements, whether planar."""
 
 from __future__ import annotations
 
@@ -10,21 +10,117 @@ from typing import Any, NamedTuple, cast
 
 from vstatics.explain.bodies import on_own_links
 from vstatics.extras import require
-from vstatics.model.parts import HOUSING, Gear
+from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import values_of
-from vstatics.synthesis.boxes.box import BoxFigures, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.case import (
-    box_case,
-    box_element_name,
-    element_links,
-    in_order,
-    target_names,
-)
+from vstatics.synthesis.boxes.box import HELD, BoxFigures, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
 from vstatics.synthesis.boxes.least_form import least_box
-from vstatics.synthesis.gears.case_of_scheme import set_name
+from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
+from vstatics.synthesis.ratios.fitting import deviation
+from vstatics.synthesis.structures.scheme import link_name
+
+
+def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Transmission:
+    """The case of a found box: its sets, shift elements and gears.
+
+    A link that is held for good is the housing; the others keep their numbers as names.
+
+    Parameters
+    ----------
+    box : FoundBox
+    targets : sequence of float
+        Wanted ratios of its gears, in its order. [-]
+    efficiency : float
+        Of each set with its carrier held. [-]
+
+    Raises
+    ------
+    CaseError
+        If the box can't be a gearbox, as with a ratio that is none.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
+    ...                ((1,), (0,)), 0.0)
+    >>> case = box_case(box, [1, 3], 0.98)
+    >>> [(gear.name, gear.engaged) for gear in case.gears], case.output
+    ([('1', (1,)), ('2', (2,))], 2)
+    >>> [element.name for element in case.shift_elements]
+    ['T-L2', 'F-L0-L1']
+    """
+    links = [link for link in range(max(box.scheme.links, box.input + 1)) if link != box.held]
+    number = {link: place for place, link in enumerate(links, 1)} | {HELD: HOUSING}
+    if box.held is not None:
+        number[box.held] = HOUSING
+    names = names_of_gears(targets)
+    inertia = f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2."
+    assumed = f"Every set has the efficiency {efficiency:g} with its carrier held"
+    return Transmission(
+        links=len(links),
+        shift_elements=[
+            ShiftElement(number[first], number[second], box_element_name((first, second)))
+            for first, second in box.elements
+        ],
+        mechanisms=[
+            _set(place, [number[link] for link in links_of_set], ratio, efficiency)
+            for place, (links_of_set, ratio) in enumerate(
+                zip(box.scheme.sets, box.ratios, strict=True), 1
+            )
+        ],
+        gears=[
+            Gear(tuple(element + 1 for element in box.gears[index]), name=names[index])
+            for index in in_order(targets)
+        ],
+        input=number[box.input],
+        output=number[box.output],
+        link_names=[link_name(link) for link in links],
+        name=f"box {box.scheme.code}",
+        description=f"{assumed}, as assumed. {inertia}",
+        inertias={number[box.input]: INERTIA, number[box.output]: INERTIA},
+    )
+
+
+def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
+    """A set by its number from 1; with its carrier held for good it has planets all the same."""
+    sun, carrier, ring = links
+    of_planet = (ratio + 1) / 2 if carrier == HOUSING and ratio < 0 and ratio != -1 else None
+    return Mechanism(
+        sun,
+        ring,
+        carrier,
+        ratio,
+        efficiency,
+        planet_ratio=of_planet,
+        name=set_name(place),
+        is_set=carrier == HOUSING,
+    )
+
+
+HOUSING_NAME = "housing"
+
+
+def element_links(element: tuple[int, int]) -> tuple[str, str]:
+    """The names of the two links of an element.
+
+    >>> element_links((2, HELD)), element_links((0, 3))
+    (('L2', 'housing'), ('L0', 'L3'))
+    """
+    first, second = element
+    return link_name(first), HOUSING_NAME if second == HELD else link_name(second)
+
+
+def box_element_name(element: tuple[int, int]) -> str:
+    """The name of a shift element.
+
+    >>> box_element_name((2, HELD)), box_element_name((0, 3))
+    ('T-L2', 'F-L0-L3')
+    """
+    first, second = element_links(element)
+    return f"T-{first}" if element[1] == HELD else f"F-{first}-{second}"
+
 
 FIGURE_DECIMALS = 9
 """Figures that agree in so many decimals are equal."""
@@ -97,26 +193,25 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     (1.0, 2.0, True, True)
     """
     least = least_box(box)
-    case = box_case(least, search.targets, efficiency)
-    gears = _chosen(least, search.targets, _solved(case))
-    names = target_names(search.targets)
-    told = tuple(
+    targets = search.targets
+    case = box_case(least, targets, efficiency)
+    solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
+    sets = _chosen(least, targets, solved)
+    gears = tuple(
         BoxGear(
-            names[gear.place],
-            tuple(box_element_name(least.elements[number]) for number in gear.engaged),
-            gear.values.ratio,
-            search.targets[gear.place],
+            names[place],
+            tuple(box_element_name(least.elements[number]) for number in one),
+            solved(one).ratio,
+            targets[place],
         )
-        for gear in gears
+        for place, one in zip(order, sets, strict=True)
     )
-    by_place = {gear.place: gear.engaged for gear in gears}
-    parts = [gear.ratio / gear.target for gear in told]  # the solver may find another sign
-    error = max(abs(math.log(part)) if part > 0 else math.inf for part in parts)
     chosen = least._replace(
-        gears=tuple(by_place[place] for place in range(len(gears))), error=error
+        gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
+        error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign
     )
-    figures = _figures(chosen, case, search.targets, gears)
-    return MeasuredBox(chosen, search.targets, efficiency, told, figures)
+    figures = _figures(chosen, case, targets, sets, solved)
+    return MeasuredBox(chosen, targets, efficiency, gears, figures)
 
 
 class _GearValues(NamedTuple):
@@ -127,15 +222,6 @@ class _GearValues(NamedTuple):
     planet_speed: float
     slip: float
     torque: float
-
-
-class _ChosenGear(NamedTuple):
-    """The elements of a gear, with what they give."""
-
-    place: int
-    """Of its target."""
-    engaged: Engaged
-    values: _GearValues
 
 
 _Solved = Callable[[Engaged], _GearValues]
@@ -169,8 +255,8 @@ def _largest(numbers: Iterable[float]) -> float:
     return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
 
 
-def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_ChosenGear]:
-    """The gears in their order, each with one of the sets of elements that give its ratio."""
+def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequence[Engaged]:
+    """Of each gear, in their order, one of the sets of elements that give its ratio."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
         [choices[index] for index in order if (targets[index] > 0) == forward]
@@ -181,26 +267,29 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> list[_C
         found = solved(engaged)
         return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
 
-    sets = chosen_sets(ranges, len(box.elements), cost)
-    return [_ChosenGear(index, one, solved(one)) for index, one in zip(order, sets, strict=True)]
+    return chosen_sets(ranges, len(box.elements), cost)
 
 
 def _figures(
-    box: FoundBox, case: Transmission, targets: Sequence[float], gears: Sequence[_ChosenGear]
+    box: FoundBox,
+    case: Transmission,
+    targets: Sequence[float],
+    sets: Sequence[Engaged],
+    solved: _Solved,
 ) -> BoxFigures:
-    """The figures of a box with the gears that are chosen."""
-    forward = [gear for gear in gears if targets[gear.place] > 0]
-    backward = gears[len(forward) :]
-    losses = [gear.values.loss for gear in forward or gears]
+    """The figures of a box with the sets of elements that are chosen for its gears in order."""
+    forward = sum(target > 0 for target in targets)
+    values = [solved(one) for one in sets]
+    losses = [one.loss for one in values[:forward] or values]
     return BoxFigures(
         error=box.error,
         loss=math.fsum(losses) / len(losses),
-        planet_speed=_largest(gear.values.planet_speed for gear in gears),
-        slip=_largest(gear.values.slip for gear in gears),
-        torque=_largest(gear.values.torque for gear in gears),
-        brakes=sum(1 for _ in box.brakes),
-        clutches=sum(1 for _ in box.clutches),
-        single=all(is_single([gear.engaged for gear in part]) for part in (forward, backward)),
+        planet_speed=_largest(one.planet_speed for one in values),
+        slip=_largest(one.slip for one in values),
+        torque=_largest(one.torque for one in values),
+        brakes=len(box.brakes),
+        clutches=len(box.clutches),
+        single=is_single(sets[:forward]) and is_single(sets[forward:]),
         planar=box_is_planar(case),
     )
 

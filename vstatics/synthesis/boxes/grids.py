@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
-from vstatics.tables.grid import Column, Grid, Row, Values, exact, grid_of, sign, text, whole
+from vstatics.tables.grid import Grid, Values, exact, grid_of
 
 
 def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
@@ -31,50 +31,47 @@ def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
     return grid_of("Boxes", ["what", "boxes"], counts.items())
 
 
+FIGURES = (
+    *("family", "loss [%]", "planet speed", "slip", "torque"),
+    *("brakes", "clutches", "single", "planar"),
+)
+"""Headings of figures."""
+
+
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
     """A row for each found box, in their order."""
-    columns = [Column("box"), *_figure_columns(boxes), *_scheme_columns(boxes)]
-    rows = [[whole(place), *_figures(box), *_scheme(box)] for place, box in enumerate(boxes, 1)]
-    return Grid("Found boxes", columns, rows, key="boxes")
+    rows = [(place, *_figures(box), *_scheme(box)) for place, box in enumerate(boxes, 1)]
+    headings = ["box", *FIGURES, *_sets(boxes), *_of_scheme(boxes)]
+    return grid_of("Found boxes", headings, rows, key="boxes")
 
 
 def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
     """Those of the Pareto list, with their places among all: figures, then what they are."""
     own = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
-    figures: list[Row] = [[whole(place), *_figures(box)] for place, box in own]
-    yield Grid("Pareto list", [Column("box"), *_figure_columns(boxes)], figures, key="pareto")
-    schemes: list[Row] = [[whole(place), *_scheme(box)] for place, box in own]
-    columns = [Column("box"), *_scheme_columns(boxes)]
-    yield Grid("Schemes of the Pareto list", columns, schemes, key="schemes")
+    figures = ((place, *_figures(box)) for place, box in own)
+    yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
+    schemes: list[Values] = [(place, *_scheme(box)) for place, box in own]
+    headings = ["box", *_of_scheme(boxes)]
+    yield grid_of("Schemes of the Pareto list", headings, schemes, key="schemes")
 
 
-def _figure_columns(boxes: Sequence[RankedBox]) -> list[Column]:
-    """Figures, then the ratios of the sets, which all boxes have."""
-    names = ("family", "loss [%]", "planet speed", "slip", "torque", "brakes", "clutches")
-    sets = boxes[0].found.ratios if boxes else ()
-    return [*map(Column, names), *map(Column, ("single", "planar")), *map(Column, sets)]
+def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:
+    """Headings of the ratios of the sets, which all boxes have."""
+    return boxes[0].found.ratios if boxes else ()
 
 
-def _scheme_columns(boxes: Sequence[RankedBox]) -> list[Column]:
-    """Code, ports and elements; what is held, if it is in any."""
+def _of_scheme(boxes: Sequence[RankedBox]) -> list[str]:
+    """Headings of code, ports and elements; of what is held, if it is in any."""
     has_held = bool(boxes) and boxes[0].found.box.held is not None
-    return [*map(text, ("code", "input", "output", *["held"] * has_held, "elements"))]
+    return ["code", "input", "output", *["held"] * has_held, "elements"]
 
 
-def _figures(box: RankedBox) -> Row:
-    own = box.found.figures
-    numbers = (own.planet_speed, own.slip, own.torque)
-    return [
-        whole(box.family),
-        exact(100 * own.loss, 2),
-        *(exact(number) for number in numbers),
-        *(whole(count) for count in (own.brakes, own.clutches)),
-        *(sign(one) for one in (own.single, own.planar)),
-        *(exact(ratio) for ratio in box.found.box.ratios),
-    ]
+def _figures(box: RankedBox) -> Values:
+    _, loss, *others = box.found.figures
+    return [box.family, exact(100 * loss, 2), *others, *box.found.box.ratios]
 
 
-def _scheme(box: RankedBox) -> Row:
+def _scheme(box: RankedBox) -> list[str]:
     """Its code, ports and elements."""
     own = box.found.box
     ports = (str(link) for link in (own.input, own.output, own.held) if link is not None)
@@ -86,21 +83,11 @@ def _of_families(boxes: Sequence[RankedBox]) -> Grid:
     members: dict[int, list[RankedBox]] = {}
     for box in boxes:
         members.setdefault(box.family, []).append(box)
-    gears = boxes[0].found.gears
     rows: list[Values] = []
     for family, own in members.items():
         first = own[0].found
         losses = [100 * box.found.figures.loss for box in own]
-        rows.append(
-            (
-                family,
-                len(own),
-                exact(min(losses), 2),
-                exact(max(losses), 2),
-                100 * first.figures.error,
-                *(gear.ratio for gear in first.gears),
-            )
-        )
+        ends = (exact(min(losses), 2), exact(max(losses), 2), 100 * first.figures.error)
+        rows.append((family, len(own), *ends, *(gear.ratio for gear in first.gears)))
     columns = ("family", "boxes", "loss from [%]", "to [%]", "error [%]")
-    names = [gear.name for gear in gears]
-    return grid_of("Families", [*columns, *names], rows)
+    return grid_of("Families", [*columns, *(gear.name for gear in boxes[0].found.gears)], rows)

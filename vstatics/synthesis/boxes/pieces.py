@@ -11,11 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.cells import cell_room
 from vstatics.synthesis.boxes.elements import PortGears, set_room
-from vstatics.synthesis.boxes.engaged import Combinations, combinations_table
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
-from vstatics.synthesis.boxes.minors import GearSpeeds, gear_speeds
+from vstatics.synthesis.boxes.engaged import (
+    Combinations,
+    GearSpeeds,
+    combinations_table,
+    gear_speeds,
+)
+from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports, cell_room
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
@@ -182,11 +185,9 @@ def _asked(search: BoxSearch) -> Asked:
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    moving = search.links - bool(search.fixed) + search.own_input
-    table = combinations_table(moving, search.engaged, search.elements)
+    table = combinations_table(search.shafts, search.engaged, search.elements)
     asked = _asked(search)
     targets, sets = len(asked.targets), search.sets
-    all_of_them = len(table.places)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets),
@@ -194,12 +195,12 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
-        parts=np.zeros((all_of_them, 2, 2**sets)),
+        parts=np.zeros((len(table.places), 2, 2**sets)),
     )
 
 
 ENOUGH = 3.0
-"""So long pieces are tried. [s]"""
+"""So long pieces are tried, one at least. [s]"""
 GOLDEN = 0.6180339887498949
 """Multiples of it are spread evenly: so pieces from everywhere come first."""
 
@@ -218,15 +219,13 @@ class BoxEstimate(NamedTuple):
     """Whether all pieces were tried."""
 
 
-def box_estimate(search: BoxSearch, enough: float = ENOUGH) -> BoxEstimate:
+def box_estimate(search: BoxSearch) -> BoxEstimate:
     """About how many boxes there are, and how long they take.
 
     Parameters
     ----------
     search : BoxSearch
         A sound one, see `check_box_search`.
-    enough : float
-        So long pieces are tried, one at least. [s]
     """
     pieces = cut(search)
     prepare()
@@ -235,7 +234,7 @@ def box_estimate(search: BoxSearch, enough: float = ENOUGH) -> BoxEstimate:
     for piece in _spread(pieces):
         one = found_in(search, piece)
         searched, found, tried = searched + one.searched, found + len(one.boxes), tried + 1
-        if time.perf_counter() - began > enough:
+        if time.perf_counter() - began > ENOUGH:
             break
     seconds = time.perf_counter() - began
     share = tried / max(pieces, 1) or 1.0

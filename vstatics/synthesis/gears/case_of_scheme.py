@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from vstatics.errors import plural
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
@@ -131,16 +131,30 @@ def _gears(case: Transmission, engaged: int) -> list[Gear]:
             found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
         if len(found) >= MOST_OF_SCHEME:
             break
-    return list(_named(list(found.values())[:MOST_OF_SCHEME]))
+    chosen = list(found.values())[:MOST_OF_SCHEME]
+    ratios = [ratio for ratio, _ in chosen]
+    names = names_of_gears(ratios)
+    return [Gear(chosen[index][1], name=names[index]) for index in in_order(ratios)]
 
 
-def _named(found: list[tuple[float, tuple[int, ...]]]) -> Iterator[Gear]:
-    """Gears forward from the slowest, then those backward."""
-    ordered = sorted(found, key=lambda one: (one[0] < 0, -abs(one[0])))
-    forward = sum(ratio > 0 for ratio, _ in found)
-    names = gear_names(forward, len(found) - forward)
-    for (_, engaged), name in zip(ordered, names, strict=True):
-        yield Gear(engaged, name=name)
+def in_order(ratios: Sequence[float]) -> list[int]:
+    """The indices of ratios in the order of their gears.
+
+    >>> in_order([1, -2.5, 3.2])
+    [2, 0, 1]
+    """
+    return sorted(range(len(ratios)), key=lambda index: (ratios[index] < 0, -abs(ratios[index])))
+
+
+def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
+    """The name of the gear of each ratio: forward by descending ratio, then those backward.
+
+    >>> names_of_gears([1, -2.5, 3.2]), names_of_gears([-2, 1, -4])
+    (('2', 'R', '1'), ('R2', '1', 'R1'))
+    """
+    forward = sum(ratio > 0 for ratio in ratios)
+    names = gear_names(forward, len(ratios) - forward)
+    return tuple(name for _, name in sorted(zip(in_order(ratios), names, strict=True)))
 
 
 def gear_names(forward: int, backward: int) -> list[str]:

@@ -11,14 +11,15 @@ mechanisms, in the order that loses least: for sets in which that may lose too m
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import RIGHT, Equation, solve
 from vstatics.numerics.tolerances import TRACED_REAL, ZERO
@@ -26,6 +27,7 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import ON_ELEMENT, columns
 from vstatics.synthesis.gears.speed_forms import Pair, SpeedForms
 from vstatics.synthesis.tolerances import KEPT_PART
+from vstatics.tables.grid import Column, Grid, grid_of, sign
 
 Indices = NDArray[np.intp]
 
@@ -145,17 +147,10 @@ class _SizedRows:
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
         of_factors = np.where(there, of_factors / abs(divisor), 0.0)
-        self._subtract(others, factors[:, None], of_factors[:, None], row)
-        chosen = place[0][there], self.systems[there]
-        self.values[others][:, *chosen] = 0.0
-        return there, factors
-
-    def _subtract(self, others: slice, factors: Floats, of_factors: Floats, row: int) -> None:
-        """``less`` of the entries of `numerics`, on arrays."""
-        mine, its_size = self.values[row], self.sizes[row]
+        # `less` of the entries of `numerics`, on arrays
         values, sizes = self.values[others], self.sizes[others]
-        products = factors * mine
-        sizes += of_factors * abs(mine) + abs(factors) * its_size
+        products = factors[:, None] * mine
+        sizes += of_factors[:, None] * abs(mine) + abs(factors[:, None]) * its_size
         larger = TRACED_REAL * np.maximum(abs(values), abs(products))
         known = (sizes * (KEPT_PART * TRACED_REAL) <= larger) & (sizes < np.inf)
         lost = ~known & (larger != 0)
@@ -163,6 +158,8 @@ class _SizedRows:
         values -= products
         rounding = np.minimum(ZERO * sizes, larger)
         values[(abs(values) <= rounding) & (rounding < np.inf)] = 0.0
+        values[:, *(one[there] for one in place)] = 0.0
+        return there, factors
 
 
 class KindAlone(NamedTuple):
@@ -203,3 +200,75 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
     if speed == 0:
         return KindAlone(EngagedKind.PARKING, math.nan, free)
     return KindAlone(EngagedKind.GEAR, 1 / speed, free)
+
+
+class EngagedSet(NamedTuple):
+    """A combination of shift elements, and what it does."""
+
+    engaged: Sequence[str]
+    """Their names; a freewheel among them holds."""
+    kind: Annotated[str, tuple(one.word for one in EngagedKind)]
+    """The word of an `EngagedKind`."""
+    ratio: float
+    """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
+    free: bool
+    """Whether a link besides input and output is left undetermined."""
+
+
+class EngagedSetList(NamedTuple):
+    """All combinations."""
+
+    combinations: Sequence[EngagedSet]
+
+
+class EngagedSets(NamedTuple):
+    """Some combinations in their order, as arrays."""
+
+    elements: Sequence[ShiftElement]
+    """Those to choose from."""
+    members: Indices
+    """(sets, elements), indices of the engaged ones."""
+    kinds: Indices
+    """(sets,), numbers of `EngagedKind`."""
+    ratios: Floats
+    """(sets,), NaN where there is none. [-]"""
+    free: Booleans
+    """(sets,)"""
+
+    def each(self) -> Iterator[EngagedSet]:
+        """One by one."""
+        names = [element.name for element in self.elements]
+        words = [kind.word for kind in EngagedKind]
+        columns = (column.tolist() for column in self[1:])
+        for members, kind, ratio, free in zip(*columns, strict=True):
+            yield EngagedSet([names[one] for one in members], words[kind], ratio, free)
+
+    def where(self, chosen: Booleans) -> EngagedSets:
+        """Some of them."""
+        return EngagedSets._make((self.elements, *(column[chosen] for column in self[1:])))
+
+    @property
+    def gears(self) -> Booleans:
+        """(sets,), which have a ratio."""
+        return self.kinds >= EngagedKind.GEAR
+
+
+def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
+    """A row for each combination; then how many there are of each kind.
+
+    Examples
+    --------
+    >>> found = [EngagedSet(["F1", "T3"], "gear", 3.2, False)]
+    >>> [grid.texts for grid in combination_grids(found)]
+    [[['F1, T3', 'gear', '3.200', '·']], [['gear', '1']]]
+    """
+    kinds: Counter[str] = Counter()
+    rows = []
+    for one in found:
+        kinds[one.kind] += 1
+        rows.append((one.engaged, one.kind, one.ratio, sign(one.free)))
+    headings = "engaged", "kind", "ratio", Column("free", is_sign=True)
+    yield grid_of("Combinations", headings, rows, key="combinations")
+    named = (kind.word for kind in reversed(EngagedKind))
+    counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
+    yield grid_of("Kinds", ["kind", "combinations"], counts, key="kinds")

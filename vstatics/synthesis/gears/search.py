@@ -1,7 +1,4 @@
-"""The search through all combinations of so many shift elements: how many, and what they do.
-
-What combinations of shift elements of a case do, one by one.
-"""
+"""The search through all combinations of shift elements of a case, and which these may be."""
 
 from __future__ import annotations
 
@@ -15,19 +12,121 @@ from itertools import combinations as subsets
 
 import numpy as np
 
-from vstatics.errors import CaseError, plural
-from vstatics.model.transmission import ShiftElement, Transmission
+from vstatics.errors import CaseError, listed, nearest, plural, quoted, typed_number
+from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 from vstatics.summary.unused_sets import needed
-from vstatics.synthesis.gears.element_choice import AUTO, chosen_elements, count_all_elements
-from vstatics.synthesis.gears.engaged_sets import EngagedSet, EngagedSets
 from vstatics.synthesis.gears.kinds import (
     EngagedKind,
+    EngagedSet,
+    EngagedSets,
     Indices,
     engaged_kinds,
     kind_alone,
 )
-from vstatics.synthesis.gears.speed_forms import FreeSpeeds, SpeedForms
+from vstatics.synthesis.gears.speed_forms import FreeSpeeds, Pair, SpeedForms
 from vstatics.synthesis.tolerances import NEAR_DIRECT
+
+AUTO = "auto"
+"""What asks for all elements that a scheme may have."""
+
+
+def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement]:
+    """The shift elements that combinations are made of.
+
+    Parameters
+    ----------
+    asked : sequence of str
+        Names or numbers of elements of the case; all of them when not given. Or ``auto``
+        alone: see `all_elements`.
+
+    Raises
+    ------
+    CaseError
+        If there is no such element.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> [one.name for one in chosen_elements(case, ["F2"])]
+    ['F2']
+    >>> [one.name for one in chosen_elements(case, ["auto"])]
+    ['F2', 'F-1-3', 'F-2-3', 'T1']
+    """
+    if list(asked) == [AUTO]:
+        return all_elements(case)
+    if AUTO in asked:
+        expected = f"expected `{AUTO}` alone, or names of shift elements"
+        raise CaseError(f"read {quoted(', '.join(asked))}, {expected}")
+    numbers = sorted({_number(case, one) for one in asked}) or range(len(case.shift_elements))
+    return [case.shift_elements[number] for number in numbers]
+
+
+def _number(case: Transmission, asked: str) -> int:
+    """The index of an element: the one of a name, else the one of a number."""
+    names = [element.name for element in case.shift_elements]
+    if asked in names:
+        return names.index(asked)
+    number = typed_number(asked, len(names))
+    if number:
+        return number - 1
+    hint = nearest(asked, [*names, AUTO])
+    if not hint:
+        hint = f"; they are {listed(names, 12)}" if names else f"; expected `{AUTO}`"
+    raise CaseError(f"no shift element {quoted(asked)}{hint}")
+
+
+def all_elements(case: Transmission) -> list[ShiftElement]:
+    """All clutches and brakes that the scheme of a case may have.
+
+    A clutch between any two links, then a brake on any link but the input and outputs.
+    Links of planets have none. What the case has between the same links stands in place of
+    a new one, with its own name; freewheels do not.
+    """
+    ports = {case.input, case.output, *case.outputs}
+    links = range(1, case.own_links + 1)
+    pairs: list[Pair] = [
+        *subsets(links, 2),
+        *((link, HOUSING) for link in links if link not in ports),
+    ]
+    own: dict[frozenset[int], ShiftElement] = {}
+    for element in case.shift_elements:
+        if not element.is_freewheel:
+            own.setdefault(frozenset(element.links), element)
+    known = [own.get(frozenset(pair)) for pair in pairs]
+    new = [pair for pair, one in zip(pairs, known, strict=True) if not one]
+    names = iter(_names(case, new, {one.name for one in known if one}))
+    both = zip(pairs, known, strict=True)
+    return [one or ShiftElement(*pair, name=next(names)) for pair, one in both]
+
+
+def count_all_elements(case: Transmission) -> int:
+    """How many elements `all_elements` gives.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> count_all_elements(case)
+    4
+    """
+    ports = {case.input, case.output, *case.outputs}
+    return case.own_links * (case.own_links - 1) // 2 + case.own_links - len(ports)
+
+
+def _names(case: Transmission, pairs: Sequence[Pair], taken: set[str]) -> list[str]:
+    """Names that tell the links: ``F-sun-ring``, ``T-ring``; numbers of links if need be."""
+    by_name = [_name([case.link_name(link) for link in pair if link]) for pair in pairs]
+    if len(set(by_name)) == len(by_name) and not taken & set(by_name):
+        return by_name
+    names = [_name([str(link) for link in pair if link]) for pair in pairs]
+    while taken & set(names):
+        names = [f"{name}'" for name in names]
+    return names
+
+
+def _name(links: Sequence[str]) -> str:
+    return "-".join(["T" if len(links) == 1 else "F", *links])
+
 
 MOST_COMBINATIONS = 1_000_000
 """So many combinations are tried unless more are asked for: about ten seconds."""
@@ -115,18 +214,15 @@ class CombinationSearch:
             )
             raise CaseError(message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
-        if room > MOST_ROW_NUMBERS or self._work() > WORK * (at_most or math.inf):
+        free = needed(self.case) + 1  # of the steps of elimination, about
+        work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
+        if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
             message = (
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
                 f"{lacking}; expected some of them, or fewer to engage"
             )
             raise CaseError(message, ("shift_elements",))
-
-    def _work(self) -> float:
-        """How many steps of elimination there are, about."""
-        free = needed(self.case) + 1
-        return sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
 
     def batches(self) -> Iterator[EngagedSets]:
         """All combinations in the order of the elements, some thousands at a time."""
@@ -143,19 +239,21 @@ class CombinationSearch:
     def samples(self) -> Iterator[EngagedSets]:
         """The first combinations of each size."""
         for size in self.sizes:
-            yield self._found(_members(subsets(range(self.choice), size), size, 100))
+            yield self._first(size, 100)
 
     def seconds(self) -> float:
         """About how long all of them take, by a piece of them [s]."""
-        self._found(_members(subsets(range(self.choice), self.sizes[0]), self.sizes[0], 1))
+        self._first(self.sizes[0], 1)
         total = 0.0
         for size in self.sizes:
-            few = min(self._room(size), 2000)
-            members = _members(subsets(range(self.choice), size), size, few)
             began = time.perf_counter()
-            list(self._found(members).each())
-            total += (time.perf_counter() - began) / len(members) * self._count(size)
+            found = list(self._first(size, min(self._room(size), 2000)).each())
+            total += (time.perf_counter() - began) / len(found) * self._count(size)
         return total
+
+    def _first(self, size: int, most: int) -> EngagedSets:
+        """What the first combinations of a size do."""
+        return self._found(_members(subsets(range(self.choice), size), size, most))
 
     def _room(self, size: int) -> int:
         return max(ROW_NUMBERS_AT_ONCE // ((size + 3) * max(self._forms.free, 1)), 1)

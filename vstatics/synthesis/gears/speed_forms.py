@@ -14,7 +14,7 @@ import numpy as np
 
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Equation, Row, row_of
+from vstatics.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Row, row_of
 from vstatics.numerics.traced import absolute, plain
 from vstatics.statics.matrix import columns
 from vstatics.synthesis.tolerances import KEPT_PART
@@ -74,19 +74,15 @@ class FreeSpeeds:
         self._numbered: list[_GivenSpeed] = []
         self._pivots: dict[int, _GivenSpeed] = {}
         for column in columns(case, own if ratios is None else ratios)[len(case.shift_elements) :]:
-            self._eliminate(column)
+            row = self._reduced(row_of(column, FLOATS))
+            if row:  # it gives one of its speeds by the others
+                link = max(row, key=lambda one: (abs(row[one][0]), -one))
+                pivot = _GivenSpeed(len(self._numbered), link, row.pop(link), row)
+                self._numbered.append(pivot)
+                self._pivots[link] = pivot
         links = range(1, case.links + 1)
         self.free = [link for link in links if link not in self._pivots]
         """Links."""
-
-    def _eliminate(self, equation: Equation) -> None:
-        """Let an equation give one of its speeds by the others."""
-        row = self._reduced(row_of(equation, FLOATS))
-        if row:
-            link = max(row, key=lambda one: (abs(row[one][0]), -one))
-            pivot = _GivenSpeed(len(self._numbered), link, row.pop(link), row)
-            self._numbered.append(pivot)
-            self._pivots[link] = pivot
 
     def _reduced(self, row: Row) -> Row:
         """A row without the links that others give, and without zeros.

@@ -1,12 +1,21 @@
-"""A fit as tables."""
+"""A fit as tables: what is known of it before, and what it has found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+import time
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
 
 from vstatics.synthesis.ratios.fitting import Fit, deviation
+from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
+from vstatics.synthesis.ratios.search import start_count
+from vstatics.synthesis.ratios.space import FitPoints, fit_space
 from vstatics.synthesis.tolerances import TINY_RATIO
+from vstatics.tables.answer import plain_data
 from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of
 
 DEVIATION_DECIMALS = 9
@@ -62,18 +71,18 @@ def _mechanisms(found: Fit) -> Grid:
     for index, (name, ratio) in enumerate(found.ratios.items()):
         low, high = problem.bounds.low[index], problem.bounds.high[index]
         numbers = (number(one) for one in (ratio, low, high))
-        rows.append((name, *numbers, mechanism_note(problem, index, ratio, found)))
+        rows.append((name, *numbers, _note(found, index, ratio)))
     return grid_of("Mechanisms", ["mechanism", "ratio", "from", "to", "note"], rows)
 
 
-def mechanism_note(problem: FitProblem, index: int, ratio: float, found: Fit) -> str:
+def _note(found: Fit, index: int, ratio: float) -> str:
     """What is to be said of the ratio of a mechanism, by its index."""
-    low, high = problem.bounds.low[index], problem.bounds.high[index]
-    if low == high:
+    problem = found.problem
+    if problem.bounds.is_fixed(index):
         return "given"
     if index in problem.unused:
         return "in no wanted ratio"
-    if ratio in (low, high):
+    if ratio in (problem.bounds.low[index], problem.bounds.high[index]):
         return "at its bound"
     return "free" if problem.own.case.mechanisms[index].name in found.free else ""
 
@@ -85,3 +94,50 @@ def _solutions(found: Fit) -> Grid:
         for number, one in enumerate(found.solutions, 1)
     ]
     return grid_of("All solutions", ["solution", "residual", *names], rows, key="solutions")
+
+
+def dry_document(problem: FitProblem) -> dict[str, Any]:
+    """What is varied, what the gears can have, and the longest time [s], for JSON."""
+    case, bounds = problem.own.case, problem.bounds
+    varied = {
+        case.mechanisms[index].name: {"from": bounds.low[index], "to": bounds.high[index]}
+        for index in problem.varied
+    }
+    gears = {}
+    for index, target in problem.targets.items():
+        low, high = problem.reach(index) or (math.nan, math.nan)
+        gears[case.gears[index].name] = {"wanted": target, "from": low, "to": high}
+    starts = start_count(fit_space(problem))
+    made: dict[str, Any] = plain_data(
+        {"varied": varied, "gears": gears, "starts": starts, "seconds": longest(problem)}
+    )
+    return made
+
+
+def longest(problem: FitProblem) -> float:
+    """How long a fit takes at most, by one step of it [s]."""
+    space = fit_space(problem)
+    if not space.varied:
+        return 0.0
+    count = start_count(space)
+    starts = FitPoints(*(np.repeat(one, count, axis=0) for one in space.own))
+    began = time.perf_counter()
+    space.minima(starts, weight=1.0, steps=TIMED_STEPS)
+    return (time.perf_counter() - began) * MOST_FIT_STEPS / TIMED_STEPS
+
+
+TIMED_STEPS = 2
+"""Steps by which the time is estimated."""
+
+
+def dry_grids(known: Mapping[str, Any]) -> Iterator[Grid]:
+    """The same as tables."""
+    parts = {
+        "Varied": ("varied", "mechanism", "from", "to"),
+        "What the gears can have within the bounds": ("gears", "gear", "wanted", "from", "to"),
+    }
+    for title, (key, *headings) in parts.items():
+        rows = ((name, *map(number, one.values())) for name, one in known[key].items())
+        yield grid_of(title, headings, rows, key=key * (key == "gears"))
+    seconds = f"at most {max(known['seconds'], 0.1):.2g} s"
+    yield grid_of("Search", ["", ""], [["starts", str(known["starts"])], ["time", seconds]])

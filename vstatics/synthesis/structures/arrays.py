@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 from itertools import permutations, product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -167,20 +166,8 @@ def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
     >>> _bit_counts(np.array([0, 7, 2**63 + 256], dtype=np.uint64))
     array([0, 3, 2], dtype=uint8)
     """
-    counts = np.zeros(bits.shape, dtype=np.uint8)
-    table = _byte_counts()
-    for byte in range(0, 64, 8):
-        counts += table[(bits >> np.uint64(byte)).astype(np.uint8)]
-    return counts
-
-
-@cache
-def _byte_counts() -> NDArray[np.uint8]:
-    """How many bits are set in each byte."""
-    counts = np.zeros(1, dtype=np.uint8)
-    for _ in range(8):
-        counts = np.concatenate([counts, counts + np.uint8(1)])
-    return counts
+    by_byte = np.ascontiguousarray(bits)[..., np.newaxis].view(np.uint8)
+    return np.asarray(np.unpackbits(by_byte, axis=-1).sum(axis=-1, dtype=np.uint8))
 
 
 bit_counts: Callable[[Bits], NDArray[np.uint8]] = getattr(np, "bitwise_count", _bit_counts)
@@ -192,9 +179,6 @@ def orders(classes: str) -> tuple[tuple[int, ...], ...]:
     >>> orders("sets"), orders("members"), len(orders("order"))
     (((0, 1, 2),), ((0, 1, 2), (2, 1, 0)), 6)
     """
-    all_of_them: dict[str, Any] = {
-        "sets": ((0, 1, 2),),
-        "members": ((0, 1, 2), (2, 1, 0)),
-        "order": tuple(permutations(range(MEMBERS))),
-    }
-    return tuple(all_of_them[classes])
+    if classes == "order":
+        return tuple(permutations(range(MEMBERS)))
+    return ((0, 1, 2), (2, 1, 0))[: 1 + (classes == "members")]

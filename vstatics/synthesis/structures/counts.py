@@ -94,7 +94,6 @@ def connected(sets: int) -> ByLinks:
     return {links: number for links, number in found.items() if number}
 
 
-@cache
 def sound(sets: int) -> ByLinks:
     """Those in which no group of sets is one body.
 
@@ -105,11 +104,6 @@ def sound(sets: int) -> ByLinks:
 
 
 @cache
-def _bodies(sets: int) -> ByLinks:
-    """Those in which all sets are one body."""
-    return _part(sets, is_body=True)
-
-
 def _part(sets: int, *, is_body: bool) -> ByLinks:
     """Connected schemes without mixed ones; few links make a body."""
     mixed = _mixed(sets)
@@ -147,7 +141,7 @@ def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
         return () if inside else ((0, 1),)
     found: Counter[int] = Counter()
     for own in (0, *range(2, inside + 1)):
-        places = _bodies(own).items() if own else [(1, 1)]
+        places = _part(own, is_body=True).items() if own else [(1, 1)]
         for rest, ways in _with_bodies(sizes[1:], inside - own):
             for links, number in places:
                 joined = links ** sizes[0] if own else 1

@@ -169,14 +169,14 @@ def _drawn(
     drawn, stand = [], []
     for group in groups:
         share = rows_at_once(search, batch.codes[group], tried // len(groups))
-        reached = np.cumsum(sizes[group])
-        if len(group) <= share:
-            drawn.append(group)
-            stand.append(sizes[group])
-            continue
-        step = reached[-1] / share
-        drawn.append(group[np.searchsorted(reached, (np.arange(share) + 0.5) * step)])
-        stand.append(np.full(share, step))
+        chosen, own = group, sizes[group]
+        if len(group) > share:
+            reached = np.cumsum(own)
+            step = reached[-1] / share
+            chosen = group[np.searchsorted(reached, (np.arange(share) + 0.5) * step)]
+            own = np.full(share, step)
+        drawn.append(chosen)
+        stand.append(own)
     return np.concatenate(drawn), np.concatenate(stand)
 
 

@@ -8,8 +8,8 @@ found before, and memory does not grow with their number.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Annotated, Literal, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,7 +109,10 @@ def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
     ([[0, 1, 2, 0, 1, 3], [0, 1, 2, 0, 2, 3]], array([4, 4, 4, 5, 4, 5, 5]))
     """
     check_search(search)
-    yield from _grown(search, _alone(search))
+    codes = arrays.first_codes()
+    found = None if search.classes == "none" else symmetries(codes, arrays.orders(search.classes))
+    first = SchemeBatch(codes, arrays.link_counts(codes), found, np.zeros(1, np.intp))
+    yield from _grown(search, first)
 
 
 def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]:
@@ -135,7 +138,9 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
     which, grown = arrays.grown(codes, apart=apart)
     to_come = search.sets - grown.shape[1] // MEMBERS
     links = arrays.link_counts(grown)
-    good = _may_reach(links, search, to_come * (MEMBERS if apart else MEMBERS - 1))
+    most_new = to_come * (MEMBERS if apart else MEMBERS - 1)
+    wanted, there = np.array(search.wanted), links[:, np.newaxis]
+    good = ((wanted >= there) & (wanted <= there + most_new)).any(axis=1)
     if apart and not to_come:
         good &= arrays.are_connected(grown)
     which, grown, links = which[good], grown[good], links[good]
@@ -148,25 +153,6 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
     numbers = np.cumsum(found.least) - 1
     own = found._replace(which=numbers[found.which], least=found.least[found.least])
     return SchemeBatch(grown[found.least], links[found.least], own, which[found.least])
-
-
-def _may_reach(
-    links: NDArray[np.intp], search: StructureSearch, most_new: int
-) -> NDArray[np.bool_]:
-    """Whether schemes may still come to a wanted number of links."""
-    wanted = np.array(search.wanted)
-    return np.asarray(
-        ((wanted >= links[:, None]) & (wanted <= links[:, None] + most_new)).any(axis=1)
-    )
-
-
-def _alone(search: StructureSearch) -> SchemeBatch:
-    """The scheme of one set."""
-    codes = arrays.first_codes()
-    found = None
-    if search.classes != "none":
-        found = symmetries(codes, arrays.orders(search.classes))
-    return SchemeBatch(codes, arrays.link_counts(codes), found, np.zeros(1, np.intp))
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
@@ -273,9 +259,9 @@ def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
     for batch in batches(search):
         codes = ["-".join(map(str, row)) for row in batch.codes.tolist()]
         links = batch.links.tolist()
+        chosen: Iterable[Any]
         if search.ports:
-            for row, first, second in zip(*(one.tolist() for one in ports(batch)), strict=True):
-                yield FoundScheme(codes[row], links[row], first, second)
+            chosen = zip(*(one.tolist() for one in ports(batch)), strict=True)
         else:
-            for code, count in zip(codes, links, strict=True):
-                yield FoundScheme(code, count, None, None)
+            chosen = ((row, None, None) for row in range(len(codes)))
+        yield from (FoundScheme(codes[row], links[row], *ends) for row, *ends in chosen)

@@ -125,11 +125,9 @@ class _RenamingSearch:
 
 def _of_rows(renamings: _Renamings, rows: slice | NDArray[np.intp]) -> _Renamings:
     """Some of them; a copy where the rows are numbers."""
-    which, used, links, count = renamings
-    return _Renamings(which[rows], used[rows], links[rows], count[rows])
+    return _Renamings._make(one[rows] for one in renamings)
 
 
 def _joined(parts: list[_Renamings]) -> _Renamings:
     """All of them; there is at least one part."""
-    which, used, links, count = (np.concatenate(one) for one in zip(*parts, strict=True))
-    return _Renamings(which, used, links, count)
+    return _Renamings._make(map(np.concatenate, zip(*parts, strict=True)))

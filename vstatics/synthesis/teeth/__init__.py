@@ -2,7 +2,7 @@
 
 `problem` checks what is asked, `layout` tells what of the case has teeth, `limits` between which
 they lie. `rows` has all teeth of an element that fulfil the `conditions`, `table` the ratios that
-these make, `reach` which of them are of use. `targets` tells how far gears are from what is
-wanted, `search` finds the best teeth of all elements together, `solutions` what these are.
-`finding` does all this, `case` is the case with the teeth, `grids` the tables.
+these make. `targets` tells how far gears are from what is wanted, `search` finds the best teeth of
+all elements together, `solutions` what these are, and the case with them. `finding` does all this,
+`grids` are the tables.
 """

@@ -1,4 +1,9 @@
-"""Integer teeth for wanted ratios of gears or sets, as `vstatics synth teeth` finds them."""
+"""Integer teeth for wanted ratios of gears or sets, as `vstatics synth teeth` finds them.
+
+Where the teeth of an element are too many to list, only those with an error up to some limit are:
+it grows from the least error that any ratios could have, until enough teeth are found. All below
+it are known by then.
+"""
 
 from __future__ import annotations
 
@@ -13,24 +18,154 @@ import numpy as np
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.ratios.problem import Advance, untold
+from vstatics.synthesis.ratios.problem import Advance, reach_text, sign_fault, untold
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import COAXIAL, TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem, teeth_problem
-from vstatics.synthesis.teeth.reach import (
-    growing_limits,
-    least_possible,
-    narrowed,
-    reach,
-    reach_doubts,
-    refuse_signs,
-)
 from vstatics.synthesis.teeth.rows import LOOKED, TeethRows
-from vstatics.synthesis.teeth.search import BestTeeth, best_teeth, different_teeth
-from vstatics.synthesis.teeth.solutions import MOST_TEETH_SOLUTIONS, TeethSolution, teeth_solutions
+from vstatics.synthesis.teeth.search import (
+    MOST_TEETH_SOLUTIONS,
+    BestTeeth,
+    best_teeth,
+    different_teeth,
+)
+from vstatics.synthesis.teeth.solutions import TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth.table import TeethTable, teeth_table
-from vstatics.synthesis.teeth.targets import TeethError
-from vstatics.synthesis.tolerances import ROUNDED_ERROR
+from vstatics.synthesis.teeth.targets import TeethError, TeethTarget, least_errors
+from vstatics.synthesis.tolerances import FIRST_ERROR_LIMIT, MET_ERROR, NARROW_WINDOW, ROUNDED_ERROR
+
+
+def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
+    """The least and largest ratios of all elements; by the ranges where no table tells them [-]."""
+    ends = [
+        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
+        for one, table in zip(rows, tables, strict=True)
+    ]
+    low, high = map(np.concatenate, zip(*ends, strict=True))
+    return low, high
+
+
+def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
+    """Refuse what has the other sign than all that the teeth can make.
+
+    Raises
+    ------
+    CaseError
+    """
+    problems = []
+    for target in problem.targets:
+        ends = target.ends(low[np.newaxis], high[np.newaxis])
+        if ends and (wrong := sign_fault(target.name, target.wanted, ends)):
+            problems.append(Problem(wrong, ("ratios", target.name)))
+    if problems:
+        raise CaseError(problems)
+
+
+def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
+    """Which wanted ratios no ratios of the elements between two ends come to, in words.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.synthesis.teeth.finding import find_teeth
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> find_teeth(case, {"1": 20.0}).doubts
+    ["gear 1 can't have 20: within the bounds its ratio is 2.576 to 8.118"]
+    """
+    gears = {gear.name for gear in problem.own.case.gears}
+    for target in problem.targets:
+        ends = target.ends(low[np.newaxis], high[np.newaxis])
+        least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
+        if ends is not None and least > MET_ERROR:
+            name = f"gear {target.name}" if target.name in gears else target.name
+            yield f"{name} can't have {target.wanted:g}: {reach_text(*ends)}"
+
+
+def doubts_before(problem: TeethProblem) -> Iterator[str]:
+    """The same by the ranges alone, before any teeth are looked for."""
+    rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
+    yield from reach_doubts(problem, *reach(rows, [None] * len(rows)))
+
+
+MOST_WINDOWS = 4096
+"""The ranges of ratios are halved until so many parts of them are left."""
+LARGEST_ERROR_LIMIT = 20.0
+"""Larger limits of errors are none."""
+HALVINGS = 30
+
+
+def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
+    """The least and largest ratios that the ranges of teeth alone allow [-]."""
+    found = []
+    for ratio in rows.layout.ratios:
+        sizes = [1.0, 1.0]
+        for wheel, power in ratio.powers.items():
+            ends = sorted(max(float(end), 1.0) ** power for end in rows.ends(wheel))
+            sizes = [size * end for size, end in zip(sizes, ends, strict=True)]
+        found.append(sorted(ratio.sign * size for size in sizes))
+    low, high = np.array(found).T
+    return low, high
+
+
+def narrowed(
+    targets: Sequence[TeethTarget], low: Floats, high: Floats, most: float
+) -> tuple[Floats, Floats] | None:
+    """Ranges of all ratios outside which every error is above `most`; None where all are.
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> from vstatics.synthesis.ratios.formula import GearFormula
+    >>> formula = GearFormula("ratio", {1: Fraction(1)}, {0: Fraction(1)})
+    >>> target = TeethTarget("P", -3.0, formula, {0: 0}, "absolute")
+    >>> ends = narrowed([target], np.array([-8.0]), np.array([-1.0]), 0.5)
+    >>> bool(-3.6 < ends[0][0] <= -3.5), narrowed([target], *ends, 0.5) is not None
+    (True, True)
+    >>> narrowed([target], np.array([-8.0]), np.array([-4.0]), 0.5)
+    """
+    low, high = low[np.newaxis], high[np.newaxis]
+    while len(low) <= MOST_WINDOWS:
+        widths = np.abs(np.log(high / low))
+        if widths.max() <= NARROW_WINDOW:
+            break
+        widest = (np.arange(len(low)), widths.argmax(axis=1))
+        middle = np.sign(low[widest]) * np.sqrt(low[widest] * high[widest])
+        upper, lower = low.copy(), high.copy()
+        upper[widest], lower[widest] = middle, middle
+        low, high = np.concatenate([low, upper]), np.concatenate([lower, high])
+        kept = least_errors(targets, low, high) <= most
+        if not kept.any():
+            return None
+        low, high = low[kept], high[kept]
+    return low.min(axis=0), high.max(axis=0)
+
+
+def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> float:
+    """An error that no ratios within bounds are below [-]."""
+    least, most = 0.0, LARGEST_ERROR_LIMIT
+    if narrowed(targets, low, high, most) is None:
+        return most
+    for _ in range(HALVINGS):
+        middle = (least + most) / 2
+        if narrowed(targets, low, high, middle) is None:
+            least = middle
+        else:
+            most = middle
+    return least
+
+
+def growing_limits(least: float) -> Iterator[float]:
+    """Limits of errors to be tried in turn, from the least possible one; the last one is none.
+
+    >>> [round(limit, 6) for limit in growing_limits(0.5)][:3]
+    [0.50001, 0.50004, 0.50016]
+    """
+    more = FIRST_ERROR_LIMIT
+    while least + more < LARGEST_ERROR_LIMIT:
+        yield least + more
+        more *= 4
+    yield math.inf
+
 
 MOST_LISTED_CANDIDATES = 8_000_000
 """An element with more candidates has only those listed whose ratios are of use."""
@@ -104,7 +239,7 @@ def find_teeth(
     ends = reach(rows, tables)
     refuse_signs(problem, *ends)
     if len(full) == len(tables):
-        best = best_teeth(full, problem.targets, MOST_TEETH_SOLUTIONS, advance=advance)
+        best = best_teeth(full, problem.targets, advance=advance)
     else:
         full, best = _by_limits(problem, rows, tables, ends, advance)
     solutions = [*teeth_solutions(problem, full, best)]
@@ -175,7 +310,7 @@ def _by_limits(
         is_whole = all(table.is_whole for table in listed)
         if all(table.total for table in listed):
             within = most if is_whole else math.inf
-            found = best_teeth(listed, targets, MOST_TEETH_SOLUTIONS, most=within, advance=advance)
+            found = best_teeth(listed, targets, most=within, advance=advance)
             if len(found.errors) and (is_whole or best is None):
                 best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
             if different_teeth(listed, found.places).sum() >= MOST_TEETH_SOLUTIONS:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from vstatics.synthesis.ratios.grids import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
 from vstatics.synthesis.teeth.layout import named_ratios
@@ -41,10 +43,11 @@ def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
     targets = {target.name: target for target in problem.targets}
     rows = []
     of_sets = named_ratios(problem.layouts)
-    sets = [name for name in of_sets if name in targets and name not in best.gears]
-    for name, ratio in {**best.gears, **{n: best.ratios[of_sets[n].name] for n in sets}}.items():
+    sets = of_sets.keys() & targets.keys() - best.gears.keys()
+    wanted = {name: best.ratios[one.name] for name, one in of_sets.items() if name in sets}
+    for name, ratio in {**best.gears, **wanted}.items():
         target = targets.get(name)
-        error = _error(target.apart_from(ratio)) if target else None
+        error = _error(float(target.apart(np.array(ratio)))) if target else None
         rows.append((name, number(target.wanted if target else None), exact(ratio, 4), error))
     return grid_of("Gears", ["gear", "wanted", "ratio", "error"], rows)
 

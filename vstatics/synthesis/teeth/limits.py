@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.elements.teeth.conditions import UNCUT, UNCUT_SHIFTED
@@ -26,9 +25,6 @@ COAXIAL = "coaxial"
 """What the condition is called that axes coincide."""
 PLANETS = (3, 4, 5)
 """How many planets there may be, where neither the case nor anybody else says it."""
-
-_NO_RANGES: Mapping[str, Range] = MappingProxyType({})
-_NO_CENTRES: Mapping[str, float] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -56,10 +52,10 @@ class TeethLimits:
         has such a wheel.
     """
 
-    ranges: Mapping[str, Range] = field(default_factory=lambda: _NO_RANGES)
+    ranges: Mapping[str, Range] = field(default_factory=dict)
     planets: tuple[int, ...] = ()
     clearance: float = CLEARANCE
-    centre: Mapping[str, float] = field(default_factory=lambda: _NO_CENTRES)
+    centre: Mapping[str, float] = field(default_factory=dict)
     modules: tuple[float, ...] = ()
     largest_diameter: float | None = None
     shift: int = 0

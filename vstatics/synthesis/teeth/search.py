@@ -19,6 +19,8 @@ from vstatics.synthesis.teeth.table import TeethTable
 from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_errors
 from vstatics.synthesis.tolerances import LARGEST_ERROR_WEIGHT, ROUNDED_ERROR
 
+MOST_TEETH_SOLUTIONS = 20
+"""So many solutions are given."""
 TOGETHER, AT_FIRST = 1 << 14, 1 << 8
 """So many regions are halved together; fewer as long as nothing is found."""
 FEW_CHOICES = 32
@@ -43,26 +45,23 @@ class BestTeeth(NamedTuple):
 def best_teeth(
     tables: Sequence[TeethTable],
     targets: Sequence[TeethTarget],
-    wanted: int,
     *,
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """The places of tables with the least errors, as many as give so many different teeth.
+    """The places of tables with the least errors, as many as give enough different teeth.
 
     Parameters
     ----------
     tables : sequence of TeethTable
         By element; the columns of targets are their ratios in turn.
     targets : sequence of TeethTarget
-    wanted : int
-        So many different teeth.
     most : float
         Errors above it are of no use.
     advance : callable
         Told how many regions more are done.
     """
-    search = _Halving(tables, targets, wanted, most)
+    search = _Halving(tables, targets, most)
     start: Integers = np.zeros((1, len(tables)), np.int64)
     waiting: list[tuple[Floats, Integers]] = (
         [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
@@ -98,12 +97,10 @@ class _Halving:
         self,
         tables: Sequence[TeethTable],
         targets: Sequence[TeethTarget],
-        wanted: int,
         most: float,
     ) -> None:
         self.tables = tables
         self.targets = targets
-        self.wanted = wanted
         self.most = most
         self.is_full = False
         self.errors: Floats = np.zeros(0)
@@ -218,7 +215,7 @@ class _Halving:
         order = np.argsort(errors, kind="stable")
         errors, places = errors[order], places[order]
         different = np.cumsum(different_teeth(self.tables, places))
-        enough = int(np.searchsorted(different, self.wanted)) + 1
+        enough = int(np.searchsorted(different, MOST_TEETH_SOLUTIONS)) + 1
         self.errors, self.places = errors[:enough], places[:enough]
         if enough <= len(errors):
             self.is_full, self.most = True, float(errors[enough - 1])

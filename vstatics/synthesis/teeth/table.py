@@ -132,10 +132,9 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
     """
     order: Integers = np.arange(len(ratios))
     sizes = np.log(np.abs(ratios))
-    level: Integers = (
-        np.array([[0, len(ratios)]], np.int64) if len(ratios) else np.zeros((0, 2), np.int64)
-    )
-    nodes, lows, highs, made = [], [], [], 0
+    level: Integers = np.array([[0, len(ratios)]], np.int64)[: len(ratios)]
+    nodes, made = [np.zeros((0, 4), np.int64)], 0
+    lows, highs = [ratios[:0]], [ratios[:0]]
     while len(level):
         starts = level[:, 0]
         lows.append(_reduced(np.minimum, ratios[order], level))
@@ -144,8 +143,7 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
             np.minimum, sizes[order], level
         )
         split = level[:, 1] - starts > 1
-        widest = widths.argmax(axis=1) if len(widths) else starts
-        order = _sorted_within(order, sizes, level, widest)
+        order = _sorted_within(order, sizes, level, widths.argmax(axis=1))
         middle = (level.sum(axis=1) + 1) // 2
         first = made + len(level) + 2 * (np.cumsum(split) - split)
         children = np.where(split[:, np.newaxis], np.stack([first, first + 1], axis=1), -1)
@@ -153,9 +151,6 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
         made += len(level)
         below = np.stack([starts, middle, middle, level[:, 1]], axis=1)[split]
         level = below.reshape(-1, 2)
-    if not nodes:
-        empty = np.zeros((0, ratios.shape[1]))
-        return order, np.zeros((0, 4), np.int64), empty, empty
     return order, np.concatenate(nodes), np.concatenate(lows), np.concatenate(highs)
 
 

@@ -71,10 +71,6 @@ class TeethTarget:
         """The error at points, (points, columns) [-]."""
         return self.apart(self.ratios(points))
 
-    def apart_from(self, ratio: float) -> float:
-        """How far one ratio is from what is wanted [-]."""
-        return float(self.apart(np.array([ratio]))[0])
-
     def apart(self, ratios: Floats) -> Floats:
         """How far ratios are from what is wanted [-]."""
         with np.errstate(all="ignore"):

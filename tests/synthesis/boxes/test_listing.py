@@ -10,13 +10,12 @@ import pytest
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import ReadError
-from vstatics.synthesis.boxes.case import box_case
-from vstatics.synthesis.boxes.listing import drawn_boxes
-from vstatics.synthesis.boxes.reading import is_listing, listing_of, read_boxes
+from vstatics.synthesis.boxes.figures import box_case
+from vstatics.synthesis.boxes.listing import drawn_boxes, is_listing, listing_of, read_document
 
 
 def read(document: Any) -> Any:
-    return read_boxes(json.dumps(document).encode(), "boxes.json")
+    return read_document(json.dumps(document).encode(), "boxes.json")[0]
 
 
 def test_a_box_is_what_was_written() -> None:
@@ -73,7 +72,7 @@ def test_what_is_wrong_is_told_at_its_box(change: Any, said: str) -> None:
 )
 def test_what_is_no_document_of_boxes_is_told(text: bytes, said: str) -> None:
     with pytest.raises(ReadError) as caught:
-        read_boxes(text, "boxes.json")
+        read_document(text, "boxes.json")
     assert said in str(caught.value)
     assert not is_listing(text) or b"boxes" in text
 
