@@ -117,10 +117,9 @@ def section_of(group: PlanetGroup) -> HalfSection:
 def _disorder(section: HalfSection) -> float:
     planets = section.group.planets
     spread = sum(section.planes(p)[-1] - section.planes(p)[0] for p in planets)
-    barred = {side: [section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)}
-    split = not all(map(any, ([not n for n in barred[side]] for side in (LEFT, RIGHT))))
-    best = sum(min(one) for one in zip(barred[LEFT], barred[RIGHT], strict=True))
-    return spread + 3 * best + 0.1 * split
+    barred = [[section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)]
+    best: int = sum(map(min, *barred))
+    return spread + 3 * best + 0.1 * any(map(all, barred))
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
@@ -214,9 +213,8 @@ def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
         for side in (LEFT, RIGHT)
         if not any(section.barred(planet, side) for planet in planets)
     ]
-    if clear:
-        return clear
-    return [tuple(min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)]
+    nearest = (min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)
+    return clear or [tuple(nearest)]
 
 
 def _arms(

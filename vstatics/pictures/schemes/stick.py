@@ -14,6 +14,7 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import drawing_of
+from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError
@@ -27,15 +28,8 @@ from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sets import set_glyphs
-from vstatics.pictures.schemes.sheet import (
-    HEIGHT,
-    Sheet,
-    brake_width,
-    clutch_item,
-    draw_devices,
-    sheet_of,
-)
-from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks
+from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, figures
+from vstatics.pictures.schemes.structure import draw_box, named_on_tracks, row_item
 from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Point
@@ -83,19 +77,17 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
         "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
     )
-    for gears in shown:
-        sheet = sheet_of(
-            results,
-            scheme,
-            layout.placement,
-            style,
-            gears,
-            subject=style.text("stick diagram", "кинематическая схема"),
-            note="" if glyphs is None else note,
-            is_coaxial=all(map(_is_coaxial, scheme.devices)),
-        )
-        draw_devices(sheet, partial(draw_mechanism, layout))
-        yield sheet.pen.figure
+    yield from figures(
+        results,
+        scheme,
+        layout.placement,
+        style,
+        partial(draw_mechanism, layout),
+        shown=shown,
+        subject=style.text("stick diagram", "кинематическая схема"),
+        note="" if glyphs is None else note,
+        is_coaxial=all(map(_is_coaxial, scheme.devices)),
+    )
 
 
 def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
@@ -136,14 +128,17 @@ def place(
     """
     if glyphs is None:
         glyphs = {
-            index: glyphs_of(device, style)
+            index: _glyphs_of(device.element, style)
             for index, device in enumerate(scheme.devices)
             if device.element is not None and not device.is_on_housing
         }
     items = [
         _element_item(index, device, glyphs[index], style, None if is_quick else index)
         if index in glyphs
-        else _item(index, device, style)
+        else replace(
+            row_item(index, device, (ABOVE, BELOW), style),
+            rank=None if device.is_coupling else index,
+        )
         for index, device in enumerate(scheme.devices)
     ]
     wires = range(1, len(scheme.links) + 1)
@@ -157,11 +152,8 @@ def place(
     return StickLayout(placed(board, arrangement, half, names), glyphs)
 
 
-def glyphs_of(device: Device, style: Style) -> list[Glyph]:
+def _glyphs_of(element: Element, style: Style) -> list[Glyph]:
     """All ways in which an element can be drawn."""
-    element = device.element
-    if element is None:
-        return []
     teeth = {one: f"{count:g}" for one, count in teeth_of(element).items()} if style.wheels else {}
     if isinstance(element.shape, Planetary):
         named = {one: f"{word(one, style)}: {count}" for one, count in teeth.items()}
@@ -193,18 +185,6 @@ def _element_item(
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
 
 
-def _item(index: int, device: Device, style: Style) -> Item:
-    """A shift element, a support, a spring, or a mechanism that is given as such."""
-    if device.is_on_housing:
-        (link,) = device.links
-        drum = [Tap(link, ABOVE, 12.0, "edge")]
-        shaft = [Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")]
-        return Item(index, [brake_width(device)] * 2, [drum, shaft])
-    if device.is_coupling:
-        return clutch_item(index, device, (ABOVE, BELOW))
-    return replace(box_item(index, device, (ABOVE, BELOW), style), rank=index)
-
-
 def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
     """An element with its name; a box, where its wheels are not known."""
     if index not in layout.glyphs:
@@ -212,7 +192,7 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
         return
     pen, color, placement = sheet.pen, sheet.color(index), sheet.placement
     device, glyph = sheet.scheme.devices[index], layout.glyph(index)
-    ink, said = sheet.text_color(index), sheet.titles.device(index)
+    ink, said = sheet.text_color(index), sheet.titles.devices.get(index, "")
     left = placement.row.lefts[index]
     start = left + placement.row.widths[index] - glyph.width
     if index in sheet.state.pieces:
