@@ -14,7 +14,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import along
 from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.head import KeySign, sheet_head
+from vstatics.pictures.sheet.head import KeySign, headed
 from vstatics.pictures.sheet.labels import LEADER, Label
 from vstatics.pictures.sheet.line_styles import loss_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
@@ -87,11 +87,12 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, chosen])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
-    locked = [LOCKED in state_of(results, place + 1).faults for place in chosen]
     undetermined = style.text("not determined", "не определён")
     missing = {
-        place: fault(LOCKED, style) if is_locked else undetermined
-        for place, is_locked in enumerate(locked)
+        place: fault(LOCKED, style)
+        if LOCKED in state_of(results, gear + 1).faults
+        else undetermined
+        for place, gear in enumerate(chosen)
         if math.isnan(efficiency[place])
     }
     shown = [case.gears[place].name for place in chosen]
@@ -123,8 +124,7 @@ def _panel(name: str, losses: _Losses) -> Pen:
     note = "" if losses.names or losses.missing else lossless
     below = LEADER + foot + GEARS_NAME_HEIGHT
     lowest = min(float(np.nanmin(losses.efficiency)), 0.99)
-    head = sheet_head(name, note, [], across - 2 * MARGIN, style)
-    pen = head.over(across, below + high + SIZE, MARGIN).panel(
+    pen = headed(name, note, [], (across, below + high + SIZE), style).panel(
         (EFFICIENCY_SCALE_WIDTH, below),
         (wide, high),
         AxisScale(-0.6, len(losses.gears) - 0.4),

@@ -42,7 +42,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     CaseError
         If there is no mechanism of two links or more.
     """
-    page = page_of(results.case, style, WIDE_MARGIN)
+    page = page_of(results.case, style)
     if page is None:
         raise CaseError("the case has no mechanism to draw as a lever")
     for gears in shown:

@@ -12,7 +12,7 @@ from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.labels import Span
-from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, Style
+from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.sheet.words import term, word
 
@@ -61,8 +61,6 @@ class LeverCell(NamedTuple):
     left: float
     at: float
     """Where the lever stands."""
-    held: float
-    """Width of the signs of what stands."""
     right: float
     """Where it ends."""
     gap: float
@@ -113,31 +111,24 @@ class LeverPage(NamedTuple):
         return self.cells[spot[0]].rows[spot[1]]
 
 
-def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
-    """Where the levers of a case stand, beginning at a place; none if it has none."""
+def page_of(case: Transmission, style: Style) -> LeverPage | None:
+    """Where the levers of a case stand; none if it has none."""
     drawn = levers(case, merged=style.merged)
     if not drawn:
         return None
     drawn = ordered(case, [*drawn, *shafts(case, drawn)])
     shares = heights(case, drawn)
     scale = max(_height(lever, some) for lever, some in zip(drawn, shares, strict=True))
-    held = _held(case, drawn)
-    gaps = _gaps(case, drawn)
-    cells: list[LeverCell] = []
-    for place, lever in enumerate(drawn):
-        rows = _rows(case, lever, shares[place], scale, style)
+    cells, left = list[LeverCell](), WIDE_MARGIN
+    between = zip(drawn, shares, _held(case, drawn), _gaps(case, drawn), strict=True)
+    for lever, own, held, gap in between:
+        rows = _rows(case, lever, own, scale, style)
         wide = labels.widest(row.name for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
-        right = (
-            at
-            + BESIDE_LEVER
-            + held[place]
-            + BESIDE_LEVER
-            + NUMBER
-            + (SPEEDS if lever.devices else 0.0)
-        )
-        cells.append(LeverCell(lever, rows, left, at, held[place], right, gaps[place]))
-        left = right + gaps[place]
+        speeds = SPEEDS if lever.devices else 0.0
+        right = at + BESIDE_LEVER + held + BESIDE_LEVER + NUMBER + speeds
+        cells.append(LeverCell(lever, rows, left, at, right, gap))
+        left = right + gap
     return LeverPage(case, cells)
 
 
@@ -154,16 +145,13 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     """Width of the signs of what stands at each lever, with the names of its brakes."""
     spots = spots_of(drawn)
     found = [0.0] * len(drawn)
-    for place, _ in [
-        *spots.get(HOUSING, ()),
-        *(spots[link][0] for link in held_for_good(case) if link in spots),
-    ]:
+    good = (spots[link][0] for link in held_for_good(case) if link in spots)
+    for place, _ in (*spots.get(HOUSING, ()), *good):
         found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
         for (place, _), some in brakes_of(case, gear, spots).items():
-            found[place] = max(
-                found[place], GROUND_WIDTH + min(labels.width(", ".join(some)), BRAKE)
-            )
+            named = min(labels.width(", ".join(some)), BRAKE)
+            found[place] = max(found[place], GROUND_WIDTH + named)
     return found
 
 

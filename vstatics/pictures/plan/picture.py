@@ -14,7 +14,7 @@ from vstatics.pictures.plan.key import plan_note, plan_signs
 from vstatics.pictures.plan.panel import draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, plans
 from vstatics.pictures.sheet.ends import height_of, width_of
-from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.head import headed
 from vstatics.pictures.sheet.labels import LEADER, widest
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, Style
@@ -105,10 +105,8 @@ def _figure(
     on_plan = [one.run.on_plan for one in drawn if one.run is not None]
     plans_shown = [one.plan for one in drawn]
     signs = plan_signs(plans_shown, [one.x for one in drawn], style, on_plan)
-    note, room = plan_note(case, plans_shown, style), columns * across - 2 * MARGIN
-    pen = sheet_head(title(case, subject), note, signs, room, style).over(
-        columns * across, up, MARGIN
-    )
+    note = plan_note(case, plans_shown, style)
+    pen = headed(title(case, subject), note, signs, (columns * across, up), style)
     bottom = up
     for row, over, under in zip(rows, above, numbers, strict=True):
         bottom -= over + high

@@ -27,7 +27,7 @@ from vstatics.pictures.run.lines import (
 )
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.head import Meaning, headed
 from vstatics.pictures.sheet.labels import LEADER, Label, widest
 from vstatics.pictures.sheet.line_styles import (
     Look,
@@ -106,8 +106,8 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     high = TIME_SCALE_HEIGHT + sum(heights) + MARGIN * (len(heights) - 1 + bool(rows))
     top = high + states_high
     above = widest(label.text for label in content.events) + LEADER + MARGIN / 2
-    head = sheet_head(name, _notes(content, style), _signs(content, style), across - 24, style)
-    pen = head.over(across, top + above, MARGIN)
+    signs = _signs(content, style)
+    pen = headed(name, _notes(content, style), signs, (across, top + above), style)
     time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
     drawn: list[Pen] = []
     bottom = high - MARGIN * bool(rows)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
-from vstatics.pictures.sheet.labels import LINE_HEIGHT, height, title_width, width, wrapped
+from vstatics.pictures.sheet.labels import LINE_HEIGHT, Point, height, title_width, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, blank
-from vstatics.pictures.sheet.style import SIGN_WIDTH, SIZE, TITLE, Style
+from vstatics.pictures.sheet.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 
 AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
 """From a sign to its text, and from this to the next sign. [pt]"""
@@ -46,55 +46,44 @@ class KeySign(NamedTuple):
         pen.text(x + SIGN_WIDTH + AFTER_SIGN, y, self.text, va="center")
 
 
-class SheetHead(NamedTuple):
-    """Title, notes and key in a width."""
-
-    title: str
-    note: str
-    rows: Sequence[Sequence[KeySign]]
-    style: Style
-
-    @property
-    def high(self) -> float:
-        """All of it, with a gap below; 0 without a text [pt]."""
-        title, note = height(self.title, TITLE) + BELOW_HEAD, height(self.note) + BELOW_HEAD
-        key = SIGN_ROW_HEIGHT * len(self.rows) + BELOW_HEAD
-        return title * bool(self.title) + note * bool(self.note) + key * bool(self.rows)
-
-    def over(self, wide: float, high: float, margin: float) -> Pen:
-        """A figure with the head over a picture of a size [pt]."""
-        top = high + self.high
-        pen = blank(wide, top + margin, self.style)
-        if self.title:
-            pen.text(margin, top, self.title, bold=True, size=TITLE, **BELOW)
-            top -= height(self.title, TITLE) + BELOW_HEAD
-        if self.note:
-            pen.text(margin, top, self.note, color=self.style.soft, **BELOW)
-            top -= height(self.note) + BELOW_HEAD
-        for row in self.rows:
-            x = margin
-            for sign in row:
-                sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
-                x += sign.wide + BETWEEN_SIGNS
-            top -= SIGN_ROW_HEIGHT
-        return pen
-
-
-def sheet_head(
-    title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
-) -> SheetHead:
-    """What stands over a picture in a width [pt]; a page has titles of its own.
+def headed(  # noqa: PLR0913 - what stands there, and where
+    title: str,
+    note: str,
+    meanings: Iterable[Meaning],
+    size: Point,
+    style: Style,
+    *,
+    margin: float = MARGIN,
+) -> Pen:
+    """A figure with title, note and key over a picture of a size [pt]; a page has titles.
 
     >>> look = {"color": "#000000"}
-    >>> found = sheet_head("", "", [(1, "gear", "передача", look), (0, "", "", {})], 99.0, Style())
-    >>> [[sign.text for sign in row] for row in found.rows]
-    [['gear']]
+    >>> pen = headed("", "", [(1, "gear", "передача", look), (0, "", "", {})], (99, 9), Style())
+    >>> [text.get_text() for text in pen.figure.texts]
+    ['gear']
     """
-    rows: list[list[KeySign]] = []
+    (wide, high), rows = size, list[list[KeySign]]()
+    room = wide - 2 * margin
     for sign in (KeySign(style.text(*said), look) for occurs, *said, look in meanings if occurs):
         last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
-    head = wrapped(title, room, title_width) if style.titled else ""
-    return SheetHead(head, wrapped(note, room), rows, style)
+    lines: list[tuple[str, float, Look]] = [
+        (wrapped(title, room, title_width) * style.titled, TITLE, {"bold": True}),
+        (wrapped(note, room), SIZE, {"color": style.soft}),
+    ]
+    heights = [(height(text, letters) + BELOW_HEAD) * bool(text) for text, letters, _ in lines]
+    key = (SIGN_ROW_HEIGHT * len(rows) + BELOW_HEAD) * bool(rows)
+    top = high + sum(heights) + key
+    pen = blank(wide, top + margin, style)
+    for (text, letters, look), own in zip(lines, heights, strict=True):
+        pen.text(margin, top, text, size=letters, **look, **BELOW)
+        top -= own
+    for row in rows:
+        x = margin
+        for sign in row:
+            sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
+            x += sign.wide + BETWEEN_SIGNS
+        top -= SIGN_ROW_HEIGHT
+    return pen

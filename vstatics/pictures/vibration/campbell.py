@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.head import headed
 from vstatics.pictures.sheet.labels import LEADER, Label, height, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
@@ -132,9 +132,7 @@ def _figure(case: Transmission, diagrams: Sequence[_CampbellDiagram]) -> Figure:
         (True, "order n×", "порядок n×", _order_look(style)),
         (resonates, *resonance, _dot_look(style)),
     ]
-    room = columns * across - MARGIN
-    head = sheet_head(title(case, subject), note, signs, room, style)
-    pen = head.over(room + 2 * MARGIN, rows * up, MARGIN)
+    pen = headed(title(case, subject), note, signs, (columns * across + MARGIN, rows * up), style)
     for place, diagram in enumerate(diagrams):
         row, column = divmod(place, columns)
         corner = column * across + FREQUENCY_SCALE_WIDTH, (rows - 1 - row) * up + SPEED_SCALE_HEIGHT

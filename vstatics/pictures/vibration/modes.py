@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.pictures.sheet.head import BELOW, sheet_head
+from vstatics.pictures.sheet.head import BELOW, headed
 from vstatics.pictures.sheet.labels import height, widest, wrapped
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import MARGIN, Style, number
@@ -202,9 +202,8 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
     """Gears one below another."""
     columns = _columns(parts)
     wide, subject = columns.right, style.text("natural modes", "собственные формы")
-    head = sheet_head(title(results.case, subject), "", [], wide - 2 * MARGIN, style)
     high = sum(_high(part, columns) for part in parts) + GEAR_GAP * (len(parts) - 1)
-    pen = head.over(wide, high + 2 * MARGIN, MARGIN)
+    pen = headed(title(results.case, subject), "", [], (wide, high + 2 * MARGIN), style)
     pen, top = pen._replace(size=(wide, high)), high + MARGIN
     for part in parts:
         _draw_gear(pen, top, part, columns)
