@@ -126,18 +126,10 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         element.attrib = {
             _local(key): _rewritten(_local(key), value, prefix) for key, value in kept
         }
-    own = {
-        k: v
-        for k, v in root.attrib.items()
-        if k not in ("width", "height", "version", "font-family")
-    }
-    width = root.attrib.get("width", "100%")
-    root.attrib = {
-        **own,
-        "role": "graphics-document",
-        "aria-label": label,
-        "style": f"--width: {width}",
-    }
+    style = f"--width: {root.attrib.get('width', '100%')}"
+    for key in ("width", "height", "version", "font-family"):
+        root.attrib.pop(key, None)
+    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style}
     return Markup(ET.tostring(root, encoding="unicode"))
 
 

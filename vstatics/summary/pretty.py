@@ -75,7 +75,7 @@ def view(
     numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
-    lines = _legend(results, by_key, marks, names=numbered, steps=_has_steps(gears))
+    lines = _legend(results, by_key, marks, names=numbered)
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     return Group(*title, *terminal.tables(gears, width), *legend, *ports)
@@ -133,11 +133,6 @@ def _ports(results: Results) -> Grid:
         for place, (name, row) in enumerate(zip(names, grid.cells, strict=True))
     ]
     return grid._replace(rows=rows)
-
-
-def _has_steps(gears: Grid) -> bool:
-    place = [column.heading for column in gears.columns].index("step")
-    return any(row[place] is not None for row in gears.data)
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:
@@ -205,7 +200,7 @@ def _all_roles(results: Results) -> set[Role]:
 
 
 def _legend(
-    results: Results, by_key: dict[str, Table], marks: Marks, *, names: bool, steps: bool
+    results: Results, by_key: dict[str, Table], marks: Marks, *, names: bool
 ) -> Iterator[str]:
     """What the marks that occur mean."""
     case = results.case
@@ -215,7 +210,7 @@ def _legend(
     signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
         signs.append(f"{marks.holds} freewheel that holds")
-    signs += ["step: to the next smaller ratio"] * steps
+    signs += ["step: to the next smaller ratio"] * any(line.next for line in design(results).gears)
     if signs:
         yield "; ".join(signs)
     of_first = "; of a mechanism the torque on its first link" * (case.drawing is None)

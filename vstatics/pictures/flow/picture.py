@@ -15,7 +15,7 @@ from vstatics.pictures.flow.places import FlowLayout
 from vstatics.pictures.flow.signs import FlowView, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.sheet.head import Meaning, headed
+from vstatics.pictures.sheet.head import Meaning, sheet_head
 from vstatics.pictures.sheet.labels import height, title_width
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
@@ -109,9 +109,11 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
         over + (BELOW_TEXT + one.layout.height if one else 0.0)
         for over, (_, one) in zip(heads, chosen, strict=True)
     ]
-    top = sum(heights) + FLOW_GEAR_GAP * (len(chosen) - 1) + WIDE_MARGIN
-    note, size = texts[0] if is_alone else "", (wide + 2 * WIDE_MARGIN, top + BELOW_TEXT)
-    pen = headed(name, note, _key(shown, style), size, style, margin=WIDE_MARGIN)
+    head = sheet_head(name, texts[0] if is_alone else "", _key(shown, style), wide, style)
+    above = head.high + BELOW_TEXT
+    high = above + sum(heights) + FLOW_GEAR_GAP * (len(chosen) - 1) + WIDE_MARGIN
+    pen = head.over((wide + 2 * WIDE_MARGIN, high - head.high), WIDE_MARGIN, style)
+    top = high - above
     for place, (_, one) in enumerate(chosen):
         if not is_alone:
             pen.text(WIDE_MARGIN, top, names[place], va="top", bold=True)

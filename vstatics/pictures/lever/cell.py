@@ -186,11 +186,8 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
     """What shift elements at one place are loaded with."""
-    own, carried = names.split(", "), gear.carried.items()
-    said = (
-        f"{name}: {quantity('torque', torque, style)}" for name, torque in carried if name in own
-    )
-    return ", ".join(said)
+    own = (name for name in names.split(", ") if name in gear.carried)
+    return ", ".join(f"{one}: {quantity('torque', gear.carried[one], style)}" for one in own)
 
 
 def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:

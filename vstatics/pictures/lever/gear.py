@@ -92,8 +92,9 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     whole = results.gear(number)
     state, members = shown_of(whole), whole.member_torques(lossy=False)
     by_member = [{name: plain(torque) for name, torque in one.items()} for one in members]
-    torques = [[_torque(node.sources, by_member) for node in one.nodes] for one in drawn]
-    torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
+    torques = [
+        [_torque(node.sources, by_member) for node in one.nodes if one.devices] for one in drawn
+    ]
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
     elements = [case.shift_elements[one - 1] for one in state.gear.engaged]
@@ -167,8 +168,11 @@ def _grounds(
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)
-    shown = {spot: some for spot, some in names.items() if drawn[spot[0]].is_shown(spot[1])}
-    return {spot: ", ".join(some) for spot, some in shown.items()}
+    return {
+        (lever, node): ", ".join(some)
+        for (lever, node), some in names.items()
+        if drawn[lever].is_shown(node)
+    }
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:

@@ -168,10 +168,10 @@ def _rows(
 ) -> dict[int, LeverRow]:
     shown = [n for n in range(len(lever.nodes)) if lever.is_shown(n)]
     names = {n: node_text(case, lever, n, style) for n in shown}
-    sizes = [labels.height(names[n]) + 2 + UNDER for n in shown]
-    over = [(labels.height(names[n]) + 2 - UNDER) / 2 for n in shown]
+    heights = [labels.height(name) + 2 for name in names.values()]
+    over = [(high - UNDER) / 2 for high in heights]
     wanted = [shares[n] * scale + up for n, up in zip(shown, over, strict=True)]
-    middles = labels.spread(wanted, sizes)
+    middles = labels.spread(wanted, [high + UNDER for high in heights])
     return {
         n: LeverRow(names[n], shares[n] * scale, middle - up)
         for n, middle, up in zip(shown, middles, over, strict=True)

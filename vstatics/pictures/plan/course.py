@@ -117,7 +117,7 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) ->
     pen.scale("left", ticks)
     pen.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
     ends = [
-        LineEnd(pen.up(one.time), [_name(one, style)])
+        LineEnd(pen.y.part(one.time), [_name(one, style)])
         for one in named_events(motion.events, MOST_PLAN_EVENTS)
     ]
     beside(pen, "right", ends)

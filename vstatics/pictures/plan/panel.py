@@ -51,11 +51,11 @@ class DrawnPlan(NamedTuple):
         texts = [labels.height(text) + 2 for text in (self.head, self.note) if text]
         return LEADER + self.top.height + 2 + sum(texts)
 
-    def ends(self, height: float, style: Style) -> list[LineEnd]:
-        """The names of rays at the left, in a chart of a height [pt]."""
+    def ends(self, style: Style) -> list[LineEnd]:
+        """The names of rays at the left."""
         return [
             LineEnd(
-                self.y.part(ray.at(self.x.low)) * height,
+                self.y.part(ray.at(self.x.low)),
                 names,
                 [link_look(link, style) for link in ray.links],
             )
@@ -154,7 +154,7 @@ def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> Non
     pen.frame()
     _draw_rays(pen, case, one.plan)
     _draw_gears(pen, case, one.plan)
-    beside(pen, "left", one.ends(pen.size[1], pen.style))
+    beside(pen, "left", one.ends(pen.style))
     along(pen, "top", one.top.labels, upright=one.top.upright)
     along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
     top = pen.size[1] + above

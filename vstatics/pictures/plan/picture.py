@@ -87,7 +87,7 @@ def _figure(
     drawn = [drawn_plan(case, plan, run, wide, style) for plan, run in runs]
     columns = min(math.ceil(math.sqrt(len(drawn))), PLANS_SIDE_BY_SIDE)
     rows = [drawn[n : n + columns] for n in range(0, len(drawn), columns)]
-    ends = [one.ends(PLAN_SIZE[1], style) for one in drawn]
+    ends = [one.ends(style) for one in drawn]
     left = MARGIN + max(map(width_of, ends))
     high = max(least, *map(height_of, ends))
     ticks = sorted({tick for one in drawn for tick in one.ticks()})

@@ -98,7 +98,7 @@ def draw(
 def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     """The states of the elements, then the panels, on one scale of time."""
     motion, rows, (wide, least) = content.motion, content.rows, PANEL_SIZE
-    ends = [_line_ends(panel, least, style) for panel in content.panels]
+    ends = [_line_ends(panel, style) for panel in content.panels]
     heights = [max(least, height_of(own)) for own in ends]
     row_ends, states_high = _row_ends(rows, style), STATE_ROW_HEIGHT * len(rows)
     left = MARGIN + max(PANEL_SCALE_WIDTH, width_of(row_ends))
@@ -171,12 +171,12 @@ def _looks(line: MotionLine, place: int, style: Style) -> list[Look]:
     return [element_look(line.element, style)]
 
 
-def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]:
-    """The names of lines at their last values, in a panel of a height [pt]."""
+def _line_ends(shown: MotionPanel, style: Style) -> list[LineEnd]:
+    """The names of lines at their last values."""
     scale = _range(shown)
     return [
         LineEnd(
-            scale.part(float(line.values[-1])) * height,
+            scale.part(float(line.values[-1])),
             [labels.wrapped(name, LINE_NAME_WIDTH) for name in line.names],
             [look for one in line.each for look in _looks(one, place, style)],
         )
@@ -186,16 +186,15 @@ def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]
 
 def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
     """The names of elements beside their bars, with their lines in the panels."""
-    places = range(len(rows) - 1, -1, -1)
     return [
-        LineEnd(STATE_ROW_HEIGHT * (up + 0.5), [row.name], [element_look(row.element, style)])
-        for up, row in zip(places, rows, strict=True)
+        LineEnd(1 - (place + 0.5) / len(rows), [row.name], [element_look(row.element, style)])
+        for place, row in enumerate(rows)
     ]
 
 
 def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
     """The lines of a panel with their names at the right, at their last values."""
-    (wide, high), style = pen.size, pen.style
+    wide, style = pen.size[0], pen.style
     pen.scale("left", labels.ticks(pen.y.low, pen.y.high, 5), grid=True)
     rest = pen.up(0.0)
     pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
@@ -204,7 +203,7 @@ def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
         marked = _signs_at(time, place, len(shown.lines))
         for look in _looks(line, place, style):
             pen.plot(time, values, markevery=marked, title=line.name, **look)
-    beside(pen, "right", _line_ends(shown, high, style))
+    beside(pen, "right", _line_ends(shown, style))
     what = labels.wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
     pen.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
 

@@ -30,7 +30,7 @@ from vstatics.pictures.schemes.titles import Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
 from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.head import sheet_head
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
@@ -152,10 +152,9 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     if within is None:
         least = labels.title_width(name) if style.titled else 0.0
         right = max(right, low[0] + 2 * WIDE_MARGIN + least)
-        size, signs = (right - low[0], top - low[1]), meanings(state, style)
-        is_bare = not ((name and style.titled) or note or any(occurs for occurs, *_ in signs))
-        margin = 0.0 if is_bare else WIDE_MARGIN
-        within = headed(name, note, signs, size, style, margin=margin)._replace(size=size)
+        size = right - low[0], top - low[1]
+        head = sheet_head(name, note, meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
+        within = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
     pen = within.fitted(low, (right, top))
     axis = placement.edge(BELOW) - AXIS if is_coaxial else None
     sheet = Sheet(pen, placement, scheme, state, titles, axis)

@@ -20,7 +20,7 @@ class LineEnd(NamedTuple):
     """A line that reaches the edge, with the names of what shares it."""
 
     at: float
-    """Along the edge, from its lower end. [pt]"""
+    """The part of the edge below it."""
     names: Sequence[str]
     """Wrapped."""
     looks: Sequence[Look] = ()
@@ -50,12 +50,13 @@ def height_of(ends: Sequence[LineEnd]) -> float:
 
 def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) -> None:
     """The names at an edge, each after a piece of its line; what shares a line has one leader."""
-    places = spread([end.at for end in ends], [end.high for end in ends], 0.0, pen.size[1])
+    wanted = [end.at * pen.size[1] for end in ends]
+    places = spread(wanted, [end.high for end in ends], 0.0, pen.size[1])
     edge, way, ha = (0.0, -1.0, "right") if side == "left" else (pen.size[0], 1.0, "left")
     inner = edge + LEADER * way
     leaders, brackets = [], []
-    for end, place in zip(ends, places, strict=True):
-        leaders.append(((edge, end.at), (inner, place)))
+    for end, at, place in zip(ends, wanted, places, strict=True):
+        leaders.append(((edge, at), (inner, place)))
         top = place + (end.high - LABEL_GAP) / 2
         middles = []
         for name, look in zip_longest(end.names, end.looks):

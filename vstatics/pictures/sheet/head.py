@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, Point, height, title_width, width, wrapped
@@ -46,44 +46,57 @@ class KeySign(NamedTuple):
         pen.text(x + SIGN_WIDTH + AFTER_SIGN, y, self.text, va="center")
 
 
-def headed(  # noqa: PLR0913 - what stands there, and where
-    title: str,
-    note: str,
-    meanings: Iterable[Meaning],
-    size: Point,
-    style: Style,
-    *,
-    margin: float = MARGIN,
-) -> Pen:
-    """A figure with title, note and key over a picture of a size [pt]; a page has titles.
+class SheetHead(NamedTuple):
+    """Title, note and key in a width."""
+
+    lines: Sequence[tuple[str, float, Look]]
+    """Texts, each with its height and a gap [pt]."""
+    rows: Sequence[Sequence[KeySign]]
+    high: float
+    """All of it, with a gap below; 0 without a text. [pt]"""
+
+    def over(self, size: Point, margin: float, style: Style) -> Pen:
+        """A figure with the head over a picture of a size [pt]."""
+        top = size[1] + self.high
+        pen = blank(size[0], top + margin, style)
+        for text, high, look in self.lines:
+            pen.text(margin, top, text, **look, **BELOW)
+            top -= high
+        for row in self.rows:
+            x = margin
+            for sign in row:
+                sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
+                x += sign.wide + BETWEEN_SIGNS
+            top -= SIGN_ROW_HEIGHT
+        return pen
+
+
+def sheet_head(
+    title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
+) -> SheetHead:
+    """What stands over a picture in a width [pt]; a page has titles of its own.
 
     >>> look = {"color": "#000000"}
-    >>> pen = headed("", "", [(1, "gear", "передача", look), (0, "", "", {})], (99, 9), Style())
-    >>> [text.get_text() for text in pen.figure.texts]
-    ['gear']
+    >>> found = sheet_head("", "", [(1, "gear", "передача", look), (0, "", "", {})], 99.0, Style())
+    >>> [[sign.text for sign in row] for row in found.rows]
+    [['gear']]
     """
-    (wide, high), rows = size, list[list[KeySign]]()
-    room = wide - 2 * margin
+    rows: list[list[KeySign]] = []
     for sign in (KeySign(style.text(*said), look) for occurs, *said, look in meanings if occurs):
         last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
-    lines: list[tuple[str, float, Look]] = [
-        (wrapped(title, room, title_width) * style.titled, TITLE, {"bold": True}),
-        (wrapped(note, room), SIZE, {"color": style.soft}),
+    texts: list[tuple[str, Look]] = [
+        (wrapped(title, room, title_width) * style.titled, {"size": TITLE, "bold": True}),
+        (wrapped(note, room), {"size": SIZE, "color": style.soft}),
     ]
-    heights = [(height(text, letters) + BELOW_HEAD) * bool(text) for text, letters, _ in lines]
+    lines = [(text, height(text, look["size"]) + BELOW_HEAD, look) for text, look in texts if text]
     key = (SIGN_ROW_HEIGHT * len(rows) + BELOW_HEAD) * bool(rows)
-    top = high + sum(heights) + key
-    pen = blank(wide, top + margin, style)
-    for (text, letters, look), own in zip(lines, heights, strict=True):
-        pen.text(margin, top, text, size=letters, **look, **BELOW)
-        top -= own
-    for row in rows:
-        x = margin
-        for sign in row:
-            sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
-            x += sign.wide + BETWEEN_SIGNS
-        top -= SIGN_ROW_HEIGHT
-    return pen
+    return SheetHead(lines, rows, sum(high for _, high, _ in lines) + key)
+
+
+def headed(title: str, note: str, meanings: Iterable[Meaning], size: Point, style: Style) -> Pen:
+    """A figure with title, note and key over panels of a size with their margins [pt]."""
+    head = sheet_head(title, note, meanings, size[0] - 2 * MARGIN, style)
+    return head.over(size, MARGIN, style)
