@@ -10,8 +10,7 @@ from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.pictures.lever.gear import Spot, brakes_of, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Span
+from vstatics.pictures.sheet.labels import Span, height, spread, widest, width, wrapped
 from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.sheet.words import term, word
@@ -49,7 +48,7 @@ class LeverRow(NamedTuple):
     @property
     def span(self) -> Span:
         """What its texts take of the height."""
-        return self.y - UNDER, self.y + labels.height(self.name) + 2
+        return self.y - UNDER, self.y + height(self.name) + 2
 
 
 class LeverCell(NamedTuple):
@@ -123,7 +122,7 @@ def page_of(case: Transmission, style: Style) -> LeverPage | None:
     between = zip(drawn, shares, _held(case, drawn), _gaps(case, drawn), strict=True)
     for lever, own, held, gap in between:
         rows = _rows(case, lever, own, scale, style)
-        wide = labels.widest(row.name for row in rows.values())
+        wide = widest(row.name for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
         speeds = SPEEDS if lever.devices else 0.0
         right = at + BESIDE_LEVER + held + BESIDE_LEVER + NUMBER + speeds
@@ -137,7 +136,7 @@ def _gaps(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     found = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
     for one in every(case, drawn):
         place = one.ends[0][0]
-        found[place] = max(found[place], LEAST_GAP, labels.width(one.name) + 12)
+        found[place] = max(found[place], LEAST_GAP, width(one.name) + 12)
     return found
 
 
@@ -150,7 +149,7 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
         found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
         for (place, _), some in brakes_of(case, gear, spots).items():
-            named = min(labels.width(", ".join(some)), BRAKE)
+            named = min(width(", ".join(some)), BRAKE)
             found[place] = max(found[place], GROUND_WIDTH + named)
     return found
 
@@ -168,10 +167,10 @@ def _rows(
 ) -> dict[int, LeverRow]:
     shown = [n for n in range(len(lever.nodes)) if lever.is_shown(n)]
     names = {n: node_text(case, lever, n, style) for n in shown}
-    heights = [labels.height(name) + 2 for name in names.values()]
+    heights = [height(name) + 2 for name in names.values()]
     over = [(high - UNDER) / 2 for high in heights]
     wanted = [shares[n] * scale + up for n, up in zip(shown, over, strict=True)]
-    middles = labels.spread(wanted, [high + UNDER for high in heights])
+    middles = spread(wanted, [high + UNDER for high in heights])
     return {
         n: LeverRow(names[n], shares[n] * scale, middle - up)
         for n, middle, up in zip(shown, middles, over, strict=True)
@@ -185,7 +184,7 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
     is_told = node.member.replace("_", " ").lower() in name.lower()
     if node.member and lever.ratio is None and not is_told:
         name = f"{word(node.member, style)}: {name}"
-    return labels.wrapped(name, SHORT_NAME)
+    return wrapped(name, SHORT_NAME)
 
 
 def link_name(case: Transmission, link: int, style: Style) -> str:

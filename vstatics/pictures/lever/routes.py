@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.lever.gear import LeverTie
 from vstatics.pictures.lever.places import LeverPage
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, spread
 from vstatics.pictures.sheet.style import SIZE
 
 LANE = 6.0
@@ -44,7 +43,7 @@ def _signs(page: LeverPage, ties: Sequence[LeverTie]) -> dict[LeverTie, Point]:
         # where several may cross each is nearer to where it begins
         share = 0.3 if len({start for start, _ in ends}) > 1 else 0.5
         wanted = [(1 - share) * start + share * end for start, end in ends]
-        for one, y in zip(here, labels.spread(wanted, [2.6 * SIZE] * len(here)), strict=True):
+        for one, y in zip(here, spread(wanted, [2.6 * SIZE] * len(here)), strict=True):
             found[one] = cell.right + cell.gap / 2, y
     return found
 

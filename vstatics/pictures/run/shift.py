@@ -25,10 +25,9 @@ from vstatics.pictures.run.lines import (
     states,
     thinned,
 )
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
 from vstatics.pictures.sheet.head import Meaning, headed
-from vstatics.pictures.sheet.labels import LEADER, Label, widest
+from vstatics.pictures.sheet.labels import LEADER, Label, height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import (
     Look,
     element_look,
@@ -121,10 +120,10 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
         drawn.insert(0, pen.panel((left, high), (wide, states_high), time, scale))
         _draw_states(drawn[0], rows)
         beside(drawn[0], "left", row_ends)
-    ticks = labels.ticks(time.low, time.high, 8)
+    numbers = ticks(time.low, time.high, 8)
     for panel in drawn:
         panel.frame()
-        panel.scale("bottom", ticks, None if panel is drawn[-1] else ())
+        panel.scale("bottom", numbers, None if panel is drawn[-1] else ())
         draw_events(panel, motion.events)
     at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
     along(drawn[0], "top", at, upright=True)
@@ -177,7 +176,7 @@ def _line_ends(shown: MotionPanel, style: Style) -> list[LineEnd]:
     return [
         LineEnd(
             scale.part(float(line.values[-1])),
-            [labels.wrapped(name, LINE_NAME_WIDTH) for name in line.names],
+            [wrapped(name, LINE_NAME_WIDTH) for name in line.names],
             [look for one in line.each for look in _looks(one, place, style)],
         )
         for place, line in enumerate(shown.lines)
@@ -195,7 +194,7 @@ def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
 def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
     """The lines of a panel with their names at the right, at their last values."""
     wide, style = pen.size[0], pen.style
-    pen.scale("left", labels.ticks(pen.y.low, pen.y.high, 5), grid=True)
+    pen.scale("left", ticks(pen.y.low, pen.y.high, 5), grid=True)
     rest = pen.up(0.0)
     pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
     for place, line in enumerate(shown.lines):
@@ -204,8 +203,8 @@ def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
         for look in _looks(line, place, style):
             pen.plot(time, values, markevery=marked, title=line.name, **look)
     beside(pen, "right", _line_ends(shown, style))
-    what = labels.wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
-    pen.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
+    what = wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
+    pen.name("left", what, PANEL_SCALE_WIDTH - height(what) / 2)
 
 
 def _signs_at(time: Floats, place: int, count: int) -> list[int]:

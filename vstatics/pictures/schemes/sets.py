@@ -15,8 +15,7 @@ from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point, Span
+from vstatics.pictures.sheet.labels import Point, Span, width
 from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
@@ -73,7 +72,7 @@ class HalfSection:
         own = self.columns[column]
         wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
         texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
-        return max((labels.width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
+        return max((width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
 
     def y(self, level: int) -> float:
         """Of an axle."""

@@ -28,10 +28,9 @@ from vstatics.pictures.schemes.signs import (
 )
 from vstatics.pictures.schemes.titles import Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, title_width, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN, Style
@@ -150,7 +149,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
     """A sheet with all of a scheme; with its head, unless it is within another."""
     low, (right, top) = extent(scheme, placement)
     if within is None:
-        least = labels.title_width(name) if style.titled else 0.0
+        least = title_width(name) if style.titled else 0.0
         right = max(right, low[0] + 2 * WIDE_MARGIN + least)
         size = right - low[0], top - low[1]
         head = sheet_head(name, note, meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
@@ -171,7 +170,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
 def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a picture with room for all but its head."""
     before, behind = (
-        TERMINAL + 4 + labels.widest(map(scheme.name, wires)) + WIDE_MARGIN
+        TERMINAL + 4 + widest(map(scheme.name, wires)) + WIDE_MARGIN
         for wires in (placement.from_left, placement.to_right)
     )
     sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
@@ -243,21 +242,21 @@ def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None
 
 def coupling_item(index: int, device: Device, sides: Sequence[int]) -> Item:
     """A shift element, a spring or a support with its name; its wires come from these sides."""
-    name = labels.width(lines_of(device.name), bold=True)
+    name = width(lines_of(device.name), bold=True)
     if device.is_on_housing:
         (link,) = device.links
         variants = [[Tap(link, sides[0], 12.0, "edge")]]
         if BELOW in sides:  # past the row to the housing above
             variants.append([Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")])
-        width = 24.0 if device.kind == "held" else name + BRAKE_NAME_GAP + 18
+        wide = 24.0 if device.kind == "held" else name + BRAKE_NAME_GAP + 18
     else:
-        width = max(name + 14, 34.0)
+        wide = max(name + 14, 34.0)
         variants = [
-            [Tap(left, a, 0.0), Tap(right, b, width)]
+            [Tap(left, a, 0.0), Tap(right, b, wide)]
             for left, right in permutations(device.members.values())
             for a, b in product(sides, repeat=2)
         ]
-    return Item(index, [width] * len(variants), variants)
+    return Item(index, [wide] * len(variants), variants)
 
 
 def _draw_coupling(sheet: Sheet, index: int) -> None:

@@ -31,8 +31,7 @@ from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, figures
 from vstatics.pictures.schemes.structure import draw_box, named_on_tracks, row_item
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import LINE_WIDTH
 from vstatics.pictures.sheet.style import SMALL, Style
@@ -180,7 +179,7 @@ def _element_item(
     index: int, device: Device, glyphs: list[Glyph], style: Style, rank: int | None
 ) -> Item:
     name, kind = _names(device, style)
-    label = max(labels.width(name, bold=True), labels.width(kind, SMALL)) + ELEMENT_NAME_GAP
+    label = max(width(name, bold=True), width(kind, SMALL)) + ELEMENT_NAME_GAP
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
 
@@ -207,10 +206,10 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
             end = tap.x, tap.side * (placement.half + 4)
             own = looks.setdefault((LINE_WIDTH, False), [])
             own += [((tap.x, tap.y), end), *ground(end, tap.side)]
-    for (width, dashed), lines in looks.items():
+    for (thick, dashed), lines in looks.items():
         dashes = (0, (2.5, 1.5)) if dashed else "-"
-        look: Look = {"linestyle": dashes, "title": said if width == LINE_WIDTH else ""}
-        pen.lines(lines, color=color, width=width, zorder=4, solid_capstyle="projecting", **look)
+        look: Look = {"linestyle": dashes, "title": said if thick == LINE_WIDTH else ""}
+        pen.lines(lines, color=color, width=thick, zorder=4, solid_capstyle="projecting", **look)
     for (x, y), up, text in glyph.texts:
         sheet.text((start + x, y), text, color=ink, size=SMALL, ha="left", va=up, over=True)
     name, kind = _names(device, pen.style)

@@ -17,8 +17,7 @@ from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, coupling_item, figures
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Segment
+from vstatics.pictures.sheet.labels import Segment, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import corners
 from vstatics.pictures.sheet.style import SMALL, Style
@@ -62,7 +61,7 @@ def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     """Widths of the names of links that reach no end of the picture [pt]."""
     from_left, to_right = scheme.ends
     return {
-        link: labels.width(name)
+        link: width(name)
         for link, name in enumerate(scheme.links, 1)
         if link not in from_left and link not in to_right
     }
@@ -78,9 +77,9 @@ def row_item(index: int, device: Device, sides: Sequence[int], style: Style) -> 
     """
     if device.is_coupling:
         return coupling_item(index, device, sides)
-    slot = max(labels.width(member_text(device, one, style), SMALL) for one in device.members) + 9
-    name = labels.width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
-    inner = max(name, labels.width(word(device.kind, style), SMALL), 60.0) + 10
+    slot = max(width(member_text(device, one, style), SMALL) for one in device.members) + 9
+    name = width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
+    inner = max(name, width(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
