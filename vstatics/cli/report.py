@@ -18,7 +18,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
-    from vstatics.report.naming import Naming
+    from vstatics.report.material import Naming
 
 
 @click.command()
@@ -80,7 +80,7 @@ def _shown(
 
 def _naming(outcome: CalculatedCase) -> Naming:
     """The name of the file for what has none itself, and what happens in a scenario."""
-    from vstatics.report.naming import Naming
+    from vstatics.report.material import Naming
 
     file, read = _stem(outcome.file), outcome.scenario
     return Naming(file) if read is None else Naming(read.name or file, read.description)

@@ -11,10 +11,15 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 
 from vstatics.flow.circulation import Edge, Node
 from vstatics.flow.cycles import edges_on_cycles
-from vstatics.flow.exchange import links_of
 from vstatics.model.transmission import HOUSING
 from vstatics.statics.bodies import is_one_piece, turns_as_one
 from vstatics.statics.state import GearState
+
+
+def links_of(state: GearState) -> dict[int, Node]:
+    """The links that a case names itself: planets of drawn elements apart."""
+    case = state.case
+    return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:

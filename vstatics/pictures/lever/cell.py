@@ -12,10 +12,10 @@ from vstatics.pictures.lever.places import (
     GROUND_WIDTH,
     LeverCell,
     LeverPage,
+    LeverRoute,
     LeverRow,
     link_name,
 )
-from vstatics.pictures.lever.routes import LeverRoute
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number

@@ -18,8 +18,7 @@ from vstatics.pictures.lever.cell import LeverView, draw_lever, draw_route, leve
 from vstatics.pictures.lever.gear import LeverGear, in_gear
 from vstatics.pictures.lever.key import key_of
 from vstatics.pictures.lever.marks import LeverSheet
-from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
-from vstatics.pictures.lever.routes import LeverRoute, routes
+from vstatics.pictures.lever.places import ARROW, LeverPage, LeverRoute, page_of, routes
 from vstatics.pictures.sheet.labels import Span, height, title_width, width, wrapped
 from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import TITLE, WIDE_MARGIN, Style, number

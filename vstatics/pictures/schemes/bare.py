@@ -6,10 +6,9 @@ from functools import partial
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.schemes.assumed import as_sets
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
 from vstatics.pictures.schemes.sheet import Sheet, extent, wired
-from vstatics.pictures.schemes.stick import StickLayout, draw_mechanism, place
+from vstatics.pictures.schemes.stick import StickLayout, as_sets, draw_mechanism, place
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.pen import Pen
