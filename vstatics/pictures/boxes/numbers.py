@@ -33,11 +33,6 @@ class BoxPoint(NamedTuple):
     """[pt]"""
     boxes: list[ListedBox]
 
-    @property
-    def is_pareto(self) -> bool:
-        """Whether nothing is better than one of them in all figures."""
-        return any(box.pareto for box in self.boxes)
-
 
 class _BoxNumber(NamedTuple):
     """A number that looks for its place."""

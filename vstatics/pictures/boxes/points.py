@@ -57,7 +57,10 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
         for place, family in enumerate(families)
     }
     spots = list(_spots(pen, boxes))
-    alike = grouped(((looks.get(one.boxes[0].family), one.is_pareto), one) for one in spots)
+    alike = grouped(
+        ((looks.get(one.boxes[0].family), any(box.pareto for box in one.boxes)), one)
+        for one in spots
+    )
     for (look, is_pareto), own in alike.items():
         for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
             _draw_spots(pen, some, look, is_pareto=is_pareto)

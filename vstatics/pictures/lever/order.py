@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
 
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.pictures.lever.gear import LeverTie, joins, shaft_ties, spots_of, tie
+from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 from vstatics.pictures.sheet.tolerances import SAME_LEVER_COST
 
@@ -71,11 +71,7 @@ def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -
 
 def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
     """All ties that a gear may have: each clutch, and springs."""
-    spots = spots_of(drawn)
-    found = [
-        one for element in case.shift_elements for one in tie(element.name, *element.links, spots)
-    ]
-    return [*found, *shaft_ties(case, spots)]
+    return list(ties_of(case, case.shift_elements, spots_of(drawn)))
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:

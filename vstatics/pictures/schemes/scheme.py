@@ -86,10 +86,6 @@ class SchemeState:
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
     """Whether power leaves by a port, or enters, where that is known."""
 
-    def is_loaded(self, device: int) -> bool:
-        """Whether a device carries torque, or no gear is shown."""
-        return self.loaded is None or bool(self.loaded[device])
-
 
 @dataclass(frozen=True)
 class Scheme:

@@ -47,27 +47,15 @@ def _start(board: Board) -> Arrangement:
     """Items with a rank in its order, others where those stand to which they are joined."""
     wires = max(board.wires, default=0) + 1
     sides = [ABOVE if wire % 2 == 0 else -ABOVE for wire in range(wires)]
-    middle = _middles(board)
-    order = sorted(range(len(board.items)), key=lambda index: (middle[index], index))
+    joined = [(item.rank, {tap.wire for tap in item.variants[0]}) for item in board.items]
+    ranked = grouped((wire, rank) for rank, own in joined if rank is not None for wire in own)
+    middles: list[float] = []
+    for rank, own in joined:
+        near = [one for wire in own for one in ranked.get(wire, [])]
+        mean = sum(near) / len(near) if near else 0.0
+        middles.append(mean if rank is None else rank)
+    order = sorted(range(len(middles)), key=middles.__getitem__)
     return Arrangement(order, [0] * len(order), sides, [number // 2 for number in range(2 * wires)])
-
-
-def _middles(board: Board) -> list[float]:
-    """By item, its rank, or the mean rank of those that its wires join."""
-    places = grouped(
-        (wire, item.rank)
-        for item in board.items
-        if item.rank is not None
-        for wire in {tap.wire for tap in item.variants[0]}
-    )
-    found = []
-    for item in board.items:
-        joined = [
-            one for wire in {tap.wire for tap in item.variants[0]} for one in places.get(wire, [])
-        ]
-        mean = sum(joined) / len(joined) if joined else 0.0
-        found.append(mean if item.rank is None else item.rank)
-    return found
 
 
 def _annealed(

@@ -76,7 +76,8 @@ class Sheet(NamedTuple):
 
     def rod_color(self, index: int) -> str:
         """Of what leads to a shift element, a spring or a support."""
-        return self.color(index) if self.state.is_loaded(index) else self.pen.style.faint
+        loaded = self.state.loaded
+        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
 
     def name_color(self, link: int) -> str:
         """Of the name of a link."""
