@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from vstatics.report.picture_styles import shared
+from vstatics.report.page_pictures import shared
 from vstatics.tables.html import Markup, tag
 
 LINE = '<path d="M0 0L1 1" fill="none" stroke="var(--ink)" />'

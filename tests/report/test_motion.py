@@ -15,8 +15,8 @@ from tests.report.pages import Page, value
 from vstatics import load, solve
 from vstatics.errors import Problem
 from vstatics.report import gather, page, write_report
+from vstatics.report.material import Naming
 from vstatics.report.motion import RunSection, in_figures, shown_run
-from vstatics.report.naming import Naming
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.grid import Column, Grid, Row, exact, text
 

@@ -18,7 +18,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
-    from vstatics.report.naming import Naming
+    from vstatics.report.material import Naming
 
 
 @click.command()
@@ -80,12 +80,8 @@ def _shown(
 
 def _naming(outcome: CalculatedCase) -> Naming:
     """The name of the file for what has none itself, and what happens in a scenario."""
-    from vstatics.report.naming import Naming
+    from vstatics.report.material import Naming
 
-    file, read = _stem(outcome.file), outcome.scenario
+    path, read = outcome.file, outcome.scenario
+    file = "" if path == files.STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
     return Naming(file) if read is None else Naming(read.name or file, read.description)
-
-
-def _stem(file: str) -> str:
-    """The name of a file without folders and suffix; nothing for standard input."""
-    return "" if file == files.STDIN_NAME else os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122

@@ -54,8 +54,8 @@ def shares(
         counts = Counter(body for row in rows for body in row)
         body = min(unknown, key=lambda one: (counts[one], one))
         pivot = min((row for row in rows if body in row), key=lambda row: (len(row), _size(row)))
-        rows = [_without(row, body, pivot) for row in rows if row is not pivot]
-        rows = [row for row in rows if row]
+        others = (_without(row, body, pivot) for row in rows if row is not pivot)
+        rows = [row for row in others if row]
         if any(_size(row) > MOST_TERMS for row in rows):
             raise NoFormula("the formula would be too long")
     last = next((row for row in rows if output in row), None)

@@ -42,9 +42,15 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
     title = f"Gear {one.gear}: {engaged(one)}"
     yield from (title, "=" * min(len(title), EQUATION_WIDTH))
     for message in one.messages:
-        yield from wrap(message, EQUATION_WIDTH, subsequent_indent=INDENT)
+        yield from _wrapped(message, 0)
     for section in sections(one, digits):
         yield from ("", *wrap(section.heading, EQUATION_WIDTH), *section.lines)
+
+
+def _wrapped(text: str, depth: int = 1) -> list[str]:
+    """A text in lines that are set in, the further ones by one step more."""
+    further = INDENT * (depth + 1)
+    return wrap(text, EQUATION_WIDTH, initial_indent=INDENT * depth, subsequent_indent=further)
 
 
 class Chapter(NamedTuple):
@@ -106,8 +112,8 @@ def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     ]
     yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
-        text = "not engaged, so without column and torque: " + ", ".join(one.not_engaged)
-        yield from wrap(text, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        names = ", ".join(one.not_engaged)
+        yield from _wrapped(f"not engaged, so without column and torque: {names}")
 
 
 def _system(system: System | None, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
@@ -141,10 +147,7 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
     yield f"{INDENT}solution:"
     yield from listed(known, INDENT * 2)
     if unknown:
-        text = f"not determined: {', '.join(unknown)}"
-        yield from wrap(
-            text, EQUATION_WIDTH, initial_indent=INDENT * 2, subsequent_indent=INDENT * 3
-        )
+        yield from _wrapped(f"not determined: {', '.join(unknown)}", 2)
 
 
 def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -183,14 +186,11 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     product = f"{torque} x {f'({motion})' if sign.motion < 0 else motion} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
     text = f"{label}{product * known}{sign.why}"
-    yield from wrap(text, EQUATION_WIDTH, initial_indent="", subsequent_indent=INDENT * 3)
+    yield from wrap(text, EQUATION_WIDTH, subsequent_indent=INDENT * 3)
     if math.isnan(sign.lossy_ratio):
         return
-    way = {
-        1: f" x {short(sign.efficiency, digits)} =",
-        -1: f" / {short(sign.efficiency, digits)} =",
-    }
-    with_loss = f"{short(sign.ratio, digits)}{way[int(sign.sign)]} " if sign.sign else ""
+    ratio, efficiency = short(sign.ratio, digits), short(sign.efficiency, digits)
+    with_loss = f"{ratio} {'x' if sign.sign > 0 else '/'} {efficiency} = " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
     yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
 
@@ -206,7 +206,7 @@ def _together(one: Explanation) -> Iterator[str]:
     if one.standing:
         lines.append(f"stand still as a whole: {', '.join(one.standing)}")
     for line in lines:
-        yield from wrap(line, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2)
+        yield from _wrapped(line)
 
 
 def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -215,9 +215,7 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     if formula is None:
         if not math.isnan(one.ratio):
             yield f"{ratio}{short(one.ratio, digits)}"
-        yield from wrap(
-            one.reason, EQUATION_WIDTH, initial_indent=INDENT, subsequent_indent=INDENT * 2
-        )
+        yield from _wrapped(one.reason)
         return
     yield from _formula(
         ratio if formula.left == "i" else f"{INDENT}{formula.left} = ", formula.text

@@ -9,7 +9,7 @@ from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
 from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.grid import Column, Grid, Row, exact, text
 from vstatics.tables.numbers import fixed
 
 SECTIONS: Mapping[NodeKind, str] = {
@@ -19,6 +19,9 @@ SECTIONS: Mapping[NodeKind, str] = {
     "element": "shift elements",
     "drag": "drag of links",
 }
+NO_LOSSES = (None, None)
+_Line = tuple[int, Row]
+"""How far a row is set in, and the row."""
 CONVENTION = "~"
 """Marks power that is divided by convention, within what turns as one piece."""
 
@@ -44,23 +47,20 @@ def power_grid(flow: GearFlow) -> Grid:
     columns = [text("power through"), Column("ideal"), Column("with losses")]
     columns += [Column("kW")] * load + [Column("loss")] + [Column("loss, kW")] * load
     columns += [Column("share, %"), *[text("by convention")] * bool(flow.by_convention)]
-    rows: list[list[Cell | str]] = []
-    levels = []
+    lines: list[_Line] = []
     moving = [node for node, carries in _nodes(flow).items() if carries]
     for kind, heading in SECTIONS.items():
         nodes = [node for node in moving if node.kind == kind]
         if nodes:
-            rows.append([heading, *[""] * (len(columns) - 1)])
-            levels.append(1)
+            lines.append((1, [heading, *[""] * (len(columns) - 1)]))
         for node in nodes:
-            rows.append(_of_node(flow, node))
-            levels.append(2)
+            lines.append((2, _of_node(flow, node)))
             if kind in ("mechanism", "spring"):
                 below = [*_of_members(flow, node), *_of_teeth(flow, node)]
                 if kind == "spring" and len(below) < 3:  # a shaft: what enters leaves
                     below = []
-                rows += [row for _, row in below]
-                levels += [level for level, _ in below]
+                lines += below
+    rows, levels = [row for _, row in lines], [level for level, _ in lines]
     return Grid(f"Gear {flow.gear}", columns, rows, levels)
 
 
@@ -97,7 +97,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
         yield "circulating: not determined"
         return
     if flow.ideal.loops or shown.loops:
-        yield _circulating(flow.ideal, flow.lossy, shown_as)
+        yield _circulating(flow.ideal, shown, shown_as)
     else:
         yield "circulating: none"
     for loop in shown.loops:
@@ -112,13 +112,10 @@ def around(loop: Loop) -> str:
     return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
 
 
-def _circulating(
-    ideal: PowerFlow, lossy: PowerFlow | None, shown_as: Callable[[float], str]
-) -> str:
-    shown = lossy or ideal
+def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float], str]) -> str:
     share = shown.circulating_share
     of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
-    without = "" if lossy is None else f"; ideal {shown_as(ideal.circulating)}"
+    without = "" if shown is ideal else f"; ideal {shown_as(ideal.circulating)}"
     circulating = f"circulating: {shown_as(shown.circulating)}{of_input}{without}"
     return "; ".join(filter(None, (circulating, doubt(shown, shown_as))))
 
@@ -137,19 +134,17 @@ def _nodes(flow: GearFlow) -> dict[Node, bool]:
     return carrying
 
 
-def _of_node(flow: GearFlow, node: Node) -> list[Cell | str]:
+def _of_node(flow: GearFlow, node: Node) -> Row:
     ideal, lossy = (
         math.nan if side is None else side.throughput.get(node, 0.0)
         for side in (flow.ideal, flow.lossy)
     )
     mark = CONVENTION if node in flow.by_convention else ""
-    if flow.lossy is None:
-        return _row(flow, str(node), (ideal, lossy), mark=mark)
-    losses = flow.lossy.losses.get(node), flow.lossy.shares.get(node)
+    losses = (flow.lossy.losses.get(node), flow.lossy.shares.get(node)) if flow.lossy else NO_LOSSES
     return _row(flow, str(node), (ideal, lossy), losses, mark=mark)
 
 
-def _of_members(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
+def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
     """Power of each member of a mechanism or a spring, but those that are the housing."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
@@ -159,7 +154,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | s
             yield 3, _row(flow, link if node.kind == "spring" else f"{member}: {link}", powers)
 
 
-def _of_teeth(flow: GearFlow, node: Node) -> Iterator[tuple[int, list[Cell | str]]]:
+def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
     """Tooth power of a mechanism, and of its meshes with their losses."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     ideal = [one for one in flow.ideal.teeth if one.device == node]
@@ -183,10 +178,10 @@ def _row(
     flow: GearFlow,
     name: str,
     powers: tuple[float, float],
-    losses: tuple[float | None, float | None] = (None, None),
+    losses: tuple[float | None, float | None] = NO_LOSSES,
     *,
     mark: str = "",
-) -> list[Cell | str]:
+) -> Row:
     """A row: powers without and with losses, loss and share; what does not exist is empty."""
     (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)

@@ -11,28 +11,37 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 
 from vstatics.flow.circulation import Edge, Node
 from vstatics.flow.cycles import edges_on_cycles
-from vstatics.flow.exchange import links_of
 from vstatics.model.transmission import HOUSING
 from vstatics.statics.bodies import is_one_piece, turns_as_one
 from vstatics.statics.state import GearState
 
 
+def links_of(state: GearState) -> dict[int, Node]:
+    """The links that a case names itself: planets of drawn elements apart."""
+    case = state.case
+    return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
+
+
 def pieces_of(state: GearState) -> dict[Node, int]:
     """What turns as one piece: links, the engaged elements, devices and springs between them."""
-    case, bodies = state.case, state.bodies
-    piece = {node: bodies[link] for link, node in links_of(state).items()}
+    pieces = {node: state.bodies[link] for link, node in links_of(state).items()}
+    return pieces | {node: state.bodies[links[0]] for node, links in _in_pieces(state)}
+
+
+def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
+    """Each device that turns as one piece, with its links."""
+    case = state.case
     for number in state.engaged:
         element = case.shift_elements[number - 1]
-        if HOUSING not in (element.first, element.second):  # else it stands, and has no power
-            piece[Node("element", number, element.name)] = bodies[element.first]
+        if HOUSING not in element.links:  # else it stands, and has no power
+            yield Node("element", number, element.name), element.links
     for number, device in enumerate(case.own_devices, 1):
         links = [member.link for member in device.members]
         if HOUSING not in links and is_one_piece(device, state.speeds):
-            piece[Node("mechanism", number, device.name)] = bodies[links[0]]
+            yield Node("mechanism", number, device.name), links
     for number, spring in enumerate(case.springs, 1):
         if turns_as_one(spring, state.speeds):
-            piece[Node("spring", number, spring.name)] = bodies[next(iter(spring.form))]
-    return piece
+            yield Node("spring", number, spring.name), list(spring.form)
 
 
 def divided_by_convention(
@@ -62,7 +71,9 @@ def divided_by_convention(
     >>> sorted(map(str, divided_by_convention(state, pieces_of(state), [])))
     ['direct', 'set']
     """
-    members = [one for one in dict.fromkeys(_members(state)) if one[0] in bearing]
+    nodes = links_of(state)
+    pairs = ((device, nodes[one]) for device, links in _in_pieces(state) for one in links)
+    members = [one for one in dict.fromkeys(pairs) if one[0] in bearing]
     count = Counter(device for device, _ in members if device.kind == "mechanism")
     of_three = {one for one in members if count[one[0]] > 2}
     divided = edges_on_cycles(members) | of_three
@@ -72,18 +83,3 @@ def divided_by_convention(
         giving = {source for source, target, _ in edges if (target, source) in divided}
         found |= getting & giving
     return found
-
-
-def _members(state: GearState) -> Iterator[tuple[Node, Node]]:
-    """Each device that turns as one piece, with each link on which it has a member."""
-    case, links = state.case, links_of(state)
-    for node in pieces_of(state):
-        if node.kind == "element":
-            for link in case.shift_elements[node.number - 1][:2]:
-                yield node, links[link]
-        elif node.kind == "mechanism":
-            for member in case.own_devices[node.number - 1].members:
-                yield node, links[member.link]
-        elif node.kind == "spring":
-            for link in case.springs[node.number - 1].form:
-                yield node, links[link]

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from vstatics.flow.circulation import Edge, Node, cancel
-from vstatics.flow.exchange import Exchange, exchanges, links_of
-from vstatics.flow.one_piece import divided_by_convention, pieces_of
+from vstatics.flow.one_piece import divided_by_convention, links_of, pieces_of
 from vstatics.flow.power_flow import GearFlow, MemberPower, PowerFlow
 from vstatics.flow.shared_planets import shared
 from vstatics.flow.teeth import ToothPower, tooth_powers
@@ -25,6 +24,17 @@ from vstatics.statics.results import Results, expect_results
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK
 from vstatics.tables.ports import port_table
+
+
+class Exchange(NamedTuple):
+    """The power that a link gives to a member of a node; below 0 where it takes."""
+
+    node: Node
+    member: str
+    """Nothing for ports and drag of links, which have one link only."""
+    link: int
+    power: float
+    """NaN where it is not determined. [-]"""
 
 
 def flows(results: Results) -> list[GearFlow]:
@@ -93,7 +103,12 @@ def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Nod
 
 def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
     """The power of a gear without or with losses."""
-    everything = _without_noise(exchanges(state, lossy=lossy))
+    everything = _without_noise(
+        [
+            Exchange(Node(one.kind, one.number, one.name), one.member, one.link, plain(one.power))
+            for one in state.powers(lossy=lossy)
+        ]
+    )
     links = links_of(state)
     powers = _by_link(everything, links)
     edges = tuple(

@@ -160,6 +160,11 @@ class GearFlow(NamedTuple):
         """The power at the input link, NaN where no load tells it [kW]."""
         return self.ports.scales["kW"]
 
+    @property
+    def shown(self) -> PowerFlow | None:
+        """The flow with losses, if it exists, else the ideal one."""
+        return self.lossy or self.ideal
+
     def divided(self, side: PowerFlow) -> set[tuple[Node, Node]]:
         """Edges of a side whose power is decided by convention: source and target of each.
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import around, doubt, power_grid
-from vstatics.flow.power_flow import GearFlow, PowerFlow
+from vstatics.flow.power_flow import GearFlow
 from vstatics.tables.grid import Grid, Row, grid_of, text
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
@@ -32,7 +32,7 @@ def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
     loops = [
         (flow.gear, around(loop), loop.power, loop.note)
         for flow in flows
-        for side in filter(None, [_side(flow)])
+        for side in filter(None, [flow.shown])
         for loop in side.loops
     ]
     if loops:
@@ -62,13 +62,8 @@ def _balance(flows: Sequence[GearFlow]) -> Grid:
     names = "entering", "leaving", "lost", "balance", "circulating"
     rows = []
     for flow in flows:
-        side = _side(flow)
+        side = flow.shown
         values = [math.nan if side is None else getattr(side, name) for name in names]
         notes = [flow.note, "" if side is None else doubt(side, fixed)]
         rows.append((flow.gear, *values, "; ".join(filter(None, notes))))
     return grid_of("Balance", ["gear", *names, "note"], rows)
-
-
-def _side(flow: GearFlow) -> PowerFlow | None:
-    """With losses, if it exists."""
-    return flow.lossy or flow.ideal

@@ -87,14 +87,23 @@ def picture(
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     """
+    return _drawn(results, kind, style, [gears], motion)[0]
+
+
+def _drawn(
+    results: Results,
+    kind: str,
+    style: Style,
+    shown: Sequence[Sequence[int]],
+    motion: Motion | None = None,
+) -> list[Figure]:
+    """A figure of each list of gears."""
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with settings_of(style):
         if hasattr(module, "each"):
-            figure: Figure = next(module.each(results, style, [gears]))
-        else:
-            figure = module.draw(results, style, gears, *_run(kind, motion))
-    return figure
+            return list(module.each(results, style, shown))
+        return [module.draw(results, style, gears, *_run(kind, motion)) for gears in shown]
 
 
 def render(  # noqa: PLR0913 - what is drawn, and how
@@ -137,17 +146,10 @@ def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
 
     Parameters and errors as of `picture`.
     """
-    require("plot", "a picture")
-    module = import_module(PICTURES[kind])
-    numbers = range(1, len(results.case.gears) + 1)
-    with settings_of(style):
-        if hasattr(module, "each"):
-            figures = list(module.each(results, style, [(number,) for number in numbers]))
-        else:
-            figures = [module.draw(results, style, (number,)) for number in numbers]
+    shown = [(number,) for number in range(1, len(results.case.gears) + 1)]
     return [
-        written(figure, "svg", style, _alternative(results, kind, style, (number,)))
-        for number, figure in zip(numbers, figures, strict=True)
+        written(figure, "svg", style, _alternative(results, kind, style, gears))
+        for gears, figure in zip(shown, _drawn(results, kind, style, shown), strict=True)
     ]
 
 

@@ -86,11 +86,6 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
     return sign(holds) if holds else sign(holds)._replace(text="")
 
 
-def ratio_grid(box: ListedBox) -> Grid:
-    """The internal ratios of its sets."""
-    return grid_of("Sets", ["set", "ratio"], box.ratios.items())
-
-
 def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
     """A box: its figures, its diagram, its gears and its sets side by side."""
     title = f"Box {box.number}, family {box.family}"
@@ -99,7 +94,8 @@ def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator
     if svg is not None:
         name = f"Stick diagram of box {box.number}"
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
-    yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratio_grid(box)))
+    ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
+    yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
 
 
 def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:

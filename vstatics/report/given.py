@@ -12,7 +12,7 @@ from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.tables.grid import NOTHING, Cell, Column, Grid, exact, grid_of, text
+from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of
 from vstatics.tables.html import Markup, tables, terms
 
 _NAMED = (
@@ -61,65 +61,49 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
 
 def _mechanisms(case: Transmission) -> Grid:
     """Three-link mechanisms, with the links of planets where elements became these."""
-    mechanisms = case.mechanisms
-    more = {
-        "efficiency backward": [one.back_efficiency for one in mechanisms],
-        "planet ratio": [one.planet_ratio for one in mechanisms],
-    }
-    more = {heading: values for heading, values in more.items() if {*values} != {None}}
-    columns = [text("mechanism"), text("first"), text("second"), text("third")]
-    columns += [Column(heading) for heading in ("ratio", "efficiency", *more)]
-    elastic = elastic_columns(mechanisms)
-    columns += elastic
-    rows = [
-        [
-            Cell(one.name),
-            *(Cell(case.link_name(link)) for link in (one.first, one.second)),
-            Cell(case.link_name(one.third) if one.third else "-"),
+    rows: list[Values] = [
+        (
+            one.name,
+            *map(case.link_name, (one.first, one.second)),
+            case.link_name(one.third) if one.third else NOTHING,
             *(exact(value, 4) for value in (one.ratio, one.efficiency)),
-            *(exact(values[place], 4) for values in more.values()),
-            *(cells[place] for cells in elastic.values()),
-        ]
-        for place, one in enumerate(mechanisms)
+            *(exact(value, 4) for value in (one.back_efficiency, one.planet_ratio)),
+            *_elastic(one),
+        )
+        for one in case.mechanisms
     ]
+    headings = ("mechanism", "first", "second", "third", "ratio", "efficiency")
+    more = ("efficiency backward", "planet ratio", *ELASTIC)
     drawing = drawing_of(case)
-    drawn = drawing is not None and bool(drawing.elements)
-    return Grid("Mechanisms, as they are calculated" if drawn else "Mechanisms", columns, rows)
+    is_drawn = drawing is not None and bool(drawing.elements)
+    title = "Mechanisms, as they are calculated" if is_drawn else "Mechanisms"
+    return grid_of(title, (*headings, *more), rows, optional=more)
 
 
 def _shift_elements(case: Transmission) -> Grid:
+    """Those of shift elements; how they slip, where any of them tells it."""
     elements = case.shift_elements
-    columns = [text("shift element"), text("kind"), text("first"), text("second")]
-    drag = any(one.drag for one in elements)
-    capacity = any(one.capacity is not None for one in elements)
-    columns += [Column("drag, by the input torque")] * drag
-    columns += [Column("capacity, by the input torque")] * capacity
-    further = {**_friction(elements), **elastic_columns(elements)}
-    columns += further
+    drags, slips = any(one.drag for one in elements), any(one.static != 1 for one in elements)
     rows = [
-        [
-            Cell(one.name),
-            Cell((one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " ")),
-            *(Cell(case.link_name(link)) for link in (one.first, one.second)),
-            *[exact(one.drag, 4)] * drag,
-            *[exact(one.capacity)] * capacity,
-            *(cells[place] for cells in further.values()),
-        ]
-        for place, one in enumerate(elements)
+        (
+            one.name,
+            (one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " "),
+            *map(case.link_name, (one.first, one.second)),
+            exact(one.drag, 4) if drags else "",
+            one.capacity,
+            exact(one.static) if slips else "",
+            _said(one.friction._asdict()) if one.friction else "",
+            *_elastic(one),
+        )
+        for one in elements
     ]
-    return Grid("Shift elements", columns, rows)
-
-
-def _friction(elements: Sequence[ShiftElement]) -> dict[Column, list[Cell]]:
-    """How they slip, where any of them tells it."""
-    found = {}
-    if any(one.static != 1 for one in elements):
-        found[Column("static by kinetic torque")] = [exact(one.static) for one in elements]
-    packs = [one.friction for one in elements]
-    if any(packs):
-        said = [_said(one._asdict()) if one else "" for one in packs]
-        found[text("friction pack, SI")] = list(map(Cell, said))
-    return found
+    headings = ("shift element", "kind", "first", "second")
+    more = (
+        *("drag, by the input torque", "capacity, by the input torque"),
+        *("static by kinetic torque", "friction pack, SI"),
+        *ELASTIC,
+    )
+    return grid_of("Shift elements", (*headings, *more), rows, optional=more)
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
@@ -161,7 +145,9 @@ def _single(value: Any) -> str:
     return _inner(value) if is_word else f"({_inner(value)})"
 
 
-Elastic = Spring | Mechanism | ShiftElement
+DAMPED = ("damping, N*m*s/rad", "loss factor")
+ELASTIC = ("stiffness, N*m/rad", *DAMPED)
+"""Columns of devices that are not rigid."""
 
 
 def torsion_grids(case: Transmission) -> Iterator[Grid]:
@@ -182,41 +168,30 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
         of_links = ((case.link_name(link), _number(one)) for link, one in case.inertias.items())
         yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
     if case.springs:
-        columns = [text("spring"), text("twist")]
-        columns += [Column("stiffness, N*m/rad"), Column("compliance, rad/(N*m)")]
-        more = damping_columns(case.springs)
-        limits = [one.limit for one in case.springs]
-        if any(limits):
-            more[Column("limit, N*m")] = list(map(_number, limits))
-        made: list[list[Cell]] = [
-            [Cell(one.name), Cell(twist_text(case, one)), _number(one.rate), _number(1 / one.rate)]
+        rows: list[Values] = [
+            (
+                one.name,
+                twist_text(case, one),
+                *map(_number, (one.rate, 1 / one.rate)),
+                *_damped(one),
+                _number(one.limit),
+            )
             for one in case.springs
         ]
-        damped = zip(*more.values(), strict=True) if more else [()] * len(made)
-        rows = [[*row, *cells] for row, cells in zip(made, damped, strict=True)]
-        yield Grid("Springs", [*columns, *more], rows)
+        headings = ("spring", "twist", "stiffness, N*m/rad", "compliance, rad/(N*m)")
+        more = (*DAMPED, "limit, N*m")
+        yield grid_of("Springs", (*headings, *more), rows, optional=more)
 
 
-def elastic_columns(parts: Sequence[Mechanism | ShiftElement]) -> dict[Column, list[Cell]]:
-    """Stiffness and damping of devices, by part; nothing where all are rigid."""
-    if all(part.stiffness is None for part in parts):
-        return {}
-    rates = [_number(part.stiffness) for part in parts]
-    return {Column("stiffness, N*m/rad"): rates, **damping_columns(parts)}
+def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
+    """Stiffness and damping of a device; nothing of one that is rigid."""
+    return [_number(part.stiffness), *_damped(part)]
 
 
-def damping_columns(parts: Sequence[Elastic]) -> dict[Column, list[Cell]]:
-    """Viscous dampings and loss factors, by part, of which there are any."""
-    given = [damping(part.damping) for part in parts]
-    numbers = {
-        Column("damping, N*m*s/rad"): [one.viscous for one in given],
-        Column("loss factor"): [one.loss_factor for one in given],
-    }
-    return {
-        column: [_number(value or None) for value in values]
-        for column, values in numbers.items()
-        if any(values)
-    }
+def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
+    """Viscous damping and loss factor."""
+    given = damping(part.damping)
+    return [_number(given.viscous or None), _number(given.loss_factor or None)]
 
 
 def twist_text(case: Transmission, spring: Spring) -> str:

@@ -9,9 +9,8 @@ from typing import Any
 
 from vstatics.pictures.sheet.style import FAMILIES
 from vstatics.report.material import Material
-from vstatics.report.page_pictures import palette
+from vstatics.report.page_pictures import palette, shared
 from vstatics.report.parts import chooser
-from vstatics.report.picture_styles import shared
 from vstatics.report.sections import RUN, Part, sections
 from vstatics.tables.html import Markup, joined, printed, tag
 

@@ -9,7 +9,6 @@ from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.motion import RunSection, run_section
-from vstatics.report.naming import UNNAMED, Naming
 from vstatics.report.page_pictures import Pictures, pictures
 from vstatics.report.vibration import Vibration, vibration
 from vstatics.simulation.record.motion import Motion
@@ -17,6 +16,39 @@ from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
 from vstatics.writers import result_json
+
+
+class Naming(NamedTuple):
+    """What a case does not say of itself."""
+
+    name: str = ""
+    """Of the scenario that runs it; else of its file, for a case without a name."""
+    description: str = ""
+    """Of the scenario."""
+
+    def title(self, case: str, *, runs: bool) -> str:
+        """The title of the page.
+
+        Parameters
+        ----------
+        case : str
+            The name that the case has, if any.
+        runs : bool
+            Whether the page has a run.
+
+        Examples
+        --------
+        >>> Naming("box").title("", runs=False), Naming("box").title("8HP70", runs=False)
+        ('box', '8HP70')
+        >>> Naming("upshift").title("8HP70", runs=True), Naming().title("8HP70", runs=True)
+        ('upshift, 8HP70', 'Run, 8HP70')
+        """
+        if runs:
+            return f"{self.name or 'Run'}, {case}" if case else self.name or "Run"
+        return case or self.name or "Transmission"
+
+
+UNNAMED = Naming()
 
 
 class Material(NamedTuple):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from operator import itemgetter
 
 from vstatics.report.material import Material
 from vstatics.report.parts import gear_link
@@ -75,11 +76,10 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
 
 def _circulation(material: Material) -> Iterator[tuple[str, str]]:
     """The largest part of the power that enters a gear."""
-    sides = ((flow.gear, flow.lossy or flow.ideal) for flow in material.flows)
-    shares = ((gear, side.circulating_share) for gear, side in sides if side is not None)
-    known = [(share, gear) for gear, share in shares if not math.isnan(share)]
+    shares = ((one.shown.circulating_share, one.gear) for one in material.flows if one.shown)
+    known = [one for one in shares if not math.isnan(one[0])]
     if known:
-        share, gear = max(known, key=lambda one: one[0])
+        share, gear = max(known, key=itemgetter(0))
         said = f"{rounded(100 * share, 1, material.digits)} % of the input power"
         yield "largest circulation", _in_gear(said, gear) if share > 0 else "none"
 

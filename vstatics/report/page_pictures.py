@@ -1,8 +1,12 @@
-"""Pictures as SVG that stands within a page: own ids, colours that follow the screen."""
+"""Pictures as SVG that stands within a page: own ids, colours that follow the screen.
+
+What their parts look like is said once for a page in place of once for each part.
+"""
 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
@@ -12,7 +16,6 @@ from vstatics.extras import require
 from vstatics.pictures import of_each_gear, sheets
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.words import KINDS
-from vstatics.report.picture_styles import is_look
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
@@ -126,18 +129,10 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         element.attrib = {
             _local(key): _rewritten(_local(key), value, prefix) for key, value in kept
         }
-    own = {
-        k: v
-        for k, v in root.attrib.items()
-        if k not in ("width", "height", "version", "font-family")
-    }
-    width = root.attrib.get("width", "100%")
-    root.attrib = {
-        **own,
-        "role": "graphics-document",
-        "aria-label": label,
-        "style": f"--width: {width}",
-    }
+    style = f"--width: {root.attrib.get('width', '100%')}"
+    for key in ("width", "height", "version", "font-family"):
+        root.attrib.pop(key, None)
+    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style}
     return Markup(ET.tostring(root, encoding="unicode"))
 
 
@@ -154,3 +149,42 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
     if key in _COLOURED:
         value = _COLOUR.sub(lambda found: _VARIABLES.get(found[0], found[0]), value)
     return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)
+
+
+_TAG = re.compile(r"<(?:path|text|use|g)\b[^<>]*>")
+_KEY = r"(?:fill|stroke|opacity|font|text-anchor|paint-order)[-a-z]*"
+_LOOK = re.compile(f'(?: {_KEY}="[^"<>]*")+(?=[ />])')
+
+
+def shared(page: Markup) -> tuple[Markup, Markup]:
+    """A page whose pictures share their looks, and the rules of a style sheet for these.
+
+    Examples
+    --------
+    >>> shown = Markup('<text x="1" fill="red">a</text><text x="2" fill="red">b</text>')
+    >>> for part in shared(shown):
+    ...     print(part)
+    <text x="1" class="l0">a</text><text x="2" class="l0">b</text>
+    .l0{fill:red}
+    """
+    looks = Counter(look for part in _TAG.findall(page) for look in _LOOK.findall(part))
+    often = [look for look, count in looks.most_common() if count > 1]
+    names = {look: f' class="l{number}"' for number, look in enumerate(often)}
+
+    def short(part: re.Match[str]) -> str:
+        return _LOOK.sub(lambda look: names.get(look[0], look[0]), part[0], count=1)
+
+    rules = []
+    for number, look in enumerate(often):  # ``fill="none"`` is ``fill:none``
+        said = re.findall(r'([-a-z]+)="([^"]*)"', look)
+        rules.append(f".l{number}{{{';'.join(f'{key}:{value}' for key, value in said)}}}")
+    return Markup(_TAG.sub(short, page)), Markup("\n".join(rules))
+
+
+def is_look(key: str) -> bool:
+    """Whether an attribute of a part says what it looks like.
+
+    >>> is_look("stroke-width"), is_look("d")
+    (True, False)
+    """
+    return re.fullmatch(_KEY, key) is not None

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import reduce
+from itertools import chain
 from string import ascii_uppercase
 
 from vstatics.model.parts import HOUSING
 from vstatics.summary import Summary
-from vstatics.summary.design_table import GearLine
 from vstatics.summary.extremes import (
     LOSSY_TORQUES,
     PLANETS,
@@ -20,8 +20,7 @@ from vstatics.summary.extremes import (
     quantity,
 )
 from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
-from vstatics.summary.inertia import GearInertia
-from vstatics.tables.grid import Cell, Grid, Row, exact, grid_of, whole
+from vstatics.tables.grid import Grid, Value, Values, exact, grid_of
 from vstatics.tables.quantities import headed
 
 LARGEST = {
@@ -31,8 +30,6 @@ LARGEST = {
     LOSSY_TORQUES: "largest torque with losses",
 }
 """Tables, and how their largest values are called."""
-
-_MISSING = GearLine("", math.nan, "", math.nan, math.nan, "")
 
 
 def letters(count: int) -> list[str]:
@@ -63,15 +60,13 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
 
 def _gears(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
-    names = _names(summaries)
     called = letters(len(summaries))
-    quantities = "ratio", "step", "efficiency"
-    headings = (f"{quantity} {letter}" for quantity in quantities for letter in called)
-    rows = []
-    for name in names:
-        found = [by_name.get(name, _MISSING) for by_name in lines]
-        values = zip(*((line.ratio, line.step, line.efficiency) for line in found), strict=True)
-        rows.append([name, *(value for of_all in values for value in of_all)])
+    fields = "ratio", "step", "efficiency"
+    headings = (f"{field} {letter}" for field in fields for letter in called)
+    rows = (
+        [name, *(getattr(by_name.get(name), field, None) for field in fields for by_name in lines)]
+        for name in _names(summaries)
+    )
     return grid_of("Gears", ["gear", *headings], rows, key="gears")
 
 
@@ -84,16 +79,21 @@ def _names(summaries: Sequence[Summary]) -> Sequence[str]:
 
 def _inertias(summaries: Sequence[Summary]) -> Grid:
     lines = [{one.gear: one for one in summary.inertias} for summary in summaries]
-    none = GearInertia("", math.nan, math.nan)
-    by_gear = {name: [by_name.get(name, none) for by_name in lines] for name in _names(summaries)}
     shown = {INERTIA: "inertia", ACCELERATION: "acceleration"}
-    if all(math.isnan(one.acceleration) for found in by_gear.values() for one in found):
+    if all(math.isnan(one.acceleration) for by_name in lines for one in by_name.values()):
         del shown[ACCELERATION]
     headings = [f"{heading} {letter}" for heading in shown for letter in letters(len(summaries))]
-    rows = [
-        [name, *(getattr(one, field) for field in shown.values() for one in found)]
-        for name, found in by_gear.items()
-    ]
+    rows = (
+        [
+            name,
+            *(
+                getattr(by_name.get(name), field, None)
+                for field in shown.values()
+                for by_name in lines
+            ),
+        ]
+        for name in _names(summaries)
+    )
     title = "Inertia at the input, acceleration of the input"
     return grid_of(title, ["gear", *headings], rows, key="inertia")
 
@@ -117,47 +117,8 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
     return names
 
 
-def _in_all(summaries: Sequence[Summary]) -> Iterator[Row]:
-    """Rows of what is told of a case as a whole."""
-    yield _row("forward gears", [_count(len(one.design.forward)) for one in summaries])
-    yield _row(
-        "shift elements", [_count(len(one.results.case.shift_elements)) for one in summaries]
-    )
-    kinds = [
-        [HOUSING not in (each.first, each.second) for each in one.results.case.shift_elements]
-        for one in summaries
-    ]
-    yield _row("of them between two links", [_count(sum(one)) for one in kinds])
-    changes = [[one.changes for one in each.transitions if not one.jumped] for each in summaries]
-    yield _row("most that change in a shift", [_count(max(one, default=0)) for one in changes])
-    yield _row("spread", [(exact(one.design.spread), "") for one in summaries])
-    yield _row("mean forward efficiency", [(exact(_mean_efficiency(one)), "") for one in summaries])
-    if any(one.cycle for one in summaries):
-        yield _row(
-            "efficiency of the duty cycle",
-            [(exact(one.cycle.efficiency if one.cycle else math.nan), "") for one in summaries],
-        )
-    if any(one.margins for one in summaries):
-        yield _row("least margin", [_least_margin(one) for one in summaries])
-    for loaded in (False, True):
-        for key, name in LARGEST.items():
-            shown = quantity(key, loaded=loaded)
-            lines = [overall(one.largest.get(shown.key, ())) for one in summaries]
-            if any(lines):
-                cells = [_largest(line, shown.decimals) for line in lines]
-                yield _row(headed(name, shown.unit), cells)
-
-
-Cells = tuple[Cell, str]
+Fact = tuple[Value, str]
 """A number, and where it is found."""
-
-
-def _row(name: str, cells: Sequence[Cells]) -> Row:
-    return [name, *(cell for both in cells for cell in both)]
-
-
-def _count(how_many: int) -> Cells:
-    return whole(how_many), ""
 
 
 def _mean_efficiency(summary: Summary) -> float:
@@ -168,15 +129,49 @@ def _mean_efficiency(summary: Summary) -> float:
     return math.fsum(forward) / len(forward) if forward else math.nan
 
 
-def _least_margin(summary: Summary) -> Cells:
+def _least_margin(summary: Summary) -> Fact:
     known = [one for one in summary.margins if one.gear]
     if not known:
-        return exact(None), ""
+        return math.nan if summary.margins else None, ""
     least = min(known, key=lambda one: one.least)
-    return exact(least.least), f"{least.element}, {least.gear}"
+    return least.least, f"{least.element}, {least.gear}"
 
 
-def _largest(line: Largest | None, decimals: int) -> Cells:
+FACTS: Mapping[str, Callable[[Summary], Fact]] = {
+    "forward gears": lambda one: (len(one.design.forward), ""),
+    "shift elements": lambda one: (len(one.results.case.shift_elements), ""),
+    "of them between two links": lambda one: (
+        sum(HOUSING not in each.links for each in one.results.case.shift_elements),
+        "",
+    ),
+    "most that change in a shift": lambda one: (
+        max((each.changes for each in one.transitions if not each.jumped), default=0),
+        "",
+    ),
+    "spread": lambda one: (one.design.spread, ""),
+    "mean forward efficiency": lambda one: (_mean_efficiency(one), ""),
+    "efficiency of the duty cycle": lambda one: (one.cycle.efficiency if one.cycle else None, ""),
+    "least margin": _least_margin,
+}
+"""What is told of a case as a whole, where it is known of any."""
+
+
+def _in_all(summaries: Sequence[Summary]) -> Iterator[Values]:
+    """Rows of what is told of a case as a whole."""
+    for name, fact in FACTS.items():
+        facts = [fact(one) for one in summaries]
+        if any(value is not None for value, _ in facts):
+            yield [name, *chain(*facts)]
+    for loaded in (False, True):
+        for key, name in LARGEST.items():
+            shown = quantity(key, loaded=loaded)
+            lines = [overall(one.largest.get(shown.key, ())) for one in summaries]
+            if any(lines):
+                found = [_largest(line, shown.decimals) for line in lines]
+                yield [headed(name, shown.unit), *chain(*found)]
+
+
+def _largest(line: Largest | None, decimals: int) -> Fact:
     if line is None:
-        return exact(None), ""
+        return None, ""
     return exact(line.value, decimals), f"{line.row}, {line.gear}" if line.gear else ""

@@ -99,11 +99,6 @@ def ranges(results: Results) -> list[list[int]]:
         if math.isfinite(ratio) and gear.kind == "gear":
             key = case.gear_input(gear), case.gear_output(gear), ratio > 0
             alike.setdefault(key, []).append(index)
-    ordered = [_descending(indices, results) for indices in alike.values()]
-    return sorted(ordered, key=len, reverse=True)
-
-
-def _descending(indices: Sequence[int], results: Results) -> list[int]:
-    """By ratio; gears of one ratio stay as they are, whatever rounding says."""
-    size = {index: float(f"{abs(results.ratio[index]):.9e}") for index in indices}
-    return sorted(indices, key=lambda index: -size[index])
+    for indices in alike.values():  # those of one ratio stay as they are, whatever rounding says
+        indices.sort(key=lambda index: -float(f"{abs(results.ratio[index]):.9e}"))
+    return sorted(alike.values(), key=len, reverse=True)

@@ -63,11 +63,9 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     shares = {gear: share for gear, share in duty.shares.items() if share > 0}
     gears = [gear.name for gear in results.case.gears]
     efficiencies = dict(zip(gears, results.efficiency.tolist(), strict=True))
-    powers = dict.fromkeys(gears, 1.0)
-    if duty.kind == "time":
-        powers = dict.fromkeys(gears, math.nan)
-        if "kW" in known_units(results.case):
-            powers = dict(zip(gears, results.input_power_kW.tolist(), strict=True))
+    powers = dict.fromkeys(gears, 1.0 if duty.kind == "energy" else math.nan)
+    if duty.kind == "time" and "kW" in known_units(results.case):
+        powers = dict(zip(gears, results.input_power_kW.tolist(), strict=True))
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)

@@ -68,14 +68,13 @@ def view(
     5
     """
     case = results.case
-    by_key = {table.quantity.key: table for table in tables(results)}
     title = [Text(case.name, style="bold")] * bool(case.name)
     gears = gears_grid(results, marks, digits)
     names = [element.name for element in case.shift_elements]
     numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
-    lines = _legend(results, by_key, marks, names=numbered, steps=_has_steps(gears))
+    lines = _legend(results, gears, marks, names=numbered)
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     return Group(*title, *terminal.tables(gears, width), *legend, *ports)
@@ -133,11 +132,6 @@ def _ports(results: Results) -> Grid:
         for place, (name, row) in enumerate(zip(names, grid.cells, strict=True))
     ]
     return grid._replace(rows=rows)
-
-
-def _has_steps(gears: Grid) -> bool:
-    place = [column.heading for column in gears.columns].index("step")
-    return any(row[place] is not None for row in gears.data)
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:
@@ -204,9 +198,7 @@ def _all_roles(results: Results) -> set[Role]:
     return {role for gear in gears for role in roles(results, gear)}
 
 
-def _legend(
-    results: Results, by_key: dict[str, Table], marks: Marks, *, names: bool, steps: bool
-) -> Iterator[str]:
+def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iterator[str]:
     """What the marks that occur mean."""
     case = results.case
     if names:
@@ -215,11 +207,11 @@ def _legend(
     signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
         signs.append(f"{marks.holds} freewheel that holds")
-    signs += ["step: to the next smaller ratio"] * steps
+    signs += ["step: to the next smaller ratio"] * any(line.next for line in design(results).gears)
     if signs:
         yield "; ".join(signs)
     of_first = "; of a mechanism the torque on its first link" * (case.drawing is None)
-    by_input = "" if "W_rpm" in by_key else ", by the input's"
+    by_input = "" if text("speed, rpm") in gears.columns else ", by the input's"
     yield f"speed, torque: the largest{by_input}{of_first}"
     found = _all_roles(results)
     said = [f"{role}: {meaning}" for role, meaning in MEANINGS.items() if role in found]

@@ -48,8 +48,8 @@ def sensitivities(results: Results) -> Floats:
     speeds = np.array([[0.0, *state.speeds] for state in states])
     torques = np.array([state.torques.on_first_link for state in states])
     output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs]
-    first = np.array([mechanism.first for mechanism in case.mechanisms], dtype=int)
-    third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
+    links = np.array([mechanism.links for mechanism in case.mechanisms], dtype=int)
+    first, _, third = links.reshape(-1, 3).T
     with np.errstate(all="ignore"):
         motion = speeds[:, first] - speeds[:, third]
         relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]

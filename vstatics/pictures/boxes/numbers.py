@@ -7,8 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import LABEL_GAP, Point
+from vstatics.pictures.sheet.labels import LABEL_GAP, Point, width
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE
 from vstatics.synthesis.boxes.listing import ListedBox
@@ -33,11 +32,6 @@ class BoxPoint(NamedTuple):
     at: Point
     """[pt]"""
     boxes: list[ListedBox]
-
-    @property
-    def is_pareto(self) -> bool:
-        """Whether nothing is better than one of them in all figures."""
-        return any(box.pareto for box in self.boxes)
 
 
 class _BoxNumber(NamedTuple):
@@ -83,7 +77,7 @@ def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool
     points = [spot.at for spot in spots]
     texts = list(_texts(spots, numbers))
     for at, text in texts:
-        wide = labels.width(text)
+        wide = width(text)
         near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
         rivals = [other for other, _ in texts if other != at]
         own = _BoxNumber(at, (wide, SIZE), near, rivals)

@@ -13,7 +13,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, settings_of, written
 from vstatics.pictures.boxes.points import POINTS_SCALE_WIDTH, draw_points
 from vstatics.pictures.schemes.bare import bare_stick
-from vstatics.pictures.sheet import labels
+from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import SMALL_NUMBER, Style
 from vstatics.pictures.sheet.words import term
@@ -132,5 +132,5 @@ def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> l
         ", ".join(f"{name} {number}".replace("nan", "–") for name, number in figures),
         ", ".join(map(" ".join, called)),
     )
-    measure = partial(labels.width, size=SMALL_NUMBER)
-    return [line for text in texts for line in labels.wrapped(text, room, measure).split("\n")]
+    measure = partial(width, size=SMALL_NUMBER)
+    return [line for text in texts for line in wrapped(text, room, measure).split("\n")]

@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.pictures.boxes.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Span, widest
+from vstatics.pictures.sheet.labels import Span, ticks, widest
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
 from vstatics.pictures.sheet.words import term
@@ -58,7 +57,10 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
         for place, family in enumerate(families)
     }
     spots = list(_spots(pen, boxes))
-    alike = grouped(((looks.get(one.boxes[0].family), one.is_pareto), one) for one in spots)
+    alike = grouped(
+        ((looks.get(one.boxes[0].family), any(box.pareto for box in one.boxes)), one)
+        for one in spots
+    )
     for (look, is_pareto), own in alike.items():
         for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
             _draw_spots(pen, some, look, is_pareto=is_pareto)
@@ -68,8 +70,8 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
 
 
 def _scales(pen: Pen) -> None:
-    ticks, text = _ticks(pen.y, 8), pen.style.text
-    pen.scale("left", ticks, grid=True)
+    numbers, text = _ticks(pen.y, 8), pen.style.text
+    pen.scale("left", numbers, grid=True)
     pen.scale("bottom", _ticks(pen.x, 10), grid=True)
     pen.frame("left", "bottom")
     torque = text(
@@ -78,13 +80,13 @@ def _scales(pen: Pen) -> None:
     )
     pen.name("bottom", torque, 24)
     loss = text("mean loss, forward gears, %", "средние потери вперёд, %")
-    pen.name("left", loss, min(widest(tick_texts(ticks)) + 14, POINTS_SCALE_WIDTH - 4))
+    pen.name("left", loss, min(widest(tick_texts(numbers)) + 14, POINTS_SCALE_WIDTH - 4))
 
 
 def _ticks(scale: AxisScale, most: int) -> list[float]:
     """Round numbers of a scale: 1, 2, 5, 10 and so on where it is logarithmic."""
     if not scale.is_log:
-        return labels.ticks(scale.low, scale.high, most)
+        return ticks(scale.low, scale.high, most)
     powers = range(math.floor(math.log10(scale.low)), math.ceil(math.log10(scale.high)) + 1)
     found = [digit * 10.0**power for power in powers for digit in (1, 2, 5)]
     return [one for one in found if scale.low <= one <= scale.high]

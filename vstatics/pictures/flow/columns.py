@@ -73,11 +73,6 @@ class FlowCell(NamedTuple):
         return (self.below - self.above) / 2
 
     @property
-    def signs(self) -> list[float]:
-        """Width of each node [pt]."""
-        return signs(self.run, self.loss)
-
-    @property
     def body(self) -> float:
         """Width of the nodes [pt]."""
         return length(self.run, self.loss)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import accumulate
 from typing import NamedTuple
 
 from vstatics.pictures.flow.columns import SPACE, FlowCell, Key, NodeColumns
@@ -103,9 +104,8 @@ def _stacked(
 
 def _rising(wanted: Sequence[float]) -> list[float]:
     """Places near to those wanted that keep the order of the column."""
-    upper = [max(wanted[: place + 1]) for place in range(len(wanted))]
-    lower = [min(wanted[place:]) for place in range(len(wanted))]
-    return [(high + low) / 2 for high, low in zip(upper, lower, strict=True)]
+    lower = reversed([*accumulate(reversed(wanted), min)])
+    return [(high + low) / 2 for high, low in zip(accumulate(wanted, max), lower, strict=True)]
 
 
 def _straighten(columns: _Columns, places: dict[Key, float], shifts: tuple[Near, Near]) -> None:

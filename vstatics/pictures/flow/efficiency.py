@@ -11,11 +11,10 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import along
 from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.head import KeySign, sheet_head
-from vstatics.pictures.sheet.labels import LEADER, Label
+from vstatics.pictures.sheet.head import KeySign, headed
+from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width, wrapped
 from vstatics.pictures.sheet.line_styles import loss_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
@@ -57,7 +56,7 @@ class _Losses(NamedTuple):
     def key(self) -> list[KeySign]:
         """The areas of the names, which are wrapped."""
         return [
-            KeySign(labels.wrapped(name, MECHANISM_NAME_WIDTH), loss_look(row, self.style))
+            KeySign(wrapped(name, MECHANISM_NAME_WIDTH), loss_look(row, self.style))
             for row, name in enumerate(self.names)
         ]
 
@@ -65,8 +64,8 @@ class _Losses(NamedTuple):
     def foot(self) -> tuple[bool, float]:
         """Whether the names of gears run upwards, as they do not fit else; their height [pt]."""
         step = max(STEP, LEAST_AXIS_WIDTH / len(self.gears))
-        upright = any(map(step.__lt__, map(labels.across_size, self.gears)))
-        return upright, max(map(labels.width if upright else labels.height, self.gears))
+        upright = any(map(step.__lt__, map(across_size, self.gears)))
+        return upright, max(map(width if upright else height, self.gears))
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -87,11 +86,12 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, chosen])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
-    locked = [LOCKED in state_of(results, place + 1).faults for place in chosen]
     undetermined = style.text("not determined", "не определён")
     missing = {
-        place: fault(LOCKED, style) if is_locked else undetermined
-        for place, is_locked in enumerate(locked)
+        place: fault(LOCKED, style)
+        if LOCKED in state_of(results, gear + 1).faults
+        else undetermined
+        for place, gear in enumerate(chosen)
         if math.isnan(efficiency[place])
     }
     shown = [case.gears[place].name for place in chosen]
@@ -106,7 +106,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
         pen.text(*where, why, ha="center", va="top", rotation=90)
     y = pen.size[1]
     for sign in losses.key:
-        high = labels.height(sign.text) + 6
+        high = height(sign.text) + 6
         sign.draw(pen, pen.size[0] + MARGIN / 2, y - high / 2)
         y -= high
     return pen.figure
@@ -116,23 +116,22 @@ def _panel(name: str, losses: _Losses) -> Pen:
     """Scales from 1 down to a little below the lowest bar, and of the gears; with all names."""
     style, (upright, foot) = losses.style, losses.foot
     wide = max(len(losses.gears) * STEP, LEAST_AXIS_WIDTH)
-    high = max(AXES_HEIGHT, sum(labels.height(sign.text) + 6 for sign in losses.key))
+    high = max(AXES_HEIGHT, sum(height(sign.text) + 6 for sign in losses.key))
     beside = max((sign.wide for sign in losses.key), default=0.0)
     across = EFFICIENCY_SCALE_WIDTH + wide + 2 * MARGIN + beside
     lossless = style.text("nothing is lost", "потерь нет")
     note = "" if losses.names or losses.missing else lossless
     below = LEADER + foot + GEARS_NAME_HEIGHT
     lowest = min(float(np.nanmin(losses.efficiency)), 0.99)
-    head = sheet_head(name, note, [], across - 2 * MARGIN, style)
-    pen = head.over(across, below + high + SIZE, MARGIN).panel(
+    pen = headed(name, note, [], (across, below + high + SIZE), style).panel(
         (EFFICIENCY_SCALE_WIDTH, below),
         (wide, high),
         AxisScale(-0.6, len(losses.gears) - 0.4),
         AxisScale(lowest - 0.12 * (1 - lowest), 1.0),
     )
     pen.frame("left", "top")
-    ticks = labels.ticks(pen.y.low, 1.0, 6)
-    pen.scale("left", ticks, tick_texts(ticks, [EFFICIENCY_STEP]), grid=True)
+    numbers = ticks(pen.y.low, 1.0, 6)
+    pen.scale("left", numbers, tick_texts(numbers, [EFFICIENCY_STEP]), grid=True)
     pen.name("left", term("efficiency", style), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
     at = [Label(pen.across(place), gear, style.ink) for place, gear in enumerate(losses.gears)]
     along(pen, "bottom", at, upright=upright)
@@ -183,7 +182,7 @@ def _bars(pen: Pen, losses: _Losses) -> None:
                 top, low = pen.up(reached), pen.up(reached - share)
                 said = f"{head}, {name}: {typeset(f'{100 * share:.3g} %')}"
                 pen.box((left, low), (wide, top - low), title=said, **loss_look(row, style))
-                if top - low > SIZE + 2 and labels.width(name) < wide - 2:
+                if top - low > SIZE + 2 and width(name) < wide - 2:
                     at = left + wide / 2, (top + low) / 2
                     pen.text(*at, name, ha="center", va="center_baseline", over=True)
                 reached -= share

@@ -60,8 +60,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     placed = _placed(graph, scale, columns(graph, scale, texts), rows)
     lines = [*_forward(placed), *_within(placed)]
     boxes = list(placed.boxes)
-    low = max(box.bottom + box.cell.below for box in boxes)
-    low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
+    low = max([*(box.bottom + box.cell.below for box in boxes), *map(_deepest, lines)])
     notes = [  # powers above bands that pass a column
         Note(
             placed.spaced.middle(layer),
@@ -81,8 +80,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
         lines.append(line)
         boxes += own
         notes += texts_of_row
-    low = max([low, *(y + line.width / 2 for line in lines for _, y in line.points)])
-    low = max([low, *(note.bottom for note in notes)])
+    low = max([low, *map(_deepest, lines), *(note.bottom for note in notes)])
     wide = max([placed.spaced.width, *(note.x + width(note.text) / 2 for note in notes)])
     stubs = [
         Stub(
@@ -96,6 +94,11 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
         for port in own
     ]
     return FlowLayout(wide, low, graph, tuple(boxes), tuple(lines), tuple(stubs), tuple(notes))
+
+
+def _deepest(line: Line) -> float:
+    """Where the lower edge of a band is lowest [pt]."""
+    return max(y for _, y in line.points) + line.width / 2
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
@@ -114,12 +117,13 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
         for number in narrow:
             needed[number] = GROWTH * (spaced.leaving[number] - spaced.arriving[number])
         spaced = across(graph, cells, courses, needed, scale)
-    by_run = {one.number: (layer, one) for layer, own in enumerate(cells.cells) for one in own}
-    boxes = []
-    for number in range(len(graph.runs)):
-        layer, one = by_run[number]
-        boxes.append(Box(one, spaced.middle(layer), deep.middles[layer, number] - one.thick / 2))
-    return _Placed(graph, scale, cells, deep, courses, spaced, boxes)
+    boxes = {
+        one.number: Box(one, spaced.middle(layer), deep.middles[layer, one.number] - one.thick / 2)
+        for layer, own in enumerate(cells.cells)
+        for one in own
+    }
+    by_run = [boxes[number] for number in range(len(graph.runs))]
+    return _Placed(graph, scale, cells, deep, courses, spaced, by_run)
 
 
 def _forward(placed: _Placed) -> Iterator[Line]:

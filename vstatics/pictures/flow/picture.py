@@ -68,10 +68,9 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     for own in numbers:
         found: list[_Chosen] = []
         for number in own:
-            flow, placing = every[number - 1], next(placings)
-            side, drawn = flow.lossy or flow.ideal, None
-            if placing is not None and side is not None:
-                said = titles(FlowTexts(flow, side, style), flow, results.gear(number))
+            flow, placing, drawn = every[number - 1], next(placings), None
+            if placing is not None and flow.shown is not None:
+                said = titles(FlowTexts(flow, flow.shown, style), results.gear(number))
                 drawn = FlowGear(placing, said)
             found.append((flow, drawn))
         yield _figure(results, found, style)
@@ -79,17 +78,16 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 
 def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
     """The layouts of gears in one scale; None of a gear of which nothing is to be drawn."""
-    sides = [flow.lossy or flow.ideal for flow in found]
-    graphs = [graph(side) if side is not None else None for side in sides]
+    graphs = [graph(flow.shown) if flow.shown is not None else None for flow in found]
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
     ]
     scale = min(BAND_WIDTH, MOST_NODE_HEIGHT / max(powers, default=1.0))
     return [
-        layout(drawn, scale, FlowTexts(flow, side, style))
-        if side and drawn and drawn.runs
+        layout(drawn, scale, FlowTexts(flow, flow.shown, style))
+        if flow.shown and drawn and drawn.runs
         else None
-        for flow, side, drawn in zip(found, sides, graphs, strict=True)
+        for flow, drawn in zip(found, graphs, strict=True)
     ]
 
 
@@ -103,7 +101,6 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
     of_name = min(title_width(name), TITLE_WIDTH) if style.titled else 0.0
     wide = max([LEAST_FLOW_WIDTH, of_name, *(one.layout.width for one in shown)])
     texts = [heading(flow, wide, style) for flow, _ in chosen]
-    head = sheet_head(name, texts[0] if is_alone else "", _key(shown, style), wide, style)
     heads = [
         0.0 if is_alone else height(one) + height(text)
         for one, text in zip(names, texts, strict=True)
@@ -112,9 +109,10 @@ def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure
         over + (BELOW_TEXT + one.layout.height if one else 0.0)
         for over, (_, one) in zip(heads, chosen, strict=True)
     ]
+    head = sheet_head(name, texts[0] if is_alone else "", _key(shown, style), wide, style)
     above = head.high + BELOW_TEXT
     high = above + sum(heights) + FLOW_GEAR_GAP * (len(chosen) - 1) + WIDE_MARGIN
-    pen = head.over(wide + 2 * WIDE_MARGIN, high - head.high, WIDE_MARGIN)
+    pen = head.over((wide + 2 * WIDE_MARGIN, high - head.high), WIDE_MARGIN, style)
     top = high - above
     for place, (_, one) in enumerate(chosen):
         if not is_alone:

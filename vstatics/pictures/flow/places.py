@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
-from vstatics.pictures.flow.columns import NODE_GAP, FlowCell
+from vstatics.pictures.flow.columns import NODE_GAP, FlowCell, signs
 from vstatics.pictures.flow.graph import Band, EndPort, Graph
 from vstatics.pictures.sheet.labels import Point, height
 
@@ -38,7 +38,7 @@ class Box(NamedTuple):
     def signs(self) -> Iterator[tuple[Node, float, float]]:
         """Each node with its left and right side [pt]."""
         x = self.left
-        for node, wide in zip(self.cell.run, self.cell.signs, strict=True):
+        for node, wide in zip(self.cell.run, signs(self.cell.run, self.cell.loss), strict=True):
             yield node, x, x + wide
             x += wide + NODE_GAP
 

@@ -95,7 +95,7 @@ def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
     """What is to be said of a gear besides its picture."""
     lines = [fault(flow.status, style)] if flow.note else []
-    side = flow.lossy or flow.ideal
+    side = flow.shown
     if side is None:
         lines.append(style.text("no flow of power", "потока мощности нет"))
         return wrapped(": ".join(reversed(lines)), wide)

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.flow.circulation import Node
-from vstatics.flow.power_flow import GearFlow, PowerFlow
 from vstatics.numerics.traced import plain
 from vstatics.pictures.flow.graph import Band, EndPort
 from vstatics.pictures.flow.texts import FlowTexts, port_name
@@ -25,17 +24,13 @@ class FlowTitles(NamedTuple):
     divided: frozenset[tuple[Node, Node]]
     """Where power is divided by convention."""
 
-    @property
-    def _side(self) -> PowerFlow:
-        return self.texts.side
-
     def is_divided(self, band: Band) -> bool:
         """Whether the power of a band is divided by convention all the way."""
         return self.divided.issuperset(band.pairs)
 
     def is_doubtful(self, band: Band) -> bool:
         """Whether a band is part of a loop that may not be in the metal."""
-        return band.loop is not None and bool(self._side.loops[band.loop].shared)
+        return band.loop is not None and bool(self.texts.side.loops[band.loop].shared)
 
     def band(self, band: Band) -> str:
         """What is said of a band; one that goes back has no one speed."""
@@ -68,9 +63,9 @@ class FlowTitles(NamedTuple):
         return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
 
     def _members(self, node: Node) -> Iterator[str]:
-        for device, member, link, power in self._side.members:
-            speed = self.speeds.get(link, 0.0)
+        for device, member, link, power in self.texts.side.members:
             if device == node:
+                speed = self.speeds.get(link, 0.0)
                 torque = self.torques.get((device, member), power / speed if speed else 0.0)
                 name = link if member in ("first", "second", link) else f"{member} ({link})"
                 yield f"{name}: {', '.join(self._torque(torque, speed))}"
@@ -97,18 +92,17 @@ class FlowTitles(NamedTuple):
         return self.texts.style.text(english, russian)
 
 
-def titles(texts: FlowTexts, flow: GearFlow, state: GearState) -> FlowTitles:
+def titles(texts: FlowTexts, state: GearState) -> FlowTitles:
     """The titles of a gear."""
-    lossy = texts.side is flow.lossy
+    case, lossy = state.case, texts.side is texts.flow.lossy
     torques = {
         (Node("mechanism", number, device.name), member): plain(torque)
         for number, (device, members) in enumerate(
-            zip(state.case.own_devices, state.member_torques(lossy=lossy), strict=True), 1
+            zip(case.own_devices, state.member_torques(lossy=lossy), strict=True), 1
         )
         for member, torque in members.items()
     }
-    case = state.case
     speeds = {
         case.link_name(link): plain(state.speeds[link - 1]) for link in range(1, case.own_links + 1)
     }
-    return FlowTitles(texts, speeds, torques, frozenset(flow.divided(texts.side)))
+    return FlowTitles(texts, speeds, torques, frozenset(texts.flow.divided(texts.side)))

@@ -12,10 +12,10 @@ from vstatics.pictures.lever.places import (
     GROUND_WIDTH,
     LeverCell,
     LeverPage,
+    LeverRoute,
     LeverRow,
     link_name,
 )
-from vstatics.pictures.lever.routes import LeverRoute
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number
@@ -180,17 +180,14 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
     ground(view.sheet, (x, y), style.engaged if name else style.ink)
     if name:
         said, where = _carried(view.gear, name, style), (x + GROUND_WIDTH - 8, y + 1.5)
-        look: Look = {"va": "bottom", "color": style.engaged, "over": True}
-        view.sheet.pen.text(*where, name, title=said, **look)
+        color = style.engaged
+        view.sheet.pen.text(*where, name, title=said, va="bottom", color=color, over=True)
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
     """What shift elements at one place are loaded with."""
-    own, carried = names.split(", "), gear.carried.items()
-    said = (
-        f"{name}: {quantity('torque', torque, style)}" for name, torque in carried if name in own
-    )
-    return ", ".join(said)
+    own = (name for name in names.split(", ") if name in gear.carried)
+    return ", ".join(f"{one}: {quantity('torque', gear.carried[one], style)}" for one in own)
 
 
 def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
@@ -206,6 +203,6 @@ def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
     sheet.line(*places, colour=line, width=1.4)
     x, y = route.sign[0], route.sign[1] + bottom
     (coil if one.is_spring else plates)(sheet, (x, y))
-    said, colour = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
-    look: Look = {"ha": "center", "va": "bottom", "color": colour, "over": True}
-    sheet.pen.text(x, y + 6.5, one.name, title=said, **look)
+    said, ink = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
+    at = x, y + 6.5
+    sheet.pen.text(*at, one.name, title=said, ha="center", va="bottom", color=ink, over=True)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.model.transmission import HOUSING, Gear, ShiftElement, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.pictures.lever.points import Lever, held_for_good
 from vstatics.pictures.sheet.gear_state import PictureState, shown_of
@@ -92,18 +92,15 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     whole = results.gear(number)
     state, members = shown_of(whole), whole.member_torques(lossy=False)
     by_member = [{name: plain(torque) for name, torque in one.items()} for one in members]
-    torques = [[_torque(node.sources, by_member) for node in one.nodes] for one in drawn]
-    torques = [found if one.devices else [] for one, found in zip(drawn, torques, strict=True)]
+    torques = [
+        [_torque(node.sources, by_member) for node in one.nodes if one.devices] for one in drawn
+    ]
     case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
-    elements = [case.shift_elements[one - 1] for one in state.gear.engaged]
-    clutches = [one for element in elements for one in tie(element.name, *element.links, spots)]
-    ties = [*joins(drawn), *clutches, *shaft_ties(case, spots)]
+    engaged = {number: case.shift_elements[number - 1] for number in state.gear.engaged}
+    ties = [*joins(drawn), *ties_of(case, engaged.values(), spots)]
     first = whole.torques.on_first_link
-    carried = {
-        element.name: plain(first[one - 1])
-        for element, one in zip(elements, state.gear.engaged, strict=True)
-    }
+    carried = {one.name: plain(first[number - 1]) for number, one in engaged.items()}
     does = [{found[device] for device in one.devices} for one in drawn]
     gear = LeverGear(state, torques, does, grounds, ties, carried, {})
     for place, node in _acts(gear, drawn):
@@ -167,8 +164,11 @@ def _grounds(
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)
-    shown = {spot: some for spot, some in names.items() if drawn[spot[0]].is_shown(spot[1])}
-    return {spot: ", ".join(some) for spot, some in shown.items()}
+    return {
+        (lever, node): ", ".join(some)
+        for (lever, node), some in names.items()
+        if drawn[lever].is_shown(node)
+    }
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
@@ -179,15 +179,19 @@ def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
             yield LeverTie("", link, both)
 
 
-def shaft_ties(case: Transmission, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
-    """Springs between links that are shown; one of more than two goes from each to the next."""
+def ties_of(
+    case: Transmission, elements: Iterable[ShiftElement], spots: dict[int, list[Spot]]
+) -> Iterator[LeverTie]:
+    """Clutches, and springs between links that are shown, from each of these to the next."""
+    for element in elements:
+        yield from _tie(element.name, *element.links, spots)
     for spring in case.springs:
         shown = [link for link in spring.form if link in spots]
         for both in pairwise(shown):
-            yield from (one._replace(is_spring=True) for one in tie(spring.name, *both, spots))
+            yield from (one._replace(is_spring=True) for one in _tie(spring.name, *both, spots))
 
 
-def tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
+def _tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
     """What joins two links, where they are nearest to one another."""
     pairs = [(a, b) for a in spots.get(first, ()) for b in spots.get(second, ()) if a != b]
     if HOUSING not in (first, second) and pairs:

@@ -19,8 +19,7 @@ from vstatics.pictures.lever.marks import (
     plates,
 )
 from vstatics.pictures.lever.points import Lever
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, width
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style, number
 from vstatics.tables.numbers import certain
 
@@ -44,7 +43,7 @@ class LeverKey(NamedTuple):
         """Where each entry begins, from the left of the first row downwards."""
         x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
-            size = self._room(kind) + labels.width(text) + WIDE_MARGIN
+            size = self._room(kind) + width(text) + WIDE_MARGIN
             if x > WIDE_MARGIN and x + size > self.wide:
                 x, row = WIDE_MARGIN, row + 1
             yield x, -row * KEY_ROW_HEIGHT
@@ -81,8 +80,8 @@ class LeverKey(NamedTuple):
         elif kind == "pair":
             box(sheet, at, (10, 8), style.ink)
         else:
-            colour, width = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
-            sheet.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=width)
+            colour, thick = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
+            sheet.line((x, y), (x + KEY_SIGN_WIDTH - 6, y), colour=colour, width=thick)
 
 
 def key_of(

@@ -14,7 +14,6 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.pictures.sheet.labels import Point, Span
-from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, corners
 
 ARROW_HEAD = 5.0
@@ -64,8 +63,8 @@ class LeverSheet(NamedTuple):
     def put(self) -> None:
         """Draw all of it, one artist for each look, broad lines over thin ones."""
         for (colour, width, dash), some in self.lines.items():
-            look: Look = {"color": colour, "linestyle": dash, "zorder": 2 + width / 10}
-            self.pen.lines(some, width=width, **look)
+            over = 2 + width / 10
+            self.pen.lines(some, width=width, color=colour, linestyle=dash, zorder=over)
         for colour, polygons in self.areas.items():
             path = Path.make_compound_path(*polygons)
             self.pen.add(PathPatch(path, facecolor=colour, edgecolor="none", zorder=2.5))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
 
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.pictures.lever.gear import LeverTie, joins, shaft_ties, spots_of, tie
+from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 from vstatics.pictures.sheet.tolerances import SAME_LEVER_COST
 
@@ -71,11 +71,7 @@ def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -
 
 def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
     """All ties that a gear may have: each clutch, and springs."""
-    spots = spots_of(drawn)
-    found = [
-        one for element in case.shift_elements for one in tie(element.name, *element.links, spots)
-    ]
-    return [*found, *shaft_ties(case, spots)]
+    return list(ties_of(case, case.shift_elements, spots_of(drawn)))
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
@@ -83,7 +79,7 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
 
     Shafts stand in the mean of what they are joined to.
     """
-    both = [(_heights(lever), _heights(lever, over=True)) for lever in drawn]
+    both = [(own, [1 - one for one in own]) for own in map(_heights, drawn)]
     ties = [
         (one, weight)
         for some, weight in ((joins(drawn), 1.0), (every(case, drawn), 0.4))
@@ -116,13 +112,11 @@ def _turn(place: int) -> Move:
     return lambda turned: (*turned[:place], 1 - turned[place], *turned[place + 1 :])
 
 
-def _heights(lever: Lever, *, over: bool = False) -> list[float]:
+def _heights(lever: Lever) -> list[float]:
     low, high = lever.ends
     if lever.ratio is not None:  # a sign, whose points are at no distances
         turning = [node for node in lever.nodes if node.link != HOUSING]
-        found = [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
-    elif low == high:
-        found = [0.5 for _ in lever.nodes]
-    else:
-        found = [(node.position - low) / (high - low) for node in lever.nodes]
-    return [1 - one for one in found] if over else found
+        return [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
+    if low == high:
+        return [0.5 for _ in lever.nodes]
+    return [(node.position - low) / (high - low) for node in lever.nodes]

@@ -18,10 +18,8 @@ from vstatics.pictures.lever.cell import LeverView, draw_lever, draw_route, leve
 from vstatics.pictures.lever.gear import LeverGear, in_gear
 from vstatics.pictures.lever.key import key_of
 from vstatics.pictures.lever.marks import LeverSheet
-from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
-from vstatics.pictures.lever.routes import LeverRoute, routes
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Span
+from vstatics.pictures.lever.places import ARROW, LeverPage, LeverRoute, page_of, routes
+from vstatics.pictures.sheet.labels import Span, height, title_width, width, wrapped
 from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import TITLE, WIDE_MARGIN, Style, number
 from vstatics.pictures.sheet.words import fault, gear_title, title
@@ -42,7 +40,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     CaseError
         If there is no mechanism of two links or more.
     """
-    page = page_of(results.case, style, WIDE_MARGIN)
+    page = page_of(results.case, style)
     if page is None:
         raise CaseError("the case has no mechanism to draw as a lever")
     for gears in shown:
@@ -68,12 +66,12 @@ class LeverBlock(NamedTuple):
     @property
     def over(self) -> float:
         """Height of the names of levers, and of what stands above them."""
-        return LEVER_NAME_HEIGHT + max(map(labels.height, self.names)) - labels.height("")
+        return LEVER_NAME_HEIGHT + max(map(height, self.names)) - height("")
 
     @property
     def above(self) -> float:
         """Height of what stands over it."""
-        return labels.height(self.head) if self.head else 0.0
+        return height(self.head) if self.head else 0.0
 
     @property
     def size(self) -> float:
@@ -90,8 +88,8 @@ def _figure(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> Figure
     if len(gears) == 1:
         subject += f", {gear_title(gears[0].state.gear.name, style)}"
     head = title(page.case, subject) if style.titled else ""
-    head = labels.wrapped(head, wide - 2 * WIDE_MARGIN, labels.title_width)
-    above = WIDE_MARGIN + (labels.height(head, TITLE) + WIDE_MARGIN / 2 if head else 0.0)
+    head = wrapped(head, wide - 2 * WIDE_MARGIN, title_width)
+    above = WIDE_MARGIN + (height(head, TITLE) + WIDE_MARGIN / 2 if head else 0.0)
     high = above + sum(one.size for one in blocks) + key.height + 1.5 * WIDE_MARGIN
     sheet = LeverSheet(blank(wide, high, style), page, speeds, per_torque, {}, {})
     sheet.pen.text(WIDE_MARGIN, high - WIDE_MARGIN, head, va="top", size=TITLE, bold=True)
@@ -133,7 +131,7 @@ def _blocks(
             if lever.devices and shown in seen:
                 same[place] = seen[shown]
             seen.setdefault(shown, name)
-        head = labels.wrapped(text, wide - 2 * WIDE_MARGIN, partial(labels.width, bold=True))
+        head = wrapped(text, wide - 2 * WIDE_MARGIN, partial(width, bold=True))
         names = lever_names(page, gear, same, style, wide - WIDE_MARGIN)
         yield LeverBlock(head, gear, found, min(heights), max(heights), same, names)
 

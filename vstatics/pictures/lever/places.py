@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.pictures.lever.gear import Spot, brakes_of, spots_of
+from vstatics.pictures.lever.gear import LeverTie, Spot, brakes_of, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Span
-from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, Style
+from vstatics.pictures.sheet.labels import Point, Span, height, spread, widest, width, wrapped
+from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.sheet.words import term, word
 
@@ -49,7 +48,7 @@ class LeverRow(NamedTuple):
     @property
     def span(self) -> Span:
         """What its texts take of the height."""
-        return self.y - UNDER, self.y + labels.height(self.name) + 2
+        return self.y - UNDER, self.y + height(self.name) + 2
 
 
 class LeverCell(NamedTuple):
@@ -61,8 +60,6 @@ class LeverCell(NamedTuple):
     left: float
     at: float
     """Where the lever stands."""
-    held: float
-    """Width of the signs of what stands."""
     right: float
     """Where it ends."""
     gap: float
@@ -113,31 +110,24 @@ class LeverPage(NamedTuple):
         return self.cells[spot[0]].rows[spot[1]]
 
 
-def page_of(case: Transmission, style: Style, left: float) -> LeverPage | None:
-    """Where the levers of a case stand, beginning at a place; none if it has none."""
+def page_of(case: Transmission, style: Style) -> LeverPage | None:
+    """Where the levers of a case stand; none if it has none."""
     drawn = levers(case, merged=style.merged)
     if not drawn:
         return None
     drawn = ordered(case, [*drawn, *shafts(case, drawn)])
     shares = heights(case, drawn)
     scale = max(_height(lever, some) for lever, some in zip(drawn, shares, strict=True))
-    held = _held(case, drawn)
-    gaps = _gaps(case, drawn)
-    cells: list[LeverCell] = []
-    for place, lever in enumerate(drawn):
-        rows = _rows(case, lever, shares[place], scale, style)
-        wide = labels.widest(row.name for row in rows.values())
+    cells, left = list[LeverCell](), WIDE_MARGIN
+    between = zip(drawn, shares, _held(case, drawn), _gaps(case, drawn), strict=True)
+    for lever, own, held, gap in between:
+        rows = _rows(case, lever, own, scale, style)
+        wide = widest(row.name for row in rows.values())
         at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
-        right = (
-            at
-            + BESIDE_LEVER
-            + held[place]
-            + BESIDE_LEVER
-            + NUMBER
-            + (SPEEDS if lever.devices else 0.0)
-        )
-        cells.append(LeverCell(lever, rows, left, at, held[place], right, gaps[place]))
-        left = right + gaps[place]
+        speeds = SPEEDS if lever.devices else 0.0
+        right = at + BESIDE_LEVER + held + BESIDE_LEVER + NUMBER + speeds
+        cells.append(LeverCell(lever, rows, left, at, right, gap))
+        left = right + gap
     return LeverPage(case, cells)
 
 
@@ -146,7 +136,7 @@ def _gaps(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     found = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
     for one in every(case, drawn):
         place = one.ends[0][0]
-        found[place] = max(found[place], LEAST_GAP, labels.width(one.name) + 12)
+        found[place] = max(found[place], LEAST_GAP, width(one.name) + 12)
     return found
 
 
@@ -154,16 +144,13 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     """Width of the signs of what stands at each lever, with the names of its brakes."""
     spots = spots_of(drawn)
     found = [0.0] * len(drawn)
-    for place, _ in [
-        *spots.get(HOUSING, ()),
-        *(spots[link][0] for link in held_for_good(case) if link in spots),
-    ]:
+    good = (spots[link][0] for link in held_for_good(case) if link in spots)
+    for place, _ in (*spots.get(HOUSING, ()), *good):
         found[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
         for (place, _), some in brakes_of(case, gear, spots).items():
-            found[place] = max(
-                found[place], GROUND_WIDTH + min(labels.width(", ".join(some)), BRAKE)
-            )
+            named = min(width(", ".join(some)), BRAKE)
+            found[place] = max(found[place], GROUND_WIDTH + named)
     return found
 
 
@@ -180,10 +167,10 @@ def _rows(
 ) -> dict[int, LeverRow]:
     shown = [n for n in range(len(lever.nodes)) if lever.is_shown(n)]
     names = {n: node_text(case, lever, n, style) for n in shown}
-    sizes = [labels.height(names[n]) + 2 + UNDER for n in shown]
-    over = [(labels.height(names[n]) + 2 - UNDER) / 2 for n in shown]
+    heights = [height(name) + 2 for name in names.values()]
+    over = [(high - UNDER) / 2 for high in heights]
     wanted = [shares[n] * scale + up for n, up in zip(shown, over, strict=True)]
-    middles = labels.spread(wanted, sizes)
+    middles = spread(wanted, [high + UNDER for high in heights])
     return {
         n: LeverRow(names[n], shares[n] * scale, middle - up)
         for n, middle, up in zip(shown, middles, over, strict=True)
@@ -197,9 +184,80 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
     is_told = node.member.replace("_", " ").lower() in name.lower()
     if node.member and lever.ratio is None and not is_told:
         name = f"{word(node.member, style)}: {name}"
-    return labels.wrapped(name, SHORT_NAME)
+    return wrapped(name, SHORT_NAME)
 
 
 def link_name(case: Transmission, link: int, style: Style) -> str:
     """The name of a link, or of the housing."""
     return case.link_name(link) if link else term("housing", style)
+
+
+LANE = 6.0
+"""Between lines that pass levers."""
+
+
+class LeverRoute(NamedTuple):
+    """The line of a tie through the picture."""
+
+    tie: LeverTie
+    points: Sequence[Point]
+    sign: Point
+    """Where its sign stands, if it has one."""
+
+
+def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
+    """Lines that join points: slanted between neighbours, level where they pass a lever."""
+    signed = list(ties)
+    middles = _signs(page, [one for one in signed if one.name])
+    used: list[tuple[int, float]] = []
+    return [
+        LeverRoute(one, list(_points(page, one, middles.get(one), used)), middles.get(one, (0, 0)))
+        for one in sorted(signed, key=lambda one: (bool(one.name), one.ends[1][0] - one.ends[0][0]))
+    ]
+
+
+def _signs(page: LeverPage, ties: Sequence[LeverTie]) -> dict[LeverTie, Point]:
+    """Where signs stand, right of the first point, so that their names keep apart."""
+    found: dict[LeverTie, Point] = {}
+    for place, cell in enumerate(page.cells):
+        here = [one for one in ties if one.ends[0][0] == place]
+        ends = [[page.row(spot).y for spot in one.ends] for one in here]
+        # where several may cross each is nearer to where it begins
+        share = 0.3 if len({start for start, _ in ends}) > 1 else 0.5
+        wanted = [(1 - share) * start + share * end for start, end in ends]
+        for one, y in zip(here, spread(wanted, [2.6 * SIZE] * len(here)), strict=True):
+            found[one] = cell.right + cell.gap / 2, y
+    return found
+
+
+def _points(
+    page: LeverPage, one: LeverTie, sign: Point | None, used: list[tuple[int, float]]
+) -> Iterator[Point]:
+    (first, _), (last, _) = one.ends
+    start, end = (page.row(spot).y for spot in one.ends)
+    yield page.cells[first].right, start
+    if sign is not None:
+        yield sign
+    if first == last:
+        yield page.cells[first].right, end
+        return
+    between = range(first + 1, last)
+    if between:
+        lane = _lane(page, between, (start + end) / 2, used)
+        for place in between:
+            yield page.cells[place].left, lane
+            yield page.cells[place].right, lane
+    yield page.cells[last].left, end
+
+
+def _lane(page: LeverPage, between: range, wanted: float, used: list[tuple[int, float]]) -> float:
+    """The free height next to a wanted one, past some levers."""
+    spans = [row.span for place in between for row in page.cells[place].rows.values()]
+    taken = [(low - 1, high + 2) for low, high in spans]
+    taken += [box for place in between for box in page.cells[place].box]
+    taken += [(y - LANE, y + LANE) for place, y in used if place in between]
+    places = [wanted, *(y for span in taken for y in span)]
+    free = [y for y in places if not any(low < y < high for low, high in taken)]
+    lane = min(free, key=lambda y: abs(y - wanted))
+    used += [(place, lane) for place in between]
+    return lane

@@ -7,7 +7,6 @@ one straight line, and the torques on it are in balance as forces (Benford and L
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
@@ -181,7 +180,7 @@ def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
         named = sorted(body & touched.keys(), key=touched.__getitem__)
         is_between = sum(bool(form & body and form - body) for form in forms) > 1
         if link == min(body) and (named or is_between):
-            node = LeverNode("", min(body) if not named else named[0], 0.0)
+            node = LeverNode("", (named or [link])[0], 0.0)
             found.append(Lever("", (node,), shaft=tuple(sorted(body))))
     return found
 
@@ -195,7 +194,7 @@ def _touched(case: Transmission) -> dict[int, int]:
     for gear in case.gears:
         for link in (*gear.speeds, *gear.torques):
             found.setdefault(link, 2)
-    counts = Counter(link for one in case.shift_elements for link in one.links)
-    for link in counts:
-        found.setdefault(link, 3)
+    for element in case.shift_elements:
+        for link in element.links:
+            found.setdefault(link, 3)
     return found

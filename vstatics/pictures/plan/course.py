@@ -13,9 +13,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures.plan.key import BROAD, PATH, gear_look
 from vstatics.pictures.plan.rays import KinematicPlan
 from vstatics.pictures.run.events import event_text, named_events
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, beside
-from vstatics.pictures.sheet.labels import LEADER, widest
+from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, height, ticks, widest
 from vstatics.pictures.sheet.line_styles import link_look
 from vstatics.pictures.sheet.pen import Pen, tick_texts
 from vstatics.pictures.sheet.style import LEADER_WIDTH, Style, number
@@ -87,7 +86,7 @@ def right_of(motion: Motion, style: Style) -> float:
 def high_of(motion: Motion) -> float:
     """Height of the time below a plan [pt]."""
     named = min(len(motion.events), MOST_PLAN_EVENTS)
-    return max(COURSE_HEIGHT, named * (labels.height("x") + labels.LABEL_GAP))
+    return max(COURSE_HEIGHT, named * (height("x") + LABEL_GAP))
 
 
 def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
@@ -113,11 +112,11 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) ->
         values = run.masked(run.output, on_plan=on_plan)
         pen.plot(values, run.time, color=style.engaged, **look)
     pen.frame()
-    ticks = labels.ticks(motion.time[0], motion.time[-1], 4)
-    pen.scale("left", ticks)
-    pen.name("left", style.text("time, s", "время, с"), widest(tick_texts(ticks)) + 14)
+    numbers = ticks(motion.time[0], motion.time[-1], 4)
+    pen.scale("left", numbers)
+    pen.name("left", style.text("time, s", "время, с"), widest(tick_texts(numbers)) + 14)
     ends = [
-        LineEnd(pen.up(one.time), [_name(one, style)])
+        LineEnd(pen.y.part(one.time), [_name(one, style)])
         for one in named_events(motion.events, MOST_PLAN_EVENTS)
     ]
     beside(pen, "right", ends)

@@ -16,10 +16,18 @@ from vstatics.pictures.plan.key import (
     unit_look,
 )
 from vstatics.pictures.plan.rays import KinematicPlan, Mark
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, along, beside
 from vstatics.pictures.sheet.head import BELOW
-from vstatics.pictures.sheet.labels import LEADER, Label
+from vstatics.pictures.sheet.labels import (
+    LEADER,
+    Label,
+    across_size,
+    height,
+    spread,
+    ticks,
+    widest,
+    wrapped,
+)
 from vstatics.pictures.sheet.line_styles import link_look, link_looks
 from vstatics.pictures.sheet.pen import AxisScale, Pen
 from vstatics.pictures.sheet.style import LONG_NAME, Style, number
@@ -48,14 +56,14 @@ class DrawnPlan(NamedTuple):
     @property
     def above(self) -> float:
         """What stands over the axes [pt]."""
-        texts = [labels.height(text) + 2 for text in (self.head, self.note) if text]
+        texts = [height(text) + 2 for text in (self.head, self.note) if text]
         return LEADER + self.top.height + 2 + sum(texts)
 
-    def ends(self, height: float, style: Style) -> list[LineEnd]:
-        """The names of rays at the left, in a chart of a height [pt]."""
+    def ends(self, style: Style) -> list[LineEnd]:
+        """The names of rays at the left."""
         return [
             LineEnd(
-                self.y.part(ray.at(self.x.low)) * height,
+                self.y.part(ray.at(self.x.low)),
                 names,
                 [link_look(link, style) for link in ray.links],
             )
@@ -64,7 +72,7 @@ class DrawnPlan(NamedTuple):
 
     def ticks(self) -> list[float]:
         """Of the ordinates."""
-        return labels.ticks(self.y.low, self.y.high, 6)
+        return ticks(self.y.low, self.y.high, 6)
 
 
 class GearRow(NamedTuple):
@@ -84,10 +92,8 @@ def drawn_plan(
     reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(reached) - min(reached))
     y = AxisScale(min(reached) - room, max(reached) + room)
-    names = [
-        [labels.wrapped(case.link_name(link), LONG_NAME) for link in ray.links] for ray in plan.rays
-    ]
-    head, note = (labels.wrapped(text, wide) for text in _heads(case, plan, style))
+    names = [[wrapped(case.link_name(link), LONG_NAME) for link in ray.links] for ray in plan.rays]
+    head, note = (wrapped(text, wide) for text in _heads(case, plan, style))
     return DrawnPlan(plan, run, x, y, names, head, note, *_rows(case, plan, x, wide, style))
 
 
@@ -127,7 +133,7 @@ def _rows(
     ]
     across, turned = (
         [
-            Label(place, labels.wrapped(between.join(filter(None, text)), longest), style.ink)
+            Label(place, wrapped(between.join(filter(None, text)), longest), style.ink)
             for place, text in zip(at, texts, strict=True)
         ]
         for between, longest in (("\n", wide), (": ", LONG_NAME))
@@ -141,12 +147,12 @@ def _rows(
 
 def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     """Texts across if each can stand near to its vertical, else upwards."""
-    sizes = [labels.across_size(label.text) for label in across]
+    sizes = [across_size(label.text) for label in across]
     wanted = [label.at for label in across]
-    places = labels.spread(wanted, sizes, 0.0, wide)
+    places = spread(wanted, sizes, 0.0, wide)
     if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
-        return GearRow(across, upright=False, height=max(labels.height(a.text) for a in across))
-    return GearRow(turned, upright=True, height=labels.widest(one.text for one in turned))
+        return GearRow(across, upright=False, height=max(height(a.text) for a in across))
+    return GearRow(turned, upright=True, height=widest(one.text for one in turned))
 
 
 def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> None:
@@ -154,13 +160,13 @@ def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> Non
     pen.frame()
     _draw_rays(pen, case, one.plan)
     _draw_gears(pen, case, one.plan)
-    beside(pen, "left", one.ends(pen.size[1], pen.style))
+    beside(pen, "left", one.ends(pen.style))
     along(pen, "top", one.top.labels, upright=one.top.upright)
     along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
     top = pen.size[1] + above
     if one.head:
         pen.text(0, top, one.head, bold=True, **BELOW)
-        top -= labels.height(one.head) + 2
+        top -= height(one.head) + 2
     if one.note:
         pen.text(0, top, one.note, color=pen.style.soft, **BELOW)
 

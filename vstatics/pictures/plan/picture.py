@@ -14,7 +14,7 @@ from vstatics.pictures.plan.key import plan_note, plan_signs
 from vstatics.pictures.plan.panel import draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, plans
 from vstatics.pictures.sheet.ends import height_of, width_of
-from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.head import headed
 from vstatics.pictures.sheet.labels import LEADER, widest
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, Style
@@ -87,7 +87,7 @@ def _figure(
     drawn = [drawn_plan(case, plan, run, wide, style) for plan, run in runs]
     columns = min(math.ceil(math.sqrt(len(drawn))), PLANS_SIDE_BY_SIDE)
     rows = [drawn[n : n + columns] for n in range(0, len(drawn), columns)]
-    ends = [one.ends(PLAN_SIZE[1], style) for one in drawn]
+    ends = [one.ends(style) for one in drawn]
     left = MARGIN + max(map(width_of, ends))
     high = max(least, *map(height_of, ends))
     ticks = sorted({tick for one in drawn for tick in one.ticks()})
@@ -105,10 +105,8 @@ def _figure(
     on_plan = [one.run.on_plan for one in drawn if one.run is not None]
     plans_shown = [one.plan for one in drawn]
     signs = plan_signs(plans_shown, [one.x for one in drawn], style, on_plan)
-    note, room = plan_note(case, plans_shown, style), columns * across - 2 * MARGIN
-    pen = sheet_head(title(case, subject), note, signs, room, style).over(
-        columns * across, up, MARGIN
-    )
+    note = plan_note(case, plans_shown, style)
+    pen = headed(title(case, subject), note, signs, (columns * across, up), style)
     bottom = up
     for row, over, under in zip(rows, above, numbers, strict=True):
         bottom -= over + high

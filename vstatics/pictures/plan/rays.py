@@ -154,7 +154,7 @@ def _states(
     def is_free(chosen: frozenset[Condition]) -> bool:
         key = gear.input, gear.output, chosen
         if key not in free:
-            speeds = _speeds(case, gear.input, gear.output, sorted(chosen, key=_place))
+            speeds = _speeds(case, gear.input, gear.output, sorted(chosen))
             free[key] = math.isnan(speeds[gear.output - 1])
         return free[key]
 
@@ -173,15 +173,11 @@ def _states(
             found = [one for one in found if not chosen > one] + [chosen]
             continue
         needed = chosen
-        for one in sorted(chosen, key=_place):
+        for one in sorted(chosen):
             if not is_free(needed - {one}):
                 needed -= {one}
-        waiting += [chosen - {one} for one in sorted(needed, key=_place)]
-    yield from (tuple(sorted(one, key=_place)) for one in found)
-
-
-def _place(condition: Condition) -> tuple[int, int]:
-    return condition.link, condition.other
+        waiting += [chosen - {one} for one in sorted(needed)]
+    yield from (tuple(sorted(one)) for one in found)
 
 
 def _speeds(

@@ -25,10 +25,9 @@ from vstatics.pictures.run.lines import (
     states,
     thinned,
 )
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import Meaning, sheet_head
-from vstatics.pictures.sheet.labels import LEADER, Label, widest
+from vstatics.pictures.sheet.head import Meaning, headed
+from vstatics.pictures.sheet.labels import LEADER, Label, height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import (
     Look,
     element_look,
@@ -98,7 +97,7 @@ def draw(
 def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     """The states of the elements, then the panels, on one scale of time."""
     motion, rows, (wide, least) = content.motion, content.rows, PANEL_SIZE
-    ends = [_line_ends(panel, least, style) for panel in content.panels]
+    ends = [_line_ends(panel, style) for panel in content.panels]
     heights = [max(least, height_of(own)) for own in ends]
     row_ends, states_high = _row_ends(rows, style), STATE_ROW_HEIGHT * len(rows)
     left = MARGIN + max(PANEL_SCALE_WIDTH, width_of(row_ends))
@@ -106,8 +105,8 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
     high = TIME_SCALE_HEIGHT + sum(heights) + MARGIN * (len(heights) - 1 + bool(rows))
     top = high + states_high
     above = widest(label.text for label in content.events) + LEADER + MARGIN / 2
-    head = sheet_head(name, _notes(content, style), _signs(content, style), across - 24, style)
-    pen = head.over(across, top + above, MARGIN)
+    signs = _signs(content, style)
+    pen = headed(name, _notes(content, style), signs, (across, top + above), style)
     time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
     drawn: list[Pen] = []
     bottom = high - MARGIN * bool(rows)
@@ -121,10 +120,10 @@ def _figure(content: _RunContent, name: str, style: Style) -> Figure:
         drawn.insert(0, pen.panel((left, high), (wide, states_high), time, scale))
         _draw_states(drawn[0], rows)
         beside(drawn[0], "left", row_ends)
-    ticks = labels.ticks(time.low, time.high, 8)
+    numbers = ticks(time.low, time.high, 8)
     for panel in drawn:
         panel.frame()
-        panel.scale("bottom", ticks, None if panel is drawn[-1] else ())
+        panel.scale("bottom", numbers, None if panel is drawn[-1] else ())
         draw_events(panel, motion.events)
     at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
     along(drawn[0], "top", at, upright=True)
@@ -171,13 +170,13 @@ def _looks(line: MotionLine, place: int, style: Style) -> list[Look]:
     return [element_look(line.element, style)]
 
 
-def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]:
-    """The names of lines at their last values, in a panel of a height [pt]."""
+def _line_ends(shown: MotionPanel, style: Style) -> list[LineEnd]:
+    """The names of lines at their last values."""
     scale = _range(shown)
     return [
         LineEnd(
-            scale.part(float(line.values[-1])) * height,
-            [labels.wrapped(name, LINE_NAME_WIDTH) for name in line.names],
+            scale.part(float(line.values[-1])),
+            [wrapped(name, LINE_NAME_WIDTH) for name in line.names],
             [look for one in line.each for look in _looks(one, place, style)],
         )
         for place, line in enumerate(shown.lines)
@@ -186,17 +185,16 @@ def _line_ends(shown: MotionPanel, height: float, style: Style) -> list[LineEnd]
 
 def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
     """The names of elements beside their bars, with their lines in the panels."""
-    places = range(len(rows) - 1, -1, -1)
     return [
-        LineEnd(STATE_ROW_HEIGHT * (up + 0.5), [row.name], [element_look(row.element, style)])
-        for up, row in zip(places, rows, strict=True)
+        LineEnd(1 - (place + 0.5) / len(rows), [row.name], [element_look(row.element, style)])
+        for place, row in enumerate(rows)
     ]
 
 
 def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
     """The lines of a panel with their names at the right, at their last values."""
-    (wide, high), style = pen.size, pen.style
-    pen.scale("left", labels.ticks(pen.y.low, pen.y.high, 5), grid=True)
+    wide, style = pen.size[0], pen.style
+    pen.scale("left", ticks(pen.y.low, pen.y.high, 5), grid=True)
     rest = pen.up(0.0)
     pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
     for place, line in enumerate(shown.lines):
@@ -204,9 +202,9 @@ def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
         marked = _signs_at(time, place, len(shown.lines))
         for look in _looks(line, place, style):
             pen.plot(time, values, markevery=marked, title=line.name, **look)
-    beside(pen, "right", _line_ends(shown, high, style))
-    what = labels.wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
-    pen.name("left", what, PANEL_SCALE_WIDTH - labels.height(what) / 2)
+    beside(pen, "right", _line_ends(shown, style))
+    what = wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
+    pen.name("left", what, PANEL_SCALE_WIDTH - height(what) / 2)
 
 
 def _signs_at(time: Floats, place: int, count: int) -> list[int]:

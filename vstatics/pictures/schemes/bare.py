@@ -6,10 +6,10 @@ from functools import partial
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.schemes.assumed import as_sets
-from vstatics.pictures.schemes.scheme import Scheme, scheme_of
-from vstatics.pictures.schemes.sheet import Sheet, draw_devices, extent, wired
-from vstatics.pictures.schemes.stick import StickLayout, draw_mechanism, place
+from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
+from vstatics.pictures.schemes.sheet import Sheet, extent, wired
+from vstatics.pictures.schemes.stick import StickLayout, as_sets, draw_mechanism, place
+from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import Style
@@ -31,10 +31,9 @@ class BareStick(NamedTuple):
 
     def drawn(self, title: str = "", within: Pen | None = None) -> Sheet:
         """The diagram by itself, or at a place of another figure."""
-        place = self.scheme, self.layout.placement, self.style
-        sheet = wired(*place, name=title, within=within, is_coaxial=True)
-        draw_devices(sheet, partial(draw_mechanism, self.layout))
-        return sheet
+        draw = partial(draw_mechanism, self.layout)
+        drawn = self.scheme, self.layout.placement, self.style, draw, SchemeState()
+        return wired(*drawn, titles=Titles(), name=title, within=within, is_coaxial=True)
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:

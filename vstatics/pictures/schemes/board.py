@@ -245,10 +245,8 @@ class Board:
     def crossings(self, arrangement: Arrangement) -> int:
         """How often taps pass tracks of other wires."""
         laid, ranks = self.laid(arrangement), arrangement.ranks
-        sides: _Spans = ([], [])
-        for track, (low, high) in enumerate(zip(laid.low, laid.high, strict=True)):
-            sides[track & 1].append((ranks[track], low, high))
-        return _crossings(laid, ranks, sides)
+        spans = list(zip(ranks, laid.low, laid.high, strict=True))
+        return _crossings(laid, ranks, (spans[::2], spans[1::2]))
 
 
 _Spans = tuple[list[tuple[int, float, float]], list[tuple[int, float, float]]]

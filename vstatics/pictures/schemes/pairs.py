@@ -18,7 +18,6 @@ from vstatics.pictures.schemes.glyphs import (
     wheel,
 )
 from vstatics.pictures.schemes.sets import NO_NAMES
-from vstatics.pictures.sheet.labels import Point
 
 PAIR_WIDTH = 50.0
 """Of a pair of wheels with its shafts. [pt]"""
@@ -38,16 +37,15 @@ def pair_glyphs(element: Element, names: Mapping[str, str] = NO_NAMES) -> list[G
         What is written beside wheels; differentials and shafts have none.
     """
     return [
-        glyph._replace(texts=[(at, "bottom", names[one]) for one, at in _places(glyph, names)])
+        glyph._replace(
+            texts=[  # beside the planes of wheels, over their shafts
+                ((glyph.width / 2 + 3, tap.side * tap.depth + 1.5), "bottom", names[tap.label])
+                for tap in glyph.taps
+                if tap.label in names
+            ]
+        )
         for glyph in DRAWN[element.kind](element)
     ]
-
-
-def _places(glyph: Glyph, names: Mapping[str, str]) -> Iterator[tuple[str, Point]]:
-    """Beside the planes of wheels, over their shafts."""
-    for tap in glyph.taps:
-        if tap.label in names:
-            yield tap.label, (glyph.width / 2 + 3, tap.side * tap.depth + 1.5)
 
 
 def _shafts(
@@ -81,7 +79,7 @@ def _radii(element: Element) -> dict[str, float]:
 
 
 def _stacked(
-    element: Element, between: float, extra: Callable[[float], list[Stroke]]
+    element: Element, between: float = MESH, extra: Callable[[float], list[Stroke]] = lambda _: []
 ) -> Iterator[Glyph]:
     """A wheel above another, either of them below."""
     radii = _radii(element)
@@ -94,10 +92,6 @@ def _stacked(
             *extra(2 * radii[low] - height / 2),
         ]
         yield from _shafts(element, strokes, [(low, low_y), (high, high_y)])
-
-
-def _gear_pair(element: Element) -> Iterator[Glyph]:
-    return _stacked(element, MESH, lambda _: [])
 
 
 def _idler(element: Element) -> Iterator[Glyph]:
@@ -209,7 +203,7 @@ def _in_line(element: Element, bare: Glyph, members: tuple[str, str], y: float) 
 
 
 DRAWN: Mapping[str, Callable[[Element], Iterator[Glyph]]] = {
-    "gear_pair": _gear_pair,
+    "gear_pair": _stacked,
     "idler": _idler,
     "chain": _flexible,
     "belt": _flexible,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import NamedTuple
@@ -46,7 +47,8 @@ class Device(NamedTuple):
     @property
     def is_coupling(self) -> bool:
         """Whether it stands on the line between two links, or a link and the housing."""
-        return self.is_shift_element or (self.kind == "spring" and "second" in self.members)
+        is_shaft = self.kind == "spring" and "second" in self.members
+        return is_shaft or self.is_shift_element or self.kind == "held"
 
     @property
     def links(self) -> set[int]:
@@ -56,7 +58,7 @@ class Device(NamedTuple):
     @property
     def is_on_housing(self) -> bool:
         """Whether it joins one link to the housing: a brake, a support, a spring."""
-        return len(self.links) == 1 and (self.is_coupling or self.kind == "held")
+        return self.is_coupling and len(self.links) == 1
 
 
 class SchemePort(NamedTuple):
@@ -71,22 +73,18 @@ class SchemePort(NamedTuple):
 class SchemeState:
     """What is marked in a picture of a gear, and what is pale; of no gear, nothing is."""
 
-    engaged: frozenset[int] = frozenset()
+    engaged: AbstractSet[int] = frozenset()
     """Devices by their places in `Scheme.devices`."""
-    idle: frozenset[int] = frozenset()
+    idle: AbstractSet[int] = frozenset()
     """Devices that are open or carry no torque."""
-    pieces: frozenset[int] = frozenset()
+    pieces: AbstractSet[int] = frozenset()
     """Devices that carry torque, but turn as one piece."""
-    loaded: Sequence[frozenset[int]] | None = None
+    loaded: Sequence[AbstractSet[int]] | None = None
     """Of each device the links that it has torque from; None of no gear."""
-    idle_links: frozenset[int] = frozenset()
-    idle_ports: frozenset[SchemePort] = frozenset()
+    idle_links: AbstractSet[int] = frozenset()
+    idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
     """Whether power leaves by a port, or enters, where that is known."""
-
-    def is_loaded(self, device: int) -> bool:
-        """Whether a device carries torque, or no gear is shown."""
-        return self.loaded is None or bool(self.loaded[device])
 
 
 @dataclass(frozen=True)
@@ -129,7 +127,6 @@ def scheme_of(case: Transmission) -> Scheme:
     >>> [(device.name, device.members) for device in scheme_of(case).devices]
     [('D1', {'first': 1, 'second': 2, 'third': 3}), ('T1', {'first': 2, 'second': 0})]
     """
-    count = case.own_links
     devices = [
         *_mechanisms(case),
         *_shift_elements(case.shift_elements),
@@ -140,18 +137,12 @@ def scheme_of(case: Transmission) -> Scheme:
         raise CaseError(f"{message}; this case has {len(devices)}")
     ports = dict.fromkeys(
         port
-        for gear in case.gears
+        for gear in case.gears or [Gear()]
         for port in _ports(case.gear_input(gear), case.gear_output(gear), gear)
     )
-    if not ports:
-        ports = dict.fromkeys([SchemePort(case.input, "input"), SchemePort(case.output, "output")])
-    roles = {(port.link, port.role) for port in ports}
-    kept = [
-        port
-        for port in ports
-        if port.role != "given" or not {(port.link, "input"), (port.link, "output")} & roles
-    ]
-    return Scheme(case.link_names[:count], devices, kept)
+    ends = {port.link for port in ports if port.role != "given"}
+    kept = [port for port in ports if port.role != "given" or port.link not in ends]
+    return Scheme(case.link_names[: case.own_links], devices, kept)
 
 
 def ratio_text(ratio: float) -> str:
@@ -224,7 +215,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     engaged: set[int] = set()
     idle: set[int] = set()
     pieces: set[int] = set()
-    loaded: list[frozenset[int]] = []
+    loaded: list[set[int]] = []
     ports = _ports(state.input, state.output, state.gear)
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
@@ -240,12 +231,11 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
                 idle.add(place)
             elif state.is_still[place] and device.kind != "held":
                 pieces.add(place)
-        loaded.append(frozenset(links))
+        loaded.append(links)
         ends += links
     pale = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}
     used = {port.link for port in ports}
     unused = {port for port in scheme.ports if port.link not in used}
-    devices = frozenset(engaged), frozenset(idle), frozenset(pieces)
     powers = {port: state.leaving.get(port, 0.0) for port in ports}
     ways = {port: power > 0 for port, power in powers.items() if abs(power) > 0}
-    return SchemeState(*devices, loaded, frozenset(pale), frozenset(unused), ways)
+    return SchemeState(engaged, idle, pieces, loaded, pale, unused, ways)

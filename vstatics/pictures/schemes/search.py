@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from random import Random
-from typing import NamedTuple
 
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, Arrangement
@@ -28,16 +27,6 @@ HOT, MILD, COLD = 300.0, 30.0, 6.0
 """Temperatures at the start, of a large board, and at the end, in points of length of wire."""
 
 
-class _Cooling(NamedTuple):
-    """How an attempt is made."""
-
-    steps: int
-    hot: float
-    """At the start."""
-    is_free: bool
-    """Wires choose their side."""
-
-
 def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangement:
     """An arrangement with few crossings and short wires.
 
@@ -45,10 +34,9 @@ def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangem
     """
     size = len(board.items) + len(board.wires)
     steps = min(STEPS * size, QUICK_STEPS if is_quick else MOST_STEPS, WORK // size)
-    cooling = _Cooling(steps, HOT if size <= LARGE else MILD, is_free)
     ends = []
     for seed in range(1 if is_quick or size > LARGE else STARTS):
-        found = _annealed(board, _start(board), Random(seed), cooling)  # noqa: S311
+        found = _annealed(board, Random(seed), steps, is_free=is_free)  # noqa: S311
         ends.append(_settled(board, *found))
         if not board.crossings(ends[-1][0]):
             break
@@ -59,39 +47,30 @@ def _start(board: Board) -> Arrangement:
     """Items with a rank in its order, others where those stand to which they are joined."""
     wires = max(board.wires, default=0) + 1
     sides = [ABOVE if wire % 2 == 0 else -ABOVE for wire in range(wires)]
-    middle = _middles(board)
-    order = sorted(range(len(board.items)), key=lambda index: (middle[index], index))
+    joined = [(item.rank, {tap.wire for tap in item.variants[0]}) for item in board.items]
+    ranked = grouped((wire, rank) for rank, own in joined if rank is not None for wire in own)
+    middles: list[float] = []
+    for rank, own in joined:
+        near = [one for wire in own for one in ranked.get(wire, [])]
+        mean = sum(near) / len(near) if near else 0.0
+        middles.append(mean if rank is None else rank)
+    order = sorted(range(len(middles)), key=middles.__getitem__)
     return Arrangement(order, [0] * len(order), sides, [number // 2 for number in range(2 * wires)])
 
 
-def _middles(board: Board) -> list[float]:
-    """By item, its rank, or the mean rank of those that its wires join."""
-    places = grouped(
-        (wire, item.rank)
-        for item in board.items
-        if item.rank is not None
-        for wire in {tap.wire for tap in item.variants[0]}
-    )
-    found = []
-    for item in board.items:
-        joined = [
-            one for wire in {tap.wire for tap in item.variants[0]} for one in places.get(wire, [])
-        ]
-        mean = sum(joined) / len(joined) if joined else 0.0
-        found.append(mean if item.rank is None else item.rank)
-    return found
-
-
 def _annealed(
-    board: Board, arrangement: Arrangement, chance: Random, cooling: _Cooling
+    board: Board, chance: Random, steps: int, *, is_free: bool
 ) -> tuple[Arrangement, float]:
+    """An arrangement after so many steps; wires that are free choose their side."""
+    hot = HOT if len(board.items) + len(board.wires) <= LARGE else MILD
+    arrangement = _start(board)
     cost = board.cost(arrangement)
     best = arrangement, cost
     varied = [i for i, item in enumerate(board.items) if len(item.variants) > 1]
     kinds = ["order", "order", "swap", "rank"]
-    kinds += ["side"] * cooling.is_free + ["variant"] * 2 * bool(varied)
-    for step in range(cooling.steps):
-        heat = cooling.hot * (COLD / cooling.hot) ** (step / cooling.steps)
+    kinds += ["side"] * is_free + ["variant"] * 2 * bool(varied)
+    for step in range(steps):
+        heat = hot * (COLD / hot) ** (step / steps)
         other = _moved(board, arrangement, chance.choice(kinds), varied, chance)
         if other is None:
             continue

@@ -15,8 +15,7 @@ from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point, Span
+from vstatics.pictures.sheet.labels import Point, Span, width
 from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
@@ -73,7 +72,7 @@ class HalfSection:
         own = self.columns[column]
         wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
         texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
-        return max((labels.width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
+        return max((width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
 
     def y(self, level: int) -> float:
         """Of an axle."""
@@ -117,10 +116,9 @@ def section_of(group: PlanetGroup) -> HalfSection:
 def _disorder(section: HalfSection) -> float:
     planets = section.group.planets
     spread = sum(section.planes(p)[-1] - section.planes(p)[0] for p in planets)
-    barred = {side: [section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)}
-    split = not all(map(any, ([not n for n in barred[side]] for side in (LEFT, RIGHT))))
-    best = sum(min(one) for one in zip(barred[LEFT], barred[RIGHT], strict=True))
-    return spread + 3 * best + 0.1 * split
+    barred = [[section.barred(p, side) for p in planets] for side in (LEFT, RIGHT)]
+    best: int = sum(map(min, *barred))
+    return spread + 3 * best + 0.1 * any(map(all, barred))
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
@@ -214,9 +212,8 @@ def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
         for side in (LEFT, RIGHT)
         if not any(section.barred(planet, side) for planet in planets)
     ]
-    if clear:
-        return clear
-    return [tuple(min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)]
+    nearest = (min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)
+    return clear or [tuple(nearest)]
 
 
 def _arms(

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import permutations, product
 from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.model.transmission import HOUSING
@@ -23,12 +26,11 @@ from vstatics.pictures.schemes.signs import (
     draw_coupled,
     meanings,
 )
-from vstatics.pictures.schemes.titles import NO_TITLES, Titles, titles_of
+from vstatics.pictures.schemes.titles import Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
-from vstatics.pictures.sheet import labels
 from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, title_width, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN, Style
@@ -45,7 +47,9 @@ BRAKE_NAME_GAP = 14.0
 """From a brake to its name. [pt]"""
 AXIS = 6.0
 """From the last track below to the axis. [pt]"""
-_OF_NO_GEAR = SchemeState()
+
+DrawDevice = Callable[["Sheet", int], None]
+"""Draws a mechanism or an element by its index."""
 
 
 class Sheet(NamedTuple):
@@ -55,9 +59,9 @@ class Sheet(NamedTuple):
     placement: Placement
     scheme: Scheme
     state: SchemeState
-    axis: float | None = None
+    titles: Titles
+    axis: float | None
     """Height of the line about which all turns. [pt]"""
-    titles: Titles = NO_TITLES
 
     def color(self, index: int) -> str:
         """Of a device."""
@@ -72,7 +76,8 @@ class Sheet(NamedTuple):
 
     def rod_color(self, index: int) -> str:
         """Of what leads to a shift element, a spring or a support."""
-        return self.color(index) if self.state.is_loaded(index) else self.pen.style.faint
+        loaded = self.state.loaded
+        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
 
     def name_color(self, link: int) -> str:
         """Of the name of a link."""
@@ -89,103 +94,104 @@ class Sheet(NamedTuple):
         return [tap for tap in self.placement.row.taps if tap.item == index]
 
 
-def sheet_of(  # noqa: PLR0913 - what is drawn, and how
+def figures(  # noqa: PLR0913 - what is drawn, and how
     results: Results,
     scheme: Scheme,
     placement: Placement,
     style: Style,
-    gears: Sequence[int],
+    draw: DrawDevice,
     *,
+    shown: Iterable[Sequence[int]],
     subject: str,
     note: str = "",
     is_coaxial: bool = False,
-) -> Sheet:
-    """A figure with room for everything, its title and its wires; a gear by its number from 1.
+) -> Iterator[Figure]:
+    """Figures with room for everything, of no gear or of one by its number from 1.
 
     Raises
     ------
     CaseError
-        If there are several gears.
+        If one is of several gears.
     """
-    if len(gears) > 1:
-        raise CaseError("the picture of a scheme shows one gear at a time")
-    state, texts, shown = SchemeState(), [subject], None
-    if gears:
-        shown = state_of(results, gears[0])
-        state = scheme_state(scheme, shown)
-        texts += [gear_title(shown.gear.name, style), *(fault(one, style) for one in shown.faults)]
-    return wired(
-        scheme,
-        placement,
-        style,
-        name=title(results.case, ", ".join(texts)),
-        note=note,
-        state=state,
-        is_coaxial=is_coaxial,
-        titles=titles_of(results, scheme, style, gears[0] if gears else None, shown),
-    )
+    for gears in shown:
+        if len(gears) > 1:
+            raise CaseError("the picture of a scheme shows one gear at a time")
+        state, texts, own, gear = SchemeState(), [subject], None, None
+        for gear in gears:
+            own = state_of(results, gear)
+            state = scheme_state(scheme, own)
+            texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
+        yield wired(
+            scheme,
+            placement,
+            style,
+            draw,
+            state,
+            titles=titles_of(results, scheme, style, gear, own),
+            name=title(results.case, ", ".join(texts)),
+            note=note,
+            is_coaxial=is_coaxial,
+        ).pen.figure
 
 
 def wired(  # noqa: PLR0913 - what is drawn, and how
     scheme: Scheme,
     placement: Placement,
     style: Style,
+    draw: DrawDevice,
+    state: SchemeState,
     *,
-    name: str = "",
+    titles: Titles,
+    name: str,
     note: str = "",
-    state: SchemeState = _OF_NO_GEAR,
     within: Pen | None = None,
-    is_coaxial: bool = False,
-    titles: Titles = NO_TITLES,
+    is_coaxial: bool,
 ) -> Sheet:
-    """A sheet with its wires and the names of its ends; its head, unless it is within another."""
+    """A sheet with all of a scheme; with its head, unless it is within another."""
     low, (right, top) = extent(scheme, placement)
     if within is None:
-        least = labels.title_width(name) if style.titled else 0.0
+        least = title_width(name) if style.titled else 0.0
         right = max(right, low[0] + 2 * WIDE_MARGIN + least)
-        wide, high = right - low[0], top - low[1]
-        head = sheet_head(name, note, meanings(state, style), wide - 2 * WIDE_MARGIN, style)
-        within = head.over(wide, high, WIDE_MARGIN * bool(head.high))._replace(size=(wide, high))
+        size = right - low[0], top - low[1]
+        head = sheet_head(name, note, meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
+        within = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
     pen = within.fitted(low, (right, top))
     axis = placement.edge(BELOW) - AXIS if is_coaxial else None
-    sheet = Sheet(pen, placement, scheme, state, axis, titles)
+    sheet = Sheet(pen, placement, scheme, state, titles, axis)
     if axis is not None:
         ends = (-TERMINAL, axis), (placement.row.width + TERMINAL, axis)
         pen.line(*ends, color=style.faint, width=0.8, linestyle=(0, (12, 3, 2, 3)))
     _wires(sheet)
     _ends(sheet)
+    for index, device in enumerate(scheme.devices):
+        (_draw_coupling if device.is_coupling else draw)(sheet, index)
     return sheet
 
 
 def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a picture with room for all but its head."""
-    names = {
-        "left": [labels.width(scheme.name(wire)) for wire in placement.from_left],
-        "right": [labels.width(scheme.name(wire)) for wire in placement.to_right],
-    }
-    left = -TERMINAL - 4 - max(names["left"], default=-TERMINAL) - WIDE_MARGIN
-    right = (
-        placement.row.width + TERMINAL + 4 + max(names["right"], default=-TERMINAL) + WIDE_MARGIN
+    before, behind = (
+        TERMINAL + 4 + widest(map(scheme.name, wires)) + WIDE_MARGIN
+        for wires in (placement.from_left, placement.to_right)
     )
     sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else AXIS + HEIGHT)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else HEIGHT)
-    return (left, low), (right, high)
+    return (-before, low), (placement.row.width + behind, high)
 
 
 def _wires(sheet: Sheet) -> None:
     """Each link as one path, or two if torque passes parts of it; dots, its name."""
     pen, placement = sheet.pen, sheet.placement
-    widths = {wire: labels.width(sheet.scheme.name(wire)) for wire in placement.labels}
-    lines = wire_lines(placement, widths, sheet.scheme, sheet.state)
+    lines = wire_lines(placement, sheet.scheme, sheet.state)
     for wire, own in lines.items():
-        look: Look = {"title": sheet.titles.link(wire), "zorder": 3}
+        look: Look = {"title": sheet.titles.links.get(wire, ""), "zorder": 3}
         for color, pieces in ((pen.style.faint, own.pale), (pen.style.ink, own.loaded)):
             pen.lines(pieces, color=color, solid_capstyle="projecting", **look)
     joints = placement.joints()
     look = {"width": 4.6, "zorder": 6, "solid_capstyle": "round", "snap": False}
     for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
-        dots = [at for at, wire in joints if lines[wire].is_loaded(at) == there]
+        dots = [at for at, wire in joints if (at in lines[wire].points) == there]
         pen.lines([((x, y), (x + 0.1, y)) for x, y in dots], color=color, **look)
     for wire, at in placement.labels.items():
         sheet.text(at, sheet.scheme.name(wire), color=sheet.name_color(wire))
@@ -197,12 +203,8 @@ def _ends(sheet: Sheet) -> None:
     named: set[int] = set()
     sides = (placement.from_left, -1, 0.0), (placement.to_right, 1, placement.row.width)
     for wires, way, x in sides:
-        ports = [
-            port
-            for port in sheet.scheme.ports
-            if port.link in wires and (port.role == "input") == (way < 0)
-        ]
-        lowest = min(wires, key=lambda wire: placement.y(placement.end_of(wire)), default=0)
+        ports = [port for port in sheet.scheme.ports if (port.role == "input") == (way < 0)]
+        lowest = min(wires, key=lambda wire: placement.y(placement.end_of(wire)))
         for wire in wires:
             own = [port for port in ports if port.link == wire]
             at = x, placement.y(placement.end_of(wire))
@@ -239,61 +241,44 @@ def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None
         pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
 
 
-def brake_width(device: Device) -> float:
-    """Of a brake, a support or a spring in the row, with its name."""
-    if not device.is_coupling:
-        return 24.0
-    return labels.width(lines_of(device.name), bold=True) + BRAKE_NAME_GAP + 18
+def coupling_item(index: int, device: Device, sides: Sequence[int]) -> Item:
+    """A shift element, a spring or a support with its name; its wires come from these sides."""
+    name = width(lines_of(device.name), bold=True)
+    if device.is_on_housing:
+        (link,) = device.links
+        variants = [[Tap(link, sides[0], 12.0, "edge")]]
+        if BELOW in sides:  # past the row to the housing above
+            variants.append([Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")])
+        wide = 24.0 if device.kind == "held" else name + BRAKE_NAME_GAP + 18
+    else:
+        wide = max(name + 14, 34.0)
+        variants = [
+            [Tap(left, a, 0.0), Tap(right, b, wide)]
+            for left, right in permutations(device.members.values())
+            for a, b in product(sides, repeat=2)
+        ]
+    return Item(index, [wide] * len(variants), variants)
 
 
-def clutch_item(index: int, device: Device, sides: tuple[int, ...]) -> Item:
-    """A clutch or a spring, whose wires may come from these sides."""
-    width = max(labels.width(lines_of(device.name), bold=True) + 14, 34.0)
-    one, other = device.members.values()
-    variants = [
-        [Tap(left, a, 0.0), Tap(right, b, width)]
-        for left, right in ((one, other), (other, one))
-        for a in sides
-        for b in sides
-    ]
-    return Item(index, [width] * len(variants), variants)
-
-
-def draw_clutch(sheet: Sheet, index: int) -> None:
-    """A clutch or a spring between two links, its name below."""
-    device, color = sheet.scheme.devices[index], sheet.color(index)
-    closed, said = index in sheet.state.engaged, sheet.titles.device(index)
-    first, second = sorted(sheet.taps(index), key=lambda tap: tap.wire != device.members["first"])
-    ends = (first.x, 0.0), (second.x, 0.0)
-    rod = sheet.rod_color(index)
-    draw_coupled(sheet.pen, Coupled(device.kind, *ends, color, closed, rod, title=said))
-    at = (first.x + second.x) / 2, -13
+def _draw_coupling(sheet: Sheet, index: int) -> None:
+    """A clutch or a spring between two links, its name below; at the housing, beside it."""
+    device, taps = sheet.scheme.devices[index], sheet.taps(index)
+    closed, text, side = index in sheet.state.engaged, lines_of(device.name), 0
+    first = device.members.get("first")
     look: Look = {"color": sheet.text_color(index), "bold": closed}
-    sheet.text(at, lines_of(device.name), va="top", **look)
-
-
-def draw_brake(sheet: Sheet, index: int) -> None:
-    """A brake, a freewheel, a spring or a support at the housing, its name beside it."""
-    device, color = sheet.scheme.devices[index], sheet.color(index)
-    closed, said = index in sheet.state.engaged, sheet.titles.device(index)
-    tap = next(tap for tap in sheet.taps(index) if tap.reach != "row")
-    start = sheet.placement.edge(tap.side)
-    ends = (tap.x, start), (tap.x, start + tap.side * BAND)
-    backward = device.kind == "freewheel" and device.members["first"] == HOUSING
-    one = Coupled(device.kind, *ends, color, closed, sheet.rod_color(index), tap.side, said)
-    draw_coupled(sheet.pen, one._replace(is_backward=backward))
-    if device.is_coupling:
-        at = tap.x + BRAKE_NAME_GAP, start + tap.side * (BAND - PACK)
-        look: Look = {"color": sheet.text_color(index), "bold": closed}
-        sheet.text(at, lines_of(device.name), ha="left", **look)
-
-
-def draw_devices(sheet: Sheet, draw_mechanism: Callable[[Sheet, int], None]) -> None:
-    """All devices, each by its index."""
-    for index, device in enumerate(sheet.scheme.devices):
-        if device.is_on_housing:
-            draw_brake(sheet, index)
-        elif device.is_coupling:
-            draw_clutch(sheet, index)
-        else:
-            draw_mechanism(sheet, index)
+    if device.is_on_housing:
+        tap = next(tap for tap in taps if tap.reach != "row")
+        side, start = tap.side, sheet.placement.edge(tap.side)
+        ends = (tap.x, start), (tap.x, start + side * BAND)
+        at = tap.x + BRAKE_NAME_GAP, start + side * (BAND - PACK)
+        look["ha"] = "left"
+    else:
+        one, other = sorted(taps, key=lambda tap: tap.wire != first)
+        ends = (one.x, 0.0), (other.x, 0.0)
+        at = (one.x + other.x) / 2, -13
+        look["va"] = "top"
+    rod, said = sheet.rod_color(index), sheet.titles.devices.get(index, "")
+    drawn = device.kind, *ends, sheet.color(index), closed, rod, side, said, first == HOUSING
+    draw_coupled(sheet.pen, Coupled(*drawn))
+    if device.kind != "held":
+        sheet.text(at, text, **look)

@@ -1,7 +1,8 @@
 """The stick diagram: the half of the transmission above its axis, wheels as lines of teeth.
 
 Elements stand side by side in the order of the case. Shafts run below them, near the
-axis, drums above them; brakes reach to the housing at the top.
+axis, drums above them; brakes reach to the housing at the top. Where only mechanisms are given
+these are taken for planetary sets.
 """
 
 from __future__ import annotations
@@ -14,11 +15,12 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.elements.drawing import drawing_of
-from vstatics.elements.group import group_of
+from vstatics.elements.element import CentralWheel, Element
+from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError
+from vstatics.model.parts import Mechanism
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.schemes.assumed import as_sets, can_be_set
 from vstatics.pictures.schemes.board import ITEM_GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, Glyph, ground, hatching, lines_of
@@ -27,18 +29,10 @@ from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.search import arranged
 from vstatics.pictures.schemes.sets import set_glyphs
-from vstatics.pictures.schemes.sheet import (
-    HEIGHT,
-    Sheet,
-    brake_width,
-    clutch_item,
-    draw_devices,
-    sheet_of,
-)
-from vstatics.pictures.schemes.structure import box_item, draw_box, named_on_tracks
+from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, figures
+from vstatics.pictures.schemes.structure import draw_box, named_on_tracks, row_item
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import Point, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import LINE_WIDTH
 from vstatics.pictures.sheet.style import SMALL, Style
@@ -83,19 +77,17 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
         "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
     )
-    for gears in shown:
-        sheet = sheet_of(
-            results,
-            scheme,
-            layout.placement,
-            style,
-            gears,
-            subject=style.text("stick diagram", "кинематическая схема"),
-            note="" if glyphs is None else note,
-            is_coaxial=all(map(_is_coaxial, scheme.devices)),
-        )
-        draw_devices(sheet, partial(draw_mechanism, layout))
-        yield sheet.pen.figure
+    yield from figures(
+        results,
+        scheme,
+        layout.placement,
+        style,
+        partial(draw_mechanism, layout),
+        shown=shown,
+        subject=style.text("stick diagram", "кинематическая схема"),
+        note="" if glyphs is None else note,
+        is_coaxial=all(map(_is_coaxial, scheme.devices)),
+    )
 
 
 def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
@@ -136,14 +128,17 @@ def place(
     """
     if glyphs is None:
         glyphs = {
-            index: glyphs_of(device, style)
+            index: _glyphs_of(device.element, style)
             for index, device in enumerate(scheme.devices)
             if device.element is not None and not device.is_on_housing
         }
     items = [
         _element_item(index, device, glyphs[index], style, None if is_quick else index)
         if index in glyphs
-        else _item(index, device, style)
+        else replace(
+            row_item(index, device, (ABOVE, BELOW), style),
+            rank=None if device.is_coupling else index,
+        )
         for index, device in enumerate(scheme.devices)
     ]
     wires = range(1, len(scheme.links) + 1)
@@ -157,11 +152,8 @@ def place(
     return StickLayout(placed(board, arrangement, half, names), glyphs)
 
 
-def glyphs_of(device: Device, style: Style) -> list[Glyph]:
+def _glyphs_of(element: Element, style: Style) -> list[Glyph]:
     """All ways in which an element can be drawn."""
-    element = device.element
-    if element is None:
-        return []
     teeth = {one: f"{count:g}" for one, count in teeth_of(element).items()} if style.wheels else {}
     if isinstance(element.shape, Planetary):
         named = {one: f"{word(one, style)}: {count}" for one, count in teeth.items()}
@@ -188,21 +180,9 @@ def _element_item(
     index: int, device: Device, glyphs: list[Glyph], style: Style, rank: int | None
 ) -> Item:
     name, kind = _names(device, style)
-    label = max(labels.width(name, bold=True), labels.width(kind, SMALL)) + ELEMENT_NAME_GAP
+    label = max(width(name, bold=True), width(kind, SMALL)) + ELEMENT_NAME_GAP
     variants = [[tap._replace(x=tap.x + label) for tap in glyph.taps] for glyph in glyphs]
     return Item(index, [glyph.width + label for glyph in glyphs], variants, rank=rank)
-
-
-def _item(index: int, device: Device, style: Style) -> Item:
-    """A shift element, a support, a spring, or a mechanism that is given as such."""
-    if device.is_on_housing:
-        (link,) = device.links
-        drum = [Tap(link, ABOVE, 12.0, "edge")]
-        shaft = [Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")]
-        return Item(index, [brake_width(device)] * 2, [drum, shaft])
-    if device.is_coupling:
-        return clutch_item(index, device, (ABOVE, BELOW))
-    return replace(box_item(index, device, (ABOVE, BELOW), style), rank=index)
 
 
 def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
@@ -212,7 +192,7 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
         return
     pen, color, placement = sheet.pen, sheet.color(index), sheet.placement
     device, glyph = sheet.scheme.devices[index], layout.glyph(index)
-    ink, said = sheet.text_color(index), sheet.titles.device(index)
+    ink, said = sheet.text_color(index), sheet.titles.devices.get(index, "")
     left = placement.row.lefts[index]
     start = left + placement.row.widths[index] - glyph.width
     if index in sheet.state.pieces:
@@ -227,10 +207,10 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
             end = tap.x, tap.side * (placement.half + 4)
             own = looks.setdefault((LINE_WIDTH, False), [])
             own += [((tap.x, tap.y), end), *ground(end, tap.side)]
-    for (width, dashed), lines in looks.items():
+    for (thick, dashed), lines in looks.items():
         dashes = (0, (2.5, 1.5)) if dashed else "-"
-        look: Look = {"linestyle": dashes, "title": said if width == LINE_WIDTH else ""}
-        pen.lines(lines, color=color, width=width, zorder=4, solid_capstyle="projecting", **look)
+        look: Look = {"linestyle": dashes, "title": said if thick == LINE_WIDTH else ""}
+        pen.lines(lines, color=color, width=thick, zorder=4, solid_capstyle="projecting", **look)
     for (x, y), up, text in glyph.texts:
         sheet.text((start + x, y), text, color=ink, size=SMALL, ha="left", va=up, over=True)
     name, kind = _names(device, pen.style)
@@ -238,3 +218,48 @@ def draw_mechanism(layout: StickLayout, sheet: Sheet, index: int) -> None:
     look = {"color": ink, "ha": "right", "va": "top"}
     sheet.text((x, y), name, bold=True, **look)
     sheet.text((x, y - HEIGHT * (name.count("\n") + 1)), kind, size=SMALL, **look)
+
+
+def can_be_set(device: Device) -> bool:
+    """Whether it may be a planetary set: a mechanism with a carrier that is not the housing."""
+    return device.kind == "mechanism" and "third" in device.members
+
+
+def as_sets(
+    devices: Sequence[Device], mechanisms: Sequence[Mechanism]
+) -> tuple[list[Device], Mapping[int, list[Glyph]]]:
+    """Devices with their mechanisms as sets of sun, ring and carrier; how those can be drawn.
+
+    Below 0 a ratio is that of a simple set, above 0 one of meshed planets; where its size is
+    below 1 the first link has the ring.
+
+    >>> devices = [Device("D1", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,))]
+    >>> as_sets(devices, [Mechanism(1, 2, 3, -2.5)])[0][0].members
+    {'sun': 1, 'ring': 2, 'carrier': 3}
+    """
+    sets, glyphs = [*devices], {}
+    for index, device in enumerate(devices):
+        if can_be_set(device):
+            group = bare_group(mechanisms[device.numbers[0]])
+            glyphs[index] = set_glyphs(group)
+            members = {wheel.member: wheel.link for wheel in group.wheels}
+            sets[index] = device._replace(members={**members, "carrier": group.carrier})
+    return sets, glyphs
+
+
+def bare_group(mechanism: Mechanism) -> PlanetGroup:
+    """Wheels and planets of a set, with teeth that stand for any.
+
+    >>> [wheel.link for wheel in bare_group(Mechanism(1, 2, 3, -0.4)).wheels]
+    [2, 1]
+    """
+    first, second, carrier = mechanism.links
+    sun, ring = (first, second) if abs(mechanism.ratio) >= 1 else (second, first)
+    is_simple = mechanism.ratio < 0
+    rims = ("planet",) if is_simple else ("inner", "outer")
+    wheels = [
+        CentralWheel("sun", sun, 1, internal=False, rim=rims[0]),
+        CentralWheel("ring", ring, 1, internal=True, rim=rims[-1]),
+    ]
+    meshes = [] if is_simple else [("inner", "outer")]
+    return PlanetGroup(carrier, wheels, {rim: {rim: None} for rim in rims}, meshes)

@@ -16,16 +16,8 @@ from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching, line
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
-from vstatics.pictures.schemes.sheet import (
-    HEIGHT,
-    Sheet,
-    brake_width,
-    clutch_item,
-    draw_devices,
-    sheet_of,
-)
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import Segment
+from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, coupling_item, figures
+from vstatics.pictures.sheet.labels import Segment, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import corners
 from vstatics.pictures.sheet.style import SMALL, Style
@@ -54,16 +46,13 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
     scheme, subject = scheme_of(results.case), style.text("structure", "структура")
-    placement = place(scheme, style)
-    for gears in shown:
-        sheet = sheet_of(results, scheme, placement, style, gears, subject=subject)
-        draw_devices(sheet, draw_box)
-        yield sheet.pen.figure
+    drawn = scheme, place(scheme, style), style, draw_box
+    yield from figures(results, *drawn, shown=shown, subject=subject)
 
 
 def place(scheme: Scheme, style: Style) -> Placement:
     """Where everything stands in the picture; the same for all gears of a case."""
-    items = [_item(index, device, style) for index, device in enumerate(scheme.devices)]
+    items = [row_item(index, one, (0,), style) for index, one in enumerate(scheme.devices)]
     board = Board(items, range(1, len(scheme.links) + 1), *scheme.ends)
     return placed(board, arranged(board, is_free=True), HALF_BOX, named_on_tracks(scheme))
 
@@ -72,27 +61,25 @@ def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     """Widths of the names of links that reach no end of the picture [pt]."""
     from_left, to_right = scheme.ends
     return {
-        link: labels.width(name)
+        link: width(name)
         for link, name in enumerate(scheme.links, 1)
         if link not in from_left and link not in to_right
     }
 
 
-def _item(index: int, device: Device, style: Style) -> Item:
-    """A device as something in the row, its wires on the side where they run."""
-    if device.is_on_housing:
-        (link,) = device.links
-        return Item(index, [brake_width(device)], [[Tap(link, 0, 12.0, "edge")]])
+def row_item(index: int, device: Device, sides: Sequence[int], style: Style) -> Item:
+    """A coupling, or a mechanism as a box with its members at the top and at the bottom.
+
+    Parameters
+    ----------
+    sides : sequence of int
+        From which its wires may come; 0 is that where they run.
+    """
     if device.is_coupling:
-        return clutch_item(index, device, (0,))
-    return box_item(index, device, (0,), style)
-
-
-def box_item(index: int, device: Device, sides: tuple[int, ...], style: Style) -> Item:
-    """A mechanism as a box with its members at the top and at the bottom."""
-    slot = max(labels.width(member_text(device, one, style), SMALL) for one in device.members) + 9
-    name = labels.width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
-    inner = max(name, labels.width(word(device.kind, style), SMALL), 60.0) + 10
+        return coupling_item(index, device, sides)
+    slot = max(width(member_text(device, one, style), SMALL) for one in device.members) + 9
+    name = width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
+    inner = max(name, width(word(device.kind, style), SMALL), 60.0) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
@@ -112,7 +99,7 @@ def member_text(device: Device, member: str, style: Style) -> str:
 
 def draw_box(sheet: Sheet, index: int) -> None:
     """A mechanism with its name, a note and its members; hatched if it turns as one piece."""
-    device, said = sheet.scheme.devices[index], sheet.titles.device(index)
+    device, said = sheet.scheme.devices[index], sheet.titles.devices.get(index, "")
     pen, color, style = sheet.pen, sheet.color(index), sheet.pen.style
     left = sheet.placement.row.lefts[index]
     right = left + sheet.placement.row.widths[index]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.elements.element import Element
@@ -18,19 +18,8 @@ from vstatics.statics.results import Results
 class Titles(NamedTuple):
     """Texts of devices by index, of links by number; none for what is not there."""
 
-    devices: Sequence[str] = ()
-    links: Sequence[str] = ()
-
-    def device(self, index: int) -> str:
-        """Of a device."""
-        return self.devices[index] if self.devices else ""
-
-    def link(self, link: int) -> str:
-        """Of a link."""
-        return self.links[link - 1] if self.links else ""
-
-
-NO_TITLES = Titles()
+    devices: Mapping[int, str] = {}
+    links: Mapping[int, str] = {}
 
 
 def titles_of(
@@ -58,11 +47,11 @@ def titles_of(
             f"{word(one, style)} {number(value)}".strip() for one, value in own.items()
         )
         devices.append(f"{device.name}: {'; '.join(filter(None, (facts, joins, carried)))}")
-    links = list(scheme.links)
+    links = dict(enumerate(scheme.links, 1))
     if state is not None:
-        speeds = enumerate(links, 1)
-        links = [f"{one}: {quantity('speed', state.speeds[n], style)}" for n, one in speeds]
-    return Titles(devices, links)
+        speeds = {link: quantity("speed", state.speeds[link], style) for link in links}
+        links = {link: f"{name}: {speeds[link]}" for link, name in links.items()}
+    return Titles(dict(enumerate(devices)), links)
 
 
 def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
@@ -72,7 +61,7 @@ def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
         yield from (
             f"{word(one, style)} {teeth:g}" for one, teeth in teeth_of(device.element).items()
         )
-    is_mechanism = not device.is_coupling and device.kind not in ("held", "spring")
+    is_mechanism = not device.is_coupling and device.kind != "spring"
     if is_mechanism and len(device.numbers) == 1:
         yield ratio_text(case.mechanisms[device.numbers[0]].ratio)
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
 from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Point, Segment, Span
+from vstatics.pictures.sheet.labels import Point, Segment, Span, width
 
 CUT = 4.0
 """Half the gap of a wire where another crosses it. [pt]"""
@@ -23,34 +23,21 @@ class WireLines(NamedTuple):
     loaded: Sequence[Segment]
     pale: Sequence[Segment]
     """No torque passes these."""
-    points: frozenset[Point]
-    """Where loaded lines begin, end, or branch."""
-
-    def is_loaded(self, at: Point) -> bool:
-        """Whether torque passes the place of a joint."""
-        return at in self.points
+    points: set[Point]
+    """Where loaded lines begin, end, or branch: torque passes the joints there."""
 
 
-def wire_lines(
-    placement: Placement, widths: Mapping[int, float], scheme: Scheme, state: SchemeState
-) -> dict[int, WireLines]:
+def wire_lines(placement: Placement, scheme: Scheme, state: SchemeState) -> dict[int, WireLines]:
     """All level and upright lines of each wire.
 
     Torque passes a piece of a wire if on both sides of it there is something that carries
     torque: a member of a device, a port.
-
-    Parameters
-    ----------
-    widths : mapping of int to float
-        Of the names that stand on their wires. [pt]
     """
     gaps = [((wire, y), x, CUT) for x, y, _, wire in placement.crossings()]
     for wire, (x, y) in placement.labels.items():
-        gaps.append(((wire, y), x, widths[wire] / 2 + WIRE_NAME_GAP))
+        gaps.append(((wire, y), x, width(scheme.name(wire)) / 2 + WIRE_NAME_GAP))
     cuts = grouped((level, (x - half, x + half)) for level, x, half in gaps)
-    spans = ((track, placement.y(track), ends) for track, ends in placement.row.spans.items())
-    level = ((track[0], ((left, y), (right, y))) for track, y, (left, right) in spans)
-    lines = grouped([*_upright(placement), *level])
+    lines = grouped([*_upright(placement), *_level(placement)])
     ends = grouped(_ends(placement, scheme, state))
     inside = grouped(_inside(placement))
     found: dict[int, WireLines] = {}
@@ -70,8 +57,15 @@ def wire_lines(
             for piece in _cut(line, cuts.get((wire, line[0][1]), []))
         ]
         loaded, pale = ([piece for piece, one in pieces if one == there] for there in (True, False))
-        found[wire] = WireLines(loaded, pale, frozenset(points))
+        found[wire] = WireLines(loaded, pale, points)
     return found
+
+
+def _level(placement: Placement) -> Iterator[tuple[int, Segment]]:
+    """Those of tracks."""
+    for track, (left, right) in placement.row.spans.items():
+        y = placement.y(track)
+        yield track[0], ((left, y), (right, y))
 
 
 def _upright(placement: Placement) -> Iterator[tuple[int, Segment]]:

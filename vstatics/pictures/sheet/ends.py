@@ -6,8 +6,16 @@ from collections.abc import Sequence
 from itertools import zip_longest
 from typing import Literal, NamedTuple
 
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, Label, spread
+from vstatics.pictures.sheet.labels import (
+    LABEL_GAP,
+    LEADER,
+    LINE_HEIGHT,
+    Label,
+    across_size,
+    height,
+    spread,
+    width,
+)
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import LEADER_WIDTH, SIGN_WIDTH
@@ -20,7 +28,7 @@ class LineEnd(NamedTuple):
     """A line that reaches the edge, with the names of what shares it."""
 
     at: float
-    """Along the edge, from its lower end. [pt]"""
+    """The part of the edge below it."""
     names: Sequence[str]
     """Wrapped."""
     looks: Sequence[Look] = ()
@@ -29,7 +37,7 @@ class LineEnd(NamedTuple):
     @property
     def high(self) -> float:
         """Of its names [pt]."""
-        return sum(map(labels.height, self.names)) + LABEL_GAP
+        return sum(map(height, self.names)) + LABEL_GAP
 
     @property
     def aside(self) -> float:
@@ -39,7 +47,7 @@ class LineEnd(NamedTuple):
 
 def width_of(ends: Sequence[LineEnd]) -> float:
     """From the edge to the outer end of the names [pt]."""
-    wide = (end.aside + labels.width(name) for end in ends for name in end.names)
+    wide = (end.aside + width(name) for end in ends for name in end.names)
     return max(wide, default=0.0)
 
 
@@ -50,16 +58,17 @@ def height_of(ends: Sequence[LineEnd]) -> float:
 
 def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) -> None:
     """The names at an edge, each after a piece of its line; what shares a line has one leader."""
-    places = spread([end.at for end in ends], [end.high for end in ends], 0.0, pen.size[1])
+    wanted = [end.at * pen.size[1] for end in ends]
+    places = spread(wanted, [end.high for end in ends], 0.0, pen.size[1])
     edge, way, ha = (0.0, -1.0, "right") if side == "left" else (pen.size[0], 1.0, "left")
     inner = edge + LEADER * way
     leaders, brackets = [], []
-    for end, place in zip(ends, places, strict=True):
-        leaders.append(((edge, end.at), (inner, place)))
+    for end, at, place in zip(ends, wanted, places, strict=True):
+        leaders.append(((edge, at), (inner, place)))
         top = place + (end.high - LABEL_GAP) / 2
         middles = []
         for name, look in zip_longest(end.names, end.looks):
-            own = labels.height(name)
+            own = height(name)
             middles.append(top - own / 2)
             if look is not None:
                 piece = [(inner + part * SIGN_WIDTH * way, middles[-1]) for part in (0, 0.5, 1)]
@@ -70,7 +79,7 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
                 name,
                 ha=ha,
                 va="center",
-                linespacing=labels.LINE_HEIGHT,
+                linespacing=LINE_HEIGHT,
             )
             top -= own
         if len(middles) > 1:
@@ -88,10 +97,7 @@ def along(
     upright : bool
         Texts run upwards, and need little room along the edge.
     """
-    sizes = [
-        labels.height(one.text) + LABEL_GAP if upright else labels.across_size(one.text)
-        for one in texts
-    ]
+    sizes = [height(one.text) + LABEL_GAP if upright else across_size(one.text) for one in texts]
     places = spread([one.at for one in texts], sizes, 0.0, pen.size[0])
     start, way, va = (0.0, -1.0, "top") if edge == "bottom" else (pen.size[1], 1.0, "bottom")
     both = list(zip(texts, places, strict=True))
@@ -100,7 +106,7 @@ def along(
         color=pen.style.soft,
         width=LEADER_WIDTH,
     )
-    look: Look = {"ha": "center", "va": va, "linespacing": labels.LINE_HEIGHT}
+    look: Look = {"ha": "center", "va": va, "linespacing": LINE_HEIGHT}
     for one, x in both:
         y, turn = start + 0.65 * LEADER * way, 90 * upright
         pen.text(x, y, one.text, color=one.colour, rotation=turn, **look)

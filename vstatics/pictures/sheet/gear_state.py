@@ -10,7 +10,7 @@ from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
 from vstatics.statics.bodies import Bodies, is_one_piece, joined_by_elements
 from vstatics.statics.results import Results
-from vstatics.statics.roles import IDLE, Role, mechanism_roles
+from vstatics.statics.roles import Role, mechanism_roles
 from vstatics.statics.state import GearState
 from vstatics.statics.status import Status
 
@@ -48,11 +48,6 @@ class PictureState(NamedTuple):
     leaving: Mapping[tuple[int, str], float]
     """Power that leaves, as far as it is known, by link and role of the port: ``input``,
     ``output`` or ``given``. [-]"""
-
-    @property
-    def is_loaded(self) -> list[bool]:
-        """By mechanism: whether it carries torque, or one that is not known."""
-        return [one != IDLE for one in self.roles]
 
 
 def state_of(results: Results, number: int) -> PictureState:

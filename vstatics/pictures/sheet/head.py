@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.pictures.sheet.labels import LINE_HEIGHT, height, title_width, width, wrapped
+from vstatics.pictures.sheet.labels import LINE_HEIGHT, Point, height, title_width, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, blank
-from vstatics.pictures.sheet.style import SIGN_WIDTH, SIZE, TITLE, Style
+from vstatics.pictures.sheet.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 
 AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
 """From a sign to its text, and from this to the next sign. [pt]"""
@@ -47,30 +47,21 @@ class KeySign(NamedTuple):
 
 
 class SheetHead(NamedTuple):
-    """Title, notes and key in a width."""
+    """Title, note and key in a width."""
 
-    title: str
-    note: str
+    lines: Sequence[tuple[str, float, Look]]
+    """Texts, each with its height and a gap [pt]."""
     rows: Sequence[Sequence[KeySign]]
-    style: Style
+    high: float
+    """All of it, with a gap below; 0 without a text. [pt]"""
 
-    @property
-    def high(self) -> float:
-        """All of it, with a gap below; 0 without a text [pt]."""
-        title, note = height(self.title, TITLE) + BELOW_HEAD, height(self.note) + BELOW_HEAD
-        key = SIGN_ROW_HEIGHT * len(self.rows) + BELOW_HEAD
-        return title * bool(self.title) + note * bool(self.note) + key * bool(self.rows)
-
-    def over(self, wide: float, high: float, margin: float) -> Pen:
+    def over(self, size: Point, margin: float, style: Style) -> Pen:
         """A figure with the head over a picture of a size [pt]."""
-        top = high + self.high
-        pen = blank(wide, top + margin, self.style)
-        if self.title:
-            pen.text(margin, top, self.title, bold=True, size=TITLE, **BELOW)
-            top -= height(self.title, TITLE) + BELOW_HEAD
-        if self.note:
-            pen.text(margin, top, self.note, color=self.style.soft, **BELOW)
-            top -= height(self.note) + BELOW_HEAD
+        top = size[1] + self.high
+        pen = blank(size[0], top + margin, style)
+        for text, high, look in self.lines:
+            pen.text(margin, top, text, **look, **BELOW)
+            top -= high
         for row in self.rows:
             x = margin
             for sign in row:
@@ -96,5 +87,16 @@ def sheet_head(
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
-    head = wrapped(title, room, title_width) if style.titled else ""
-    return SheetHead(head, wrapped(note, room), rows, style)
+    texts: list[tuple[str, Look]] = [
+        (wrapped(title, room, title_width) * style.titled, {"size": TITLE, "bold": True}),
+        (wrapped(note, room), {"size": SIZE, "color": style.soft}),
+    ]
+    lines = [(text, height(text, look["size"]) + BELOW_HEAD, look) for text, look in texts if text]
+    key = (SIGN_ROW_HEIGHT * len(rows) + BELOW_HEAD) * bool(rows)
+    return SheetHead(lines, rows, sum(high for _, high, _ in lines) + key)
+
+
+def headed(title: str, note: str, meanings: Iterable[Meaning], size: Point, style: Style) -> Pen:
+    """A figure with title, note and key over panels of a size with their margins [pt]."""
+    head = sheet_head(title, note, meanings, size[0] - 2 * MARGIN, style)
+    return head.over(size, MARGIN, style)

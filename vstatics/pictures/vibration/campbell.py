@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.head import headed
 from vstatics.pictures.sheet.labels import LEADER, Label, height, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
@@ -66,15 +66,16 @@ class _CampbellDiagram(NamedTuple):
         """A frequency with its unit."""
         return f"{number(frequency)} {self.style.text('Hz', 'Гц')}"
 
-    def ends(self, high: float) -> list[LineEnd]:
+    @property
+    def ends(self) -> list[LineEnd]:
         """What reaches the right edge: modes, an arrow at those above the range, and orders."""
         shown, found = self.shown, []
         for place, frequency in enumerate(self.frequencies, 1):
             above = " ↑" if frequency > shown.frequency else ""
-            at = high * shown.up(min(frequency, shown.frequency))
+            at = shown.up(min(frequency, shown.frequency))
             found.append(LineEnd(at, (f"{place}: {self.hertz(frequency)}{above}",)))
         reached = ((order, *shown.end(order)) for order in (ORDERS if found else ()))
-        return found + [LineEnd(high * y, (_order_name(n),)) for n, x, y in reached if x == 1.0]
+        return found + [LineEnd(y, (_order_name(n),)) for n, x, y in reached if x == 1.0]
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
@@ -113,7 +114,7 @@ def _diagrams(results: Results, style: Style, gears: Sequence[int]) -> list[_Cam
 def _figure(case: Transmission, diagrams: Sequence[_CampbellDiagram]) -> Figure:
     """Diagrams beside and below one another."""
     part, style = LONE_DIAGRAM_SCALE if len(diagrams) == 1 else 1.0, diagrams[0].style
-    ends = [one.ends(1.0) for one in diagrams]
+    ends = [one.ends for one in diagrams]
     wide, least = (part * length for length in DIAGRAM_SIZE)
     high = max(least, *map(height_of, ends))
     right = max(*map(width_of, ends), LEADER + width(_order_name(0.5))) + MARGIN
@@ -132,9 +133,7 @@ def _figure(case: Transmission, diagrams: Sequence[_CampbellDiagram]) -> Figure:
         (True, "order n×", "порядок n×", _order_look(style)),
         (resonates, *resonance, _dot_look(style)),
     ]
-    room = columns * across - MARGIN
-    head = sheet_head(title(case, subject), note, signs, room, style)
-    pen = head.over(room + 2 * MARGIN, rows * up, MARGIN)
+    pen = headed(title(case, subject), note, signs, (columns * across + MARGIN, rows * up), style)
     for place, diagram in enumerate(diagrams):
         row, column = divmod(place, columns)
         corner = column * across + FREQUENCY_SCALE_WIDTH, (rows - 1 - row) * up + SPEED_SCALE_HEIGHT
@@ -181,7 +180,7 @@ def _draw(pen: Pen, diagram: _CampbellDiagram) -> None:
             mode = style.text(f"mode {place}", f"форма {place}")
             said = f"{diagram.head}, {mode}: {diagram.hertz(frequency)}"
             pen.line((0.0, y), (wide, y), title=said, **_mode_look(style))
-    beside(pen, "right", diagram.ends(high))
+    beside(pen, "right", diagram.ends)
     along(pen, "top", above, upright=False)
     _draw_crossings(pen, diagram)
 

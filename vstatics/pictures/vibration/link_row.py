@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.sheet import labels
-from vstatics.pictures.sheet.labels import LEADER, Point
+from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, Point, height, spread, widest, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, zigzag
 from vstatics.pictures.sheet.style import LONG_NAME, SMALL_NUMBER, number
@@ -52,16 +51,16 @@ def springs(links: ModeLinks) -> list[str]:
 
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
     """Places and names; of many links only some, so that they have room."""
-    names = [labels.wrapped(name, LONG_NAME) for name in links.names]
-    highest = max(map(labels.height, names), default=0.0) + labels.LABEL_GAP
+    names = [wrapped(name, LONG_NAME) for name in links.names]
+    highest = max(map(height, names), default=0.0) + LABEL_GAP
     every = math.ceil(highest / pitch) if len(names) * pitch >= MOST_ROW_WIDTH else 1
     return [(place, name) for place, name in enumerate(names) if place % every == 0]
 
 
-def height(links: ModeLinks, pitch: float) -> float:
+def row_height(links: ModeLinks, pitch: float) -> float:
     """Of the row with the names above it and the devices below it [pt]."""
-    up = labels.widest(name for _, name in _names(links, pitch))
-    up += LEADER + labels.LABEL_GAP
+    up = widest(name for _, name in _names(links, pitch))
+    up += LEADER + LABEL_GAP
     return up + _above(links) + _below(links)
 
 
@@ -90,8 +89,8 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
     """Upright, each with a line to its link."""
     wanted = [axis.at(place) for place, _ in names]
-    sizes = [labels.height(name) + labels.LABEL_GAP for _, name in names]
-    places = labels.spread(wanted, sizes, 0.0, axis.pen.size[0])
+    sizes = [height(name) + LABEL_GAP for _, name in names]
+    places = spread(wanted, sizes, 0.0, axis.pen.size[0])
     both = zip(wanted, places, strict=True)
     pieces = [((at, low), (place, low + 0.6 * LEADER)) for at, place in both]
     axis.pen.lines(pieces, color=axis.pen.style.ink, width=0.5)
@@ -148,7 +147,7 @@ def draw_legend(pen: Pen, left: float, low: float, *, elastic: bool) -> None:
         if elastic
         else (("without inertia", "без инерции"), ("with inertia", "с инерцией"))
     ):
-        y = low + row * labels.height("")
+        y = low + row * height("")
         if not elastic:
             _draw_dot(pen, (left + 8, y), style.ink, heavy=bool(row))
         elif row:
@@ -178,7 +177,9 @@ class AmplitudeBand(NamedTuple):
         return self.rest + self.unit * amplitude
 
 
-def draw(axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float]) -> None:
+def draw_shape(
+    axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float]
+) -> None:
     """Amplitudes as bars from the line of rest, joined as the links are.
 
     Parameters

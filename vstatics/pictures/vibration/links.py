@@ -86,8 +86,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     with_planets = {part.rpartition(".")[0] for part in modes.modes[0].kinetic} - {""}
     kept = {link for link in moving if case.inertias.get(link)} | {state.input, state.output}
     kept.update(*(links for name, links in joined if name in with_planets))
-    loaded = _loaded(moving - kept, [links for _, links in joined])
-    joined = [joined[index] for index in loaded]
+    joined = _loaded(moving - kept, joined)
     idle = moving - kept - {link for _, links in joined for link in links}
     row = _row(moving - idle, state.input, [links for _, links in joined])
     place = {link: at for at, link in enumerate(row)}
@@ -127,36 +126,27 @@ def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]
         yield spring.name, spring.form
 
 
-def _loaded(light: AbstractSet[int], joined: Sequence[Sequence[int]]) -> list[int]:
-    """Indices of devices that bear anything: none of their links is light and theirs alone."""
-    loaded = list(range(len(joined)))
+def _loaded(
+    light: AbstractSet[int], joined: list[tuple[str, list[int]]]
+) -> list[tuple[str, list[int]]]:
+    """Devices that bear anything, with their links: none of these is light and theirs alone."""
     while True:
-        count = Counter(link for index in loaded for link in joined[index])
-        left = [
-            index
-            for index in loaded
-            if not any(link in light and count[link] == 1 for link in joined[index])
-        ]
-        if len(left) == len(loaded):
-            return loaded
-        loaded = left
+        count = Counter(link for _, links in joined for link in links)
+        loose = {link for link in light if count[link] == 1}
+        left = [one for one in joined if loose.isdisjoint(one[1])]
+        if len(left) == len(joined):
+            return joined
+        joined = left
 
 
 def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -> list[int]:
     """Links by their distance from the first one, then in their own order."""
-    distance = {first: 0} if first in links else {}
-    level = 0
-    while True:
-        reached = {
-            link
-            for group in joined
-            if any(distance.get(link) == level for link in group)
-            for link in group
-        }
-        if not reached - set(distance):
-            break
-        level += 1
-        distance.update(dict.fromkeys(reached - set(distance), level))
+    distance: dict[int, int] = {}
+    reached = links & {first}
+    for level in range(len(links)):
+        distance |= dict.fromkeys(reached, level)
+        groups = [group for group in joined if not reached.isdisjoint(group)]
+        reached = set().union(*groups) - distance.keys()
     return sorted(links, key=lambda link: (distance.get(link, math.inf), link))
 
 
