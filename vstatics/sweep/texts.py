@@ -34,6 +34,18 @@ class Text(NamedTuple):
         return self.parts[0].place if self.parts else None
 
 
+class FileName(str):
+    """The name of a file that stands in a sweep file, and where it stands there."""
+
+    __slots__ = ("place",)
+    place: Place
+
+    def at(self, place: Place) -> FileName:
+        """Keep the place."""
+        self.place = place
+        return self
+
+
 def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
     """A text and others behind it, with a separator between these, each with its place.
 

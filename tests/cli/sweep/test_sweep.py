@@ -345,3 +345,10 @@ def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> No
         assert vstatics(*said, *option).out == written
         heads.append(written.splitlines()[0])
     assert heads == ["variant,D1.ratio,status,'-ratio[1]", "variant,D1.ratio,status,-ratio[1]"]
+
+
+def test_a_case_that_a_sweep_file_names_and_that_is_not_there_is_told_at_its_place() -> None:
+    Path("w.yaml").write_text("vary: [D.ratio=-3:-2:3]\n\ncase: nowhere.yaml\n", encoding="utf-8")
+    said = vstatics("sweep", "--file", "w.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml can't be read: No such file")
