@@ -1,6 +1,7 @@
 """Mutated inputs for all readers and expressions: `python -m tests.fuzz 1000000`.
 
-Each input must end in a result or in an error of vstatics, within a second of the processor.
+Each input must end in a result or in an error of vstatics, within a second of the processor;
+files are carried out by their commands, too, within ten.
 The same seed makes the same inputs; `--from N` starts at one that failed.
 """
 
@@ -10,6 +11,7 @@ import argparse
 import io
 import json
 import re
+import resource
 import sys
 import time
 import traceback
@@ -23,6 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tests.commands import CASES, MZKT
+from tests.fuzzed_commands import commands
 from vstatics import VstaticsError, load, solve
 from vstatics.readers import read
 from vstatics.readers.reading import Reading
@@ -41,8 +44,10 @@ from vstatics.sweep.variants.targets import target
 from vstatics.sweep.variants.variation import read_variation
 from vstatics.writers import listing, named, result_json
 
-SECONDS = 1.0
-"""Of the processor; more is a fault."""
+READING_SECONDS, COMMAND_SECONDS = 1.0, 10.0
+"""Of the processor, to read and to carry out a command; more is a fault."""
+MOST_MEMORY = 2**30
+"""Of a process; more is a fault. [bytes]"""
 CHUNK = 500
 
 PIECES = (
@@ -83,6 +88,7 @@ class Kind(NamedTuple):
 
     good: tuple[str, ...]
     read: Callable[[bytes], object]
+    seconds: float = READING_SECONDS
 
 
 def _case(form: Any) -> Callable[[bytes], object]:
@@ -218,6 +224,7 @@ def kinds() -> dict[str, Kind]:
             ("D1.ratio=-3:-2:5", "D1.ratio=-3:-2", "D2.efficiency=.9,.95,.97", "D1.ratio=-96/39"),
             variation,
         ),
+        **{name: Kind(*one, COMMAND_SECONDS) for name, one in commands().items()},
     }
 
 
@@ -268,8 +275,10 @@ def tried(number: int) -> tuple[str, str, str]:
     except Exception:  # noqa: BLE001 - that is what is looked for
         outcome, fault = "fault", traceback.format_exc()
     seconds = time.process_time() - begin
-    if seconds > SECONDS:
+    if seconds > kind.seconds:
         fault += f"took {seconds:.1f} s"
+    if (memory := resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024) > MOST_MEMORY:
+        fault += f"took {memory / 2**20:.0f} MB"
     return name, outcome, f"{fault}\n{data[:2000]!r}" if fault else ""
 
 
@@ -309,7 +318,8 @@ def main() -> int:
     for name in kinds():
         of_kind = {outcome: n for (kind, outcome), n in counts.items() if kind == name}
         print(f"{name:12} {of_kind}")  # noqa: T201
-    print(f"{sum(counts.values())} inputs, {failed} faults")  # noqa: T201
+    accepted = sum(n for (_, outcome), n in counts.items() if outcome == "read")
+    print(f"{sum(counts.values())} inputs, {accepted} accepted, {failed} faults")  # noqa: T201
     return 1 if failed else 0
 
 
