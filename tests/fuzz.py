@@ -82,6 +82,10 @@ samples: {controls.FH.scale: {normal: [.7, .05], min: .5}}
 
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
 
+NUMBER = re.compile(r"[0-9]+\.?[0-9]*|\.[0-9]+")
+OTHER_NUMBERS = 0.4
+"""So many inputs have other numbers and no other change."""
+
 
 class Kind(NamedTuple):
     """A kind of input: good ones, and what reads them."""
@@ -229,8 +233,19 @@ def kinds() -> dict[str, Kind]:
 
 
 def mutated(rng: Random, good: tuple[str, ...]) -> bytes:
-    """A good text, of which words are cut out, doubled, moved or replaced, or bytes changed."""
+    """A good text with other numbers, or with other words."""
     tokens = TOKEN.findall(rng.choice(good))
+    numbers = [place for place, token in enumerate(tokens) if NUMBER.fullmatch(token)]
+    if not numbers or rng.random() > OTHER_NUMBERS:
+        return with_other_words(rng, tokens)
+    for place in rng.sample(numbers, min(len(numbers), rng.choice((1, 1, 2, 3)))):
+        factor = rng.choice((-1, 0, 1, 1, 1, 10.0 ** rng.uniform(-9, 9), rng.uniform(0, 2)))
+        tokens[place] = f"{float(tokens[place]) * factor:.{rng.randint(1, 17)}g}"
+    return "".join(tokens).encode()
+
+
+def with_other_words(rng: Random, tokens: list[str]) -> bytes:
+    """A text, of which words are cut out, doubled, moved or replaced, or bytes changed."""
     for _ in range(rng.choice((1, 1, 1, 2, 4))):
         place = rng.randrange(max(len(tokens), 1))
         match rng.randrange(7):
