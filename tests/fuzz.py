@@ -1,6 +1,7 @@
 """Mutated inputs for all readers and expressions: `python -m tests.fuzz 1000000`.
 
-Each input must end in a result or in an error of vstatics, within a second of the processor.
+Each input must end in a result or in an error of vstatics, within a second of the processor;
+files are carried out by their commands, too, within ten.
 The same seed makes the same inputs; `--from N` starts at one that failed.
 """
 
@@ -10,6 +11,7 @@ import argparse
 import io
 import json
 import re
+import resource
 import sys
 import time
 import traceback
@@ -23,6 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tests.commands import CASES, MZKT
+from tests.fuzzed_commands import commands
 from vstatics import VstaticsError, load, solve
 from vstatics.readers import read
 from vstatics.readers.reading import Reading
@@ -41,8 +44,10 @@ from vstatics.sweep.variants.targets import target
 from vstatics.sweep.variants.variation import read_variation
 from vstatics.writers import listing, named, result_json
 
-SECONDS = 1.0
-"""Of the processor; more is a fault."""
+READING_SECONDS, COMMAND_SECONDS = 1.0, 10.0
+"""Of the processor, to read and to carry out a command; more is a fault."""
+MOST_MEMORY = 2**30
+"""Of a process; more is a fault. [bytes]"""
 CHUNK = 500
 
 PIECES = (
@@ -77,12 +82,17 @@ samples: {controls.FH.scale: {normal: [.7, .05], min: .5}}
 
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
 
+NUMBER = re.compile(r"[0-9]+\.?[0-9]*|\.[0-9]+")
+OTHER_NUMBERS = 0.4
+"""So many inputs have other numbers and no other change."""
+
 
 class Kind(NamedTuple):
     """A kind of input: good ones, and what reads them."""
 
     good: tuple[str, ...]
     read: Callable[[bytes], object]
+    seconds: float = READING_SECONDS
 
 
 def _case(form: Any) -> Callable[[bytes], object]:
@@ -218,12 +228,24 @@ def kinds() -> dict[str, Kind]:
             ("D1.ratio=-3:-2:5", "D1.ratio=-3:-2", "D2.efficiency=.9,.95,.97", "D1.ratio=-96/39"),
             variation,
         ),
+        **{name: Kind(*one, COMMAND_SECONDS) for name, one in commands().items()},
     }
 
 
 def mutated(rng: Random, good: tuple[str, ...]) -> bytes:
-    """A good text, of which words are cut out, doubled, moved or replaced, or bytes changed."""
+    """A good text with other numbers, or with other words."""
     tokens = TOKEN.findall(rng.choice(good))
+    numbers = [place for place, token in enumerate(tokens) if NUMBER.fullmatch(token)]
+    if not numbers or rng.random() > OTHER_NUMBERS:
+        return with_other_words(rng, tokens)
+    for place in rng.sample(numbers, min(len(numbers), rng.choice((1, 1, 2, 3)))):
+        factor = rng.choice((-1, 0, 1, 1, 1, 10.0 ** rng.uniform(-9, 9), rng.uniform(0, 2)))
+        tokens[place] = f"{float(tokens[place]) * factor:.{rng.randint(1, 17)}g}"
+    return "".join(tokens).encode()
+
+
+def with_other_words(rng: Random, tokens: list[str]) -> bytes:
+    """A text, of which words are cut out, doubled, moved or replaced, or bytes changed."""
     for _ in range(rng.choice((1, 1, 1, 2, 4))):
         place = rng.randrange(max(len(tokens), 1))
         match rng.randrange(7):
@@ -268,8 +290,10 @@ def tried(number: int) -> tuple[str, str, str]:
     except Exception:  # noqa: BLE001 - that is what is looked for
         outcome, fault = "fault", traceback.format_exc()
     seconds = time.process_time() - begin
-    if seconds > SECONDS:
+    if seconds > kind.seconds:
         fault += f"took {seconds:.1f} s"
+    if (memory := resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024) > MOST_MEMORY:
+        fault += f"took {memory / 2**20:.0f} MB"
     return name, outcome, f"{fault}\n{data[:2000]!r}" if fault else ""
 
 
@@ -309,7 +333,8 @@ def main() -> int:
     for name in kinds():
         of_kind = {outcome: n for (kind, outcome), n in counts.items() if kind == name}
         print(f"{name:12} {of_kind}")  # noqa: T201
-    print(f"{sum(counts.values())} inputs, {failed} faults")  # noqa: T201
+    accepted = sum(n for (_, outcome), n in counts.items() if outcome == "read")
+    print(f"{sum(counts.values())} inputs, {accepted} accepted, {failed} faults")  # noqa: T201
     return 1 if failed else 0
 
 

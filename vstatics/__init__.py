@@ -17,9 +17,10 @@ array([1. , 3.5])
 array([1.    , 0.9714])
 """
 
-from __future__ import annotations
-
-import vstatics.start  # noqa: F401 - first: it makes the import of the others safe and fast
+try:
+    import vstatics.start  # noqa: F401 - first: it makes the import of the others safe and fast
+except KeyboardInterrupt:
+    raise SystemExit(130) from None  # before it has done so
 
 # isort: split
 from importlib import import_module

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import os
+import random
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
+import vstatics
 from tests.commands import NEUTRAL, environment
 from tests.sweep.sweeps import names, wait_for
 
@@ -32,6 +35,7 @@ COMMANDS = {
     "sweep": ("sweep", "pipe", "--vary", "D.ratio=-3:-2:3", "-o", "out.csv"),
     "table": ("sweep", "box.yaml", "--variants", "pipe", "-o", "out.csv"),
 }
+PACKAGE = Path(vstatics.__file__).parent
 SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143}
 
 
@@ -103,3 +107,15 @@ def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
     line = [sys.executable, "-c", program]
     done = subprocess.run(line, capture_output=True, check=False, env=environment())
     assert done.stdout == b"True\n"
+
+
+@pytest.mark.slow
+def test_ctrl_c_at_any_moment_of_the_start_shows_nothing_of_the_package() -> None:
+    """Before the package is reached it is Python that may show a trace, of its own modules."""
+    chance = random.Random(1)  # noqa: S311
+    for _ in range(100):
+        with running("run", "box.yaml") as process:
+            time.sleep(chance.uniform(0, 0.08))
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=60)
+        assert f"{PACKAGE}{os.sep}".encode() not in err

@@ -19,6 +19,7 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import MZKT, environment
+from tests.sweep import scenarios
 from tests.sweep.sweeps import CASE_TEXT, children, names
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
@@ -26,6 +27,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.alone]
 GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
 """400000 variants in 7 pieces."""
 CASES = 150
+BRAKES = ("--vary", "controls.brake.scale=.9:1.2:500", "--out", "locks[brake],heat[brake]")
+BOXES = ("--sets", "2", "--elements", "4", "--engaged", "2", "--own-input", "--ratios", "2.5,1.4,1")
 
 
 class Work(NamedTuple):
@@ -50,6 +53,14 @@ WORKS = {
     },
     "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
     "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
+    **{
+        f"samples {form}": Work(("simulate", "lock.yaml", "--samples", "500"), f"out.{form}")
+        for form in ("csv", "npz")
+    },
+    "sweep of a scenario": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
+    "best of a scenario": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
+    "box": Work(("synth", "box", *BOXES), "out.json"),
+    "boxes": Work(("synth", "box", *BOXES), "out/"),
 }
 
 
@@ -57,6 +68,8 @@ def prepare(folder: Path) -> None:
     """A folder with the cases, which differ in a number."""
     folder.mkdir()
     (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "set.yaml").write_bytes(scenarios.CASE)
+    (folder / "lock.yaml").write_bytes(scenarios.SCENARIO)
     text = MZKT.read_text(encoding="utf-8")
     assert ".9500Е+00" in text
     for number in range(CASES):

@@ -40,6 +40,8 @@ class Account(NamedTuple):
     counts: dict[str, int]
     """How many variants have a status, those without a row too."""
     segments: tuple[Segment, ...]
+    removed: tuple[int, ...] = ()
+    """How many of those that are left each part of a condition removed."""
 
     @property
     def variants(self) -> int:
@@ -62,7 +64,11 @@ class Copy(NamedTuple):
 
 
 def piece_bytes(
-    piece: int, rows: int, counts: dict[str, int], data: Sequence[Any]
+    piece: int,
+    rows: int,
+    counts: dict[str, int],
+    data: Sequence[Any],
+    removed: tuple[int, ...] = (),
 ) -> tuple[Account, list[Any]]:
     """A finished piece as buffers to write one behind the other.
 
@@ -73,9 +79,11 @@ def piece_bytes(
         See `Account`.
     data : sequence of bytes-like
         A segment each.
+    removed : tuple of int
+        See `Account`.
     """
     segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
-    account = Account(piece, rows, counts, segments)
+    account = Account(piece, rows, counts, segments, removed)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), _MAGIC)]
 
@@ -103,8 +111,9 @@ def read_account(directory: str, piece: int) -> Account | None:
                 return None
             file.seek(size - _END.size - length)
             fields = json.loads(file.read(length))
-            segments = tuple(Segment(*segment) for segment in fields["segments"])
-            account = Account(fields["piece"], fields["rows"], fields["counts"], segments)
+            segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
+            removed = tuple(fields.pop("removed"))
+            account = Account(segments=segments, removed=removed, **fields)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
     except (OSError, ValueError, KeyError, TypeError, struct.error):

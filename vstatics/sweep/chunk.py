@@ -56,6 +56,8 @@ class Chunk(NamedTuple):
     """Of the varied numbers."""
     headings: tuple[str, ...]
     """Of the columns."""
+    removed: tuple[int, ...] = ()
+    """Of those that are left, how many each part of the condition removed."""
 
     def to_dataframe(self) -> pd.DataFrame:
         """One row per variant, which is the index, with columns named as in a file.
@@ -106,7 +108,10 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
     with np.errstate(all="ignore"):
         columns = _existing(plan.columns(tables, values), unknown)
         objectives = _existing(plan.objective_values(tables, values), unknown)
-        passed = None if plan.where is None else plan.where(tables, values).astype(np.bool_)
+        passed: Booleans | None = None
+        removed: tuple[int, ...] = ()
+        if plan.where is not None:
+            passed, removed = plan.where.passed(tables, values, unknown)
     counts = np.bincount(status, minlength=len(STATUS)).tolist()
     chunk = Chunk(
         start,
@@ -118,11 +123,9 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
         {name: count for name, count in zip(STATUS, counts, strict=True) if count},
         plan.names,
         plan.headings,
+        removed,
     )
-    if passed is None:
-        return chunk
-    passed &= ~unknown
-    return chunk if passed.all() else chunk.rows(passed)
+    return chunk if passed is None or passed.all() else chunk.rows(passed)
 
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
@@ -132,7 +135,7 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    return parts[0]._replace(**rows, counts=counted(parts))
+    return parts[0]._replace(**rows, counts=counted(parts), removed=removed_in(parts))
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
@@ -141,6 +144,11 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
     for part in parts:
         counts.update(part.counts)
     return dict(counts)
+
+
+def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
+    """How many variants of several parts each part of the condition removed."""
+    return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 
 def _existing(columns: Floats, unknown: Booleans) -> Floats:

@@ -19,7 +19,7 @@ from vstatics.readers.named.nodes import (
     shown,
     what,
 )
-from vstatics.sweep.options import OPTIONS, Option, Stretch, SweepOptions, Text, joined
+from vstatics.sweep.options import OPTIONS, FileName, Option, Stretch, SweepOptions, Text, joined
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
@@ -96,7 +96,8 @@ class _Reader:
     def path(self, node: Node, _: Option) -> str:
         if not isinstance(node, Scalar) or not node.text:
             raise _WrongError("the name of a file")
-        return node.text if node.text == "-" else os.path.join(self.directory, node.text)  # noqa: PTH118
+        name = node.text if node.text == "-" else os.path.join(self.directory, node.text)  # noqa: PTH118
+        return FileName(name).at(self.place(node))
 
     def count(self, node: Node, option: Option) -> int:
         text = node.text.replace("_", "") if isinstance(node, Scalar) else ""

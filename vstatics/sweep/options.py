@@ -23,6 +23,18 @@ class Stretch(NamedTuple):
     """Letter by letter; else, as where several lines became one, only as a whole."""
 
 
+class FileName(str):
+    """The name of a file that stands in a sweep file, and where it stands there."""
+
+    __slots__ = ("place",)
+    place: Place
+
+    def at(self, place: Place) -> FileName:
+        """Keep the place."""
+        self.place = place
+        return self
+
+
 class Text(NamedTuple):
     """The text of an option, and where it stands in a sweep file, if in one."""
 

@@ -31,6 +31,8 @@ class SweepReport(NamedTuple):
     rows: int
     counts: dict[str, int]
     """How many variants have a status."""
+    removed: tuple[int, ...] = ()
+    """How many of those that are left each part of the condition removed."""
 
     @property
     def variants(self) -> int:
@@ -120,7 +122,7 @@ class Output:
         """
         plan = self.task.plan
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        counts = chunk.counted(accounts)
+        counts, removed = chunk.counted(accounts), chunk.removed_in(accounts)
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
@@ -132,7 +134,7 @@ class Output:
             self.store.discard(pieces.ASSEMBLED)  # what is there of it may fill a disk
             raise
         self.store.finish()
-        return SweepReport(sum(account.rows for account in accounts), counts)
+        return SweepReport(sum(account.rows for account in accounts), counts, removed)
 
     def _write(self, accounts: Sequence[Account]) -> None:
         """Write what is made of all rows together."""
@@ -211,10 +213,12 @@ def stream(
         for selected in best.among(plan, lambda: kept):
             rows += len(selected.variants)
             write(text.rows(form, selected))
-        return SweepReport(rows, dict(counts))
+        return SweepReport(rows, dict(counts), kept[0].removed)
+    removed: Counter[int] = Counter()
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
+        removed.update(dict(enumerate(account.removed)))
         rows += account.rows
         write(data)
         advance(account.variants)
-    return SweepReport(rows, dict(counts))
+    return SweepReport(rows, dict(counts), tuple(removed.values()))

@@ -15,7 +15,7 @@ from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression
 from vstatics.sweep.kept.meanings import Tables
-from vstatics.sweep.kept.selection import Objective
+from vstatics.sweep.kept.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Target
@@ -37,7 +37,7 @@ class SweepPlan:
         The numbered variants.
     columns : OutputColumns
         What is written of each.
-    where : Expression, optional
+    where : WhereCondition, optional
         Which variants are written; all when not given.
     objectives : sequence of Objective
         If there are any only the best variants are written.
@@ -50,7 +50,7 @@ class SweepPlan:
     subject: Subject
     variants: Variants
     columns: OutputColumns
-    where: Expression | None = None
+    where: WhereCondition | None = None
     objectives: tuple[Objective, ...] = ()
     best: int | None = None
     piece: int = PIECE
@@ -96,7 +96,7 @@ class SweepPlan:
         yield from (part.expression for part in self.columns.parts)
         yield from (objective.expression for objective in self.objectives)
         if self.where is not None:
-            yield self.where
+            yield from self.where.parts
 
     @property
     def asks_for_results(self) -> bool:

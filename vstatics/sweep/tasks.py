@@ -80,7 +80,7 @@ def _number(item: Any) -> Any:
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """An account of a piece, and its rows as text."""
     rows = calculate(task, item)
-    account = Account(_number(item), len(rows.variants), dict(rows.counts), ())
+    account = Account(_number(item), len(rows.variants), dict(rows.counts), (), rows.removed)
     return account, text.rows(task.form, rows)
 
 
@@ -88,7 +88,8 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     """A piece as it lies on disk: text if that can be the output, else columns."""
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
-    return pieces.piece_bytes(_number(item), len(rows.variants), dict(rows.counts), data)
+    counts = dict(rows.counts)
+    return pieces.piece_bytes(_number(item), len(rows.variants), counts, data, rows.removed)
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
@@ -143,4 +144,5 @@ def read_chunk(task: SweepTask, account: Account) -> Chunk:
         account.counts,
         names,
         headings,
+        account.removed,
     )

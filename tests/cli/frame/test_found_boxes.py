@@ -86,3 +86,13 @@ def test_what_is_no_document_of_boxes_is_told(tmp_path: Path, boxes: Path) -> No
         answer = vstatics(*command, boxes)
         assert answer.status == 1
         assert "no box was found" in answer.err
+
+
+def test_a_box_that_cannot_be_is_told_with_what_is_wrong(boxes: Path) -> None:
+    document = json.loads(boxes.read_text())
+    case = document["boxes"][0]["case"]
+    case["gears"]["1"]["engaged"] = list(case["shift_elements"])
+    boxes.write_text(json.dumps(document))
+    said = vstatics("summary", boxes, "--box", "1")
+    assert said.status == 1
+    assert "boxes.json box 1: error: gear 1: tied up: " in said.err

@@ -345,3 +345,28 @@ def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> No
         assert vstatics(*said, *option).out == written
         heads.append(written.splitlines()[0])
     assert heads == ["variant,D1.ratio,status,'-ratio[1]", "variant,D1.ratio,status,-ratio[1]"]
+
+
+def test_a_case_that_a_sweep_file_names_and_that_is_not_there_is_told_at_its_place() -> None:
+    Path("w.yaml").write_text("vary: [D.ratio=-3:-2:3]\n\ncase: nowhere.yaml\n", encoding="utf-8")
+    said = vstatics("sweep", "--file", "w.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml can't be read: No such file")
+
+
+@pytest.mark.parametrize("output", ["", "-o out.csv", "-o out.npz --max ratio[low]", "-j 2"])
+def test_a_sweep_without_rows_tells_what_each_condition_removed(output: str, folder: Path) -> None:
+    """The ratio of the set is 1 - p: 3 to 5 for p from -2 to -4 by quarters."""
+    asked = ("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:9", *output.split())
+    where = ("--where", "ratio[low] > 3.9 and D.ratio > -3 and 1")
+    said = vstatics(*asked, *where)
+    assert said.status == 0
+    assert said.err.splitlines()[1:] == [
+        "`ratio[low] > 3.9` removed 4 of 9",
+        "`D.ratio > -3` removed 5 of 5",
+        "`1` removed 0 of 0",
+    ]
+    if "out.csv" in output:
+        assert (folder / "out.csv").read_text("utf-8").startswith("variant,D.ratio,status,")
+    assert vstatics(*asked, *where, "--fail-empty").status == 3
+    assert vstatics(*asked, "--fail-empty").status == 0

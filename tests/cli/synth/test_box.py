@@ -342,3 +342,27 @@ def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:
     assert said.status == 2
     assert "holds box-0999.yaml, but no boxes.json" in said.err
     assert [file.name for file in tmp_path.iterdir()] == ["box-0999.yaml"]
+
+
+@pytest.mark.parametrize("output", ["link.json", "link", "link/"])
+def test_a_link_is_no_output_and_what_it_leads_to_stays(output: str) -> None:
+    target = Path("mine.json" if output.endswith("json") else "mine")
+    if target.suffix:
+        target.write_text("mine", encoding="utf-8")
+    else:
+        target.mkdir()
+    Path(output.rstrip("/")).symlink_to(target)
+    assert f"{output} is a link: expected a directory or a file" in refused(*ASKED, "-o", output)
+    assert target.is_dir() or target.read_text("utf-8") == "mine"
+
+
+def test_a_link_in_the_directory_is_replaced_and_what_it_leads_to_stays() -> None:
+    mine = Path("mine")
+    mine.write_text("mine", encoding="utf-8")
+    assert vstatics("synth", "box", *ASKED, "-o", "found/", "-q").status == 0
+    for name in ("box-0001.yaml", "boxes.csv", "boxes.html"):
+        Path("found", name).unlink()
+        Path("found", name).symlink_to(mine.absolute())
+    assert vstatics("synth", "box", *ASKED, "-o", "found/", "-q").status == 0
+    assert mine.read_text("utf-8") == "mine"
+    assert not any(path.is_symlink() for path in Path("found").iterdir())

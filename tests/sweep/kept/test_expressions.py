@@ -163,7 +163,8 @@ def test_what_does_not_exist_is_no_true_condition() -> None:
     assert number("not 0/0") == 1
     for text in ("0/0", "1/0", "-1/0", "0 or 1/0"):
         where = read_where(text, SET, VARIED)
-        assert where(RESULTS, VALUES).tolist() == [0, 0, 0]
+        passed, _ = where.passed(RESULTS, VALUES, np.zeros(3, dtype=np.bool_))
+        assert passed.tolist() == [False, False, False]
     assert number("1/0 > 3") == 1
 
 

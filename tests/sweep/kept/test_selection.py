@@ -34,19 +34,46 @@ FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -mat
 ANY_VALUE = st.one_of(FEW_VALUES, st.floats())
 
 
+NONE = np.zeros(3, dtype=np.bool_)
+
+
+def passed(text: str) -> list[int]:
+    """Whether each variant passes a condition."""
+    made: list[int] = read_where(text, SET, VARIED).passed(RESULTS, RATIOS, NONE)[0].tolist()
+    return made
+
+
 # Conditions and objectives
 
 
 def test_a_condition_is_1_or_0_for_each_variant() -> None:
-    where = read_where("ratio[2] >= 3.5", SET, VARIED)
-    assert where(RESULTS, RATIOS).tolist() == [0, 1, 1]
-    assert where.text == "ratio[2] >= 3.5"
+    assert passed("ratio[2] >= 3.5") == [0, 1, 1]
+    assert read_where("ratio[2] >= 3.5", SET, VARIED).text == "ratio[2] >= 3.5"
 
 
 def test_a_number_is_a_condition_unless_it_is_0_or_does_not_exist() -> None:
-    assert read_where("D1.ratio + 2", SET, VARIED)(RESULTS, RATIOS).tolist() == [0, 1, 1]
-    assert read_where("ratio[N]", SET, VARIED)(RESULTS, RATIOS).tolist() == [0, 0, 0]
-    assert read_where("locked[1] == 0", SET, VARIED)(RESULTS, RATIOS).tolist() == [1, 1, 1]
+    assert passed("D1.ratio + 2") == [0, 1, 1]
+    assert passed("ratio[N]") == [0, 0, 0]
+    assert passed("locked[1] == 0") == [1, 1, 1]
+
+
+@pytest.mark.parametrize(
+    ("text", "removed"),
+    [
+        ("ratio[2] > 3 and D1.ratio > -3", (1, 1)),
+        ("(ratio[2] > 3 and D1.ratio > -3)", (2,)),
+        ("ratio[2] > 3 and D1.ratio > -3 or 1", (0,)),
+        ("not locked[1] and 3 < ratio[2] < 4 and 0", (0, 2, 1)),
+    ],
+)
+def test_each_part_between_ands_tells_what_it_removes(text: str, removed: tuple[int, ...]) -> None:
+    """Ratios are 3, 3.5 and 4 for -2, -2.5 and -3."""
+    assert read_where(text, SET, VARIED).passed(RESULTS, RATIOS, NONE)[1] == removed
+
+
+def test_a_variant_of_which_nothing_is_known_is_removed() -> None:
+    unknown = np.array([False, True, False])
+    assert read_where("1 and 1", SET, VARIED).passed(RESULTS, RATIOS, unknown)[1] == (1, 0)
 
 
 def test_a_large_objective_is_a_small_negative_one() -> None:

@@ -95,6 +95,7 @@ def test_the_command_shows_a_table_for_people() -> None:
     assert answer.status == 0
     assert re.search("^largest torque +5878.944  as M_C0$", answer.out, re.MULTILINE)
     assert "case V2 is on the safe side, by 17 to 23 %" in answer.out
+    assert "against the one that was measured by 42 %" in answer.out
 
 
 def test_json_has_what_the_library_has(tmp_path: Path) -> None:

@@ -7,6 +7,8 @@ FAILED = 1
 """A case is in error, or a gear of it can't be; an output could not be written."""
 WRONG_USE = 2
 """Of the command line; `cli` tells click to leave with it."""
+EMPTY = 3
+"""Of a sweep without rows, with --fail-empty."""
 
 
 def stopped_by(signal: int) -> int:

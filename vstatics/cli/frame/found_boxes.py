@@ -109,7 +109,13 @@ def calculated_boxes(
             case = box.transmission()
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
-        yield CalculatedCase(name, results, [], telling=settings.telling)
+        said = [
+            of_file(name, f"gear {one.gear}: {one.text}")._replace(severity=one.severity)
+            for one in results.messages
+        ]
+        problems = settings.telling.told(said)
+        files.show(settings.telling.printed(problems))
+        yield CalculatedCase(name, results, problems, telling=settings.telling)
 
 
 def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:

@@ -60,6 +60,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
     ),
 )
+@click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3.")
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
 @arguments.input_format
 @arguments.coast
@@ -69,6 +70,7 @@ def sweep(
     sweep_file: str | None,
     sharing: Sharing,
     raw: bool,
+    fail_empty: bool,
     dry_run: bool,
     input_format: readers.Format | None,
     telling: Telling,
@@ -104,7 +106,7 @@ def sweep(
     them up after an interruption.
     Exit status: 0 done; 1 not finished, or no variant has a solution, with
     --strict also if there is a warning on the case;
-    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
+    2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
     own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:
@@ -133,7 +135,8 @@ def sweep(
             files.write_output(estimate(plan, form, sharing.processes), None)
             status = DONE
         else:
-            status = carry_out(SweepRun(plan, form, options.output, sharing, raw, telling.quiet))
+            run = SweepRun(plan, form, options.output, sharing, raw, telling.quiet, fail_empty)
+            status = carry_out(run)
         return status or (FAILED if telling.fails(warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error

@@ -6,7 +6,7 @@ import time
 from typing import NamedTuple
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.exit_status import stopped_by
+from vstatics.cli.frame.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.sweep.estimate import check_room
 from vstatics.jobs.files import STDOUT, is_stream
@@ -15,6 +15,7 @@ from vstatics.jobs.stopping import StoppedError
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import chunk
 from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.selection import WhereCondition
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import SweepTask
@@ -36,6 +37,8 @@ class SweepRun(NamedTuple):
     raw: bool
     quiet: bool
     """Whether it is said only what is not well."""
+    fail_empty: bool = False
+    """Whether a sweep without rows fails."""
 
     @property
     def task(self) -> SweepTask:
@@ -127,7 +130,20 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
     if not solved:
         files.say("no variant has a solution")
         tell_reason(run.plan)
-    return 0 if solved else 1
+        return FAILED
+    if report.rows:
+        return DONE
+    if run.plan.where is not None:
+        _tell_removed(run.plan.where, report)
+    return EMPTY if run.fail_empty else DONE
+
+
+def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
+    """Say how many of those that are left each part of a condition removed."""
+    left = report.variants
+    for part, removed in zip(where.parts, report.removed, strict=True):
+        files.say(f"`{part.text}` removed {removed} of {left}")
+        left -= removed
 
 
 def tell_reason(plan: SweepPlan) -> None:

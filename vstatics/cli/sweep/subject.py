@@ -10,6 +10,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import case_of, is_a
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
+from vstatics.sweep.options import FileName
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
 
 ReadSubject = tuple[Subject, list[Problem]]
@@ -24,7 +25,13 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
     ReadError
         If it can't be read; with the problems to print.
     """
-    data, name = files.read_input(file)
+    try:
+        data, name = files.read_input(file)
+    except ReadError as error:
+        if not isinstance(file, FileName):
+            raise
+        message = f"{file} {error.problems[0].message}"
+        raise ReadError([Problem(message, place=file.place)]) from None
     if input_format is None and is_a("scenario", data, name):
         return read_scenario_subject(Document(data, name), telling)
     reading = arguments.read_data(data, name, input_format, telling)

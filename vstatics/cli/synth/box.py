@@ -17,6 +17,7 @@ from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box_options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
+from vstatics.jobs.files import is_stream
 
 
 @click.command()
@@ -60,6 +61,8 @@ def box(
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
     to = wanted.destination([], several=True)
+    if to.output and os.path.islink(to.output.rstrip("/")) and not is_stream(to.output):  # noqa: PTH114
+        raise click.UsageError(f"{to.output} is a link: expected a directory or a file")
     if to.is_folder:
         _check_folder(str(to.output))
     sharing.check(to.output, "a file or a directory to go on with: -o DIR")

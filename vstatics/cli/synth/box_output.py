@@ -152,7 +152,11 @@ def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
 
 
 def _put(folder: str, name: str, content: bytes) -> None:
-    replace(os.path.join(folder, name), content)  # noqa: PTH118
+    """Write a file; a link of that name goes, and the file that it leads to stays as it is."""
+    path = os.path.join(folder, name)  # noqa: PTH118
+    if os.path.islink(path):  # noqa: PTH114
+        os.unlink(path)  # noqa: PTH108
+    replace(path, content)
 
 
 def of_others(folder: str) -> str:

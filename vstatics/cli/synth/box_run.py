@@ -19,6 +19,7 @@ from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
+from vstatics.numerics.compiled import TROUBLE
 from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.choice import family_count, ranked
 from vstatics.synthesis.boxes.figures import MeasuredBox
@@ -60,6 +61,8 @@ def carry_out(run: BoxRun) -> int:
     with progress(None, "made ready", quiet=run.quiet):
         count = box_pieces.cut(run.asked.search)
         box_pieces.prepare()  # once, not in every process
+    for why in TROUBLE[:1]:
+        files.say(f"machine code is compiled again each time, as it can't be kept: {why}")
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(found, int):
         return found

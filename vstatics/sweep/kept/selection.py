@@ -6,16 +6,18 @@ objective does not exist (NaN) is never among the best.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.fronts import scaled
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.sweep.kept.expressions import Expression, read_expression
+from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 
@@ -28,8 +30,35 @@ class Objective(NamedTuple):
     """By which values are multiplied, so that smaller is better."""
 
 
-def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> Expression:
-    """Read a condition; its values are 1 where it is true, else 0.
+class WhereCondition(NamedTuple):
+    """Which variants are written: those for which all of its parts hold."""
+
+    text: str
+    parts: tuple[Expression, ...]
+    """What stands between `and`; values are 1 where it is true, else 0."""
+
+    def passed(
+        self, tables: Tables, values: Floats, unknown: Booleans
+    ) -> tuple[Booleans, tuple[int, ...]]:
+        """Which variants pass, and how many of those that are left each part removes.
+
+        Parameters
+        ----------
+        tables, values
+            As an `Expression` takes them.
+        unknown : ndarray, shape (variants,)
+            Variants that pass nothing.
+        """
+        left, removed = np.ones(len(values), np.bool_), []
+        for part in self.parts:
+            now = left & part(tables, values).astype(np.bool_) & ~unknown
+            removed.append(int(left.sum() - now.sum()))
+            left = now
+        return left, tuple(removed)
+
+
+def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> WhereCondition:
+    """Read a condition.
 
     Raises
     ------
@@ -46,8 +75,33 @@ def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> Expres
     vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum
     """
-    condition = _of_one(text, subject, targets, "--where")
-    return Expression(condition.text, Applied("true", (condition.node,), 0, 0))
+    whole = _of_one(Excerpt(text, "--where"), subject, targets)
+    spans = _between_ands(text)
+    parts = [whole]
+    if len(spans) > 1:
+        parts = [_of_one(Excerpt(text, "--where", *span), subject, targets) for span in spans]
+    true = [Expression(part.text, Applied("true", (part.node,), 0, 0)) for part in parts]
+    return WhereCondition(whole.text, tuple(true))
+
+
+_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b""")
+
+
+def _between_ands(text: str) -> list[tuple[int, int]]:
+    """The ends of the parts between `and`, as far as brackets and `or` do not join them.
+
+    >>> _between_ands("a > 1 and max(b and c) < 2"), _between_ands("a and b or c")
+    ([(0, 6), (9, 26)], [(0, 12)])
+    """
+    spans, start, depth = [], 0, 0
+    for found in _WORDS.finditer(text):
+        depth += (found[0] in "([") - (found[0] in ")]")
+        if depth == 0 and found[0] == "or":
+            return [(0, len(text))]
+        if depth == 0 and found[0] == "and":
+            spans.append((start, found.start()))
+            start = found.end()
+    return [*spans, (start, len(text))]
 
 
 def read_objective(
@@ -60,20 +114,20 @@ def read_objective(
     ReadError
         With the place of what is wrong.
     """
-    expression = _of_one(text, subject, targets, option)
+    expression = _of_one(Excerpt(text, option), subject, targets)
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(text: str, subject: Subject, targets: Sequence[Varied], option: str) -> Expression:
+def _of_one(source: Excerpt, subject: Subject, targets: Sequence[Varied]) -> Expression:
     """An expression, if it has one value for each variant."""
-    expression = read_expression(text, subject, targets, option)
+    expression = read_expression(source, subject, targets)
     if not expression.per:
         return expression
     parts = [f"a {name}" for name in expression.per.split(" and ")]
-    raise Excerpt(text, option).error(
+    raise source.error(
         f"`{expression.text}` has one value per {expression.per}: pick {' and '.join(parts)}, "
         "or use min, max or sum",
-        len(text) - len(text.lstrip()),
+        source.start + len(source.part) - len(source.part.lstrip()),
     )
 
 

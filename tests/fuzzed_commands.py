@@ -1,0 +1,144 @@
+"""Commands with a mutated file, for `tests.fuzz`: each ends in an answer or in words.
+
+A file is written in a folder of this process and the command is called within it, as it would
+be at a terminal. Its JSON holds no NaN, it says nothing of an error of its own.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, NoReturn
+
+from tests.commands import CASES, vstatics
+from tests.sweep import scenarios
+from tests.synthesis.boxes.listed_boxes import simpson
+from vstatics import VstaticsError, load, solve
+from vstatics.writers import listing, result_json
+
+LIMIT_SECONDS = 5
+"""Of a run, as its option says."""
+SHAFTS = """\
+links: [engine, gear, vehicle]
+inertias: {engine: 0.2, gear: 0.05, vehicle: 9.5}
+springs:
+  shaft: {links: [engine, gear], stiffness: 9e3, damping: {loss_factor: .04}}
+  tyre: {links: [gear, vehicle], compliance: 1/800, damping: 12}
+"""
+STICKS = """\
+case: set.yaml
+duration: 0.5
+start: {speeds: {sun: 500 rpm, carrier: 0}}
+controls: {brake: [[0, 120], [.2, 0]], lock-up: "200*(t > .25)"}
+torques: {sun: {over: speed, points: [[0, 60], [50, 20]]}, carrier: {resistance: 30}}
+"""
+DUMP = """\
+J1: 4.29
+J2: 0.1
+J3: 67.4e-3
+J4: 0.147
+J5: 10.8
+E: 2600e-6
+M_C0: 1344 N*m
+M_phi: 507
+omega1: 1300 rpm
+"""
+HARMONICS = "order,amplitude [N*m],phase [deg]\n.5,12,-30\n2,120,0\n4,33,90\n"
+BOX = """\
+links: [i, r, o]
+shift_elements: {B: [r, housing], C: [i, r]}
+mechanisms: {P: {first: i, second: r, third: o, ratio: -2.5, efficiency: .98}}
+gears: {low: [B], high: [C]}
+"""
+
+
+class RefusedError(VstaticsError):
+    """The command said what is wrong."""
+
+
+def _no_constant(name: str) -> NoReturn:
+    raise AssertionError(f"{name} in JSON")
+
+
+@cache
+def _folder() -> Path:
+    """A folder of this process, with the files that commands read beside the mutated one."""
+    folder = Path(tempfile.mkdtemp(prefix="vstatics-fuzz-"))
+    (folder / "set.yaml").write_bytes(scenarios.CASE)
+    (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
+    (folder / "box.yaml").write_text(BOX, encoding="utf-8")
+    return folder
+
+
+def _command(file: str, *words: str) -> Callable[[bytes], object]:
+    """What calls a command, whose words name files of the folder."""
+
+    def reader(data: bytes) -> object:
+        folder = _folder()
+        (folder / file).write_bytes(data)
+        named = [str(folder / word) if (folder / word).is_file() else word for word in words]
+        said = vstatics(*named)
+        if "an error of vstatics" in said.err:
+            raise AssertionError(said.err)
+        if said.status not in (0, 1, 2) or (said.status and not said.all):
+            raise AssertionError(f"status {said.status}: {said.err}")
+        if said.out and "json" in words:
+            json.loads(said.out, parse_constant=_no_constant)
+        if said.status:
+            raise RefusedError(said.err or "in its answer")
+        return said.out
+
+    return reader
+
+
+def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]]:
+    """Good files and what reads them, by what they are."""
+    limit = ("--limit", str(LIMIT_SECONDS))
+    one = solve(load(CASES / "mzkt7922.yaml"))
+    written: list[str] = [json.dumps(result_json.document(one)), listing.write(one)]
+    made: dict[str, Any] = {
+        "run": (
+            (scenarios.SCENARIO.decode(), STICKS),
+            _command("run.yaml", "simulate", "run.yaml", "-f", "json", *limit),
+        ),
+        "dump": ((DUMP,), _command("dump.yaml", "torsion", "dump", "dump.yaml", "-f", "json")),
+        "modes": ((SHAFTS,), _command("m.yaml", "torsion", "modes", "m.yaml", "-f", "json")),
+        "measured": (
+            (SHAFTS,),
+            _command(
+                *("measured.yaml", "torsion", "identify", "measured.yaml", "--gear", "1"),
+                *("--omega", "27.4", "--decrement", ".1", "-f", "json"),
+            ),
+        ),
+        "harmonics": (
+            (HARMONICS,),
+            _command(
+                *("torque.csv", "torsion", "response", "shafts.yaml", "--at", "engine"),
+                *("--speed", "600,900", "--torque", "torque.csv", "-f", "json"),
+            ),
+        ),
+        "combinations": ((BOX,), _command("c.yaml", "synth", "combinations", "c.yaml")),
+        "fit": (
+            (BOX,),
+            _command("f.yaml", "synth", "fit", "f.yaml", "--ratios", "low=3.2", "-f", "json"),
+        ),
+        "teeth": (
+            (BOX,),
+            _command(
+                *("t.yaml", "synth", "teeth", "t.yaml", "--ratios", "low=3.2", "-f", "json"),
+                *("--range", "sun=20:24,ring=40:60,planet=10:20", "--planets", "3"),
+            ),
+        ),
+        "boxes": (
+            (json.dumps(simpson()),),
+            _command("boxes.json", "summary", "boxes.json", "-f", "json"),
+        ),
+        "compared": (
+            (*written, vstatics("run", CASES / "mzkt7922.dat", "-f", "csv").out),
+            _command("result.json", "compare", "result.json", "result.json"),
+        ),
+    }
+    return made
