@@ -17,7 +17,7 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact
 from vstatics.simulation.tolerances import PASSED_LIMIT, TIGHT_SLACK
 
-Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "stand", "limit", "grip", "piece"]
+Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
 turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
 have a corner; a capacity may lie above that of the case, or below 0."""

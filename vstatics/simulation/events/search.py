@@ -90,9 +90,6 @@ class ModeSearch:
         if watch.kind == "hold":
             wanted = "+" if watch.side > 0 else "-"
             options = tuple(option for option in options if option in (wanted, "stick"))
-        elif watch.kind == "stand":
-            wanted = "+" if watch.side > 0 else "-"
-            options = tuple(option for option in options if option[0] == wanted)
         now = dict(self.changed).get(number, options[0])
         yield from ((number, option) for option in options if option != now)
 
@@ -109,7 +106,6 @@ KIND_OF: Mapping[str, Kind | None] = {
     "hold": "contacts",
     "mesh": "meshes",
     "cone": "meshes",
-    "stand": "meshes",
     "limit": "springs",
     "grip": "springs",
 }

@@ -210,7 +210,7 @@ class ModeSelection:
         for index, mesh in enumerate(self.system.meshes):
             slip = float(mesh.slip @ at.speeds)
             if states.meshes[index] == "stick" and abs(slip) > least:
-                found.append(Watch("stand", index, 1 if slip > 0 else -1))
+                found.append(Watch("cone", index))
         return found
 
     def _failing(

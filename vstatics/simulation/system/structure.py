@@ -196,19 +196,22 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     conditions : ndarray, shape (multipliers, directions)
         What is 0 of multipliers, as columns; their products with `directions` are the unit matrix.
     """
-    if not rows.shape[1]:
-        return np.zeros((0, 0)), np.zeros((0, 0))
-    spare = null(rows)
+    spare = null(rows) if rows.shape[1] else np.zeros((0, 0))
     if not spare.shape[1]:
         return spare, spare
     _, sizes, right = np.linalg.svd(columns @ spare)
-    circulating: Floats = spare @ right[: _counting(sizes, largest(columns))].T
-    _, sizes, right = np.linalg.svd(circulating[friction])
+    count = _counting(sizes, largest(columns))
+    circulating, redundant = spare @ right[:count].T, spare @ right[count:].T
+    if not friction.any():
+        return circulating, circulating
+    own = null(redundant[friction].T)  # friction that nothing redundant could take
+    _, sizes, right = np.linalg.svd(own.T @ circulating[friction])
     count = _counting(sizes, 1.0)
     directions: Floats = circulating @ right.T
     conditions = directions.copy()
-    conditions[~friction, :count] = 0.0
-    conditions[:, :count] /= sizes[:count] ** 2
+    conditions[:, :count] = 0.0
+    shares = own @ (own.T @ directions[friction, :count])
+    conditions[friction, :count] = shares / sizes[:count] ** 2
     return directions, conditions
 
 
