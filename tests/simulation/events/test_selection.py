@@ -85,8 +85,7 @@ def steady(path: Path) -> Iterator[tuple[Transmission, Gear, float]]:
     )
     results = solve(case)
     for number, gear in enumerate(case.gears, 1):
-        state = results.gear(number)
-        torque = -100.0 * float(state.lossy_torques.on_first_link[-1])
+        torque = -100.0 * float(results.lossy_output_torque[number - 1])
         if math.isfinite(torque) and not (gear.speeds or gear.torques):
             inertias = {case.gear_input(gear): 1.0, case.gear_output(gear): 1.0}
             yield case.replace(inertias=inertias), gear, torque

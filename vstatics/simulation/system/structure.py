@@ -176,8 +176,11 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     free = null(columns.T)
     if not free.shape[1]:
         return free, free
-    _, sizes, right = np.linalg.svd(heavy @ free)
-    rank = _counting(sizes, sizes[0]) if sizes[0] > INDEPENDENT_MOTION else 0
+    moved = heavy @ free
+    rank = _rank(moved) if largest(moved) > INDEPENDENT_MOTION else 0
+    if rank == free.shape[1]:
+        return free, free[:, :0]
+    right = np.linalg.svd(moved)[2]
     light = free @ right[rank:].T
     light[np.abs(light) < ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
     return free @ right[:rank].T, light
