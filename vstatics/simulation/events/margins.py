@@ -129,6 +129,15 @@ class Margins:
             port = equations.layout.angles.index(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((port, by_angle, corner, side))
+        for index, (contact, state) in enumerate(
+            zip(equations.system.contacts, equations.states.contacts, strict=True)
+        ):
+            if state in SIGNS:
+                place = equations.layout.frictions + index
+                for corner, side in self._ends(place, contact.corners):
+                    way = SIGNS[state]
+                    port = equations.layout.contacts + index
+                    self.corners.append((port, False, way * corner, way * side))
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):

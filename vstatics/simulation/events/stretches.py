@@ -308,7 +308,7 @@ class Closed:
             if self.size > _FEW and not gone:  # eigenvalues take longer than all the rest
                 return _largest_rate(self.matrix)
             matrix = self.affine.change.by_state
-            self.rates = np.linalg.eigvals(matrix) if self.size else np.zeros(0, complex)
+            self.rates = np.asarray(np.linalg.eigvals(matrix), complex)
         alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
         return float(alive.max(initial=0.0))
 
