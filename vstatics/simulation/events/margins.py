@@ -252,6 +252,14 @@ class Margins:
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
         return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
 
+    def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
+        """What ends, for a mesh with the side to which it begins to move."""
+        if watch.kind != "cone":
+            return watch
+        _, torques = self.equations.acting(time, state)
+        held = self.equations.structure.torques[watch.of] @ torques
+        return watch._replace(side=watch.side if held >= 0 else -watch.side)
+
     def split(self, times: Floats, held: Floats) -> Floats:
         """Torques of what holds, those of least norm within the limits, shape (held, times)."""
         if not self.shared:

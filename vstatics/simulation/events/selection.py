@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
 from vstatics.simulation.events.instants import Instant, Jump, consistent, state_of
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
@@ -79,12 +79,12 @@ class ModeSelection:
         base, choices = self.choices.at(at, before, scales, met)
         search = ModeSearch(base, choices, before)
         fault: CaseError | None = None
-        tried: set[States] = set()
+        tried: dict[States, list[Watch]] = {}
         for chosen in search:
             states = self._driven(chosen, choices, at, scales)
             if states in tried:
+                search.fails(states, tried[states], None)
                 continue
-            tried.add(states)
             try:
                 found, failing = self._tried(states, at, scales)
             except CaseError as error:
@@ -94,6 +94,7 @@ class ModeSelection:
             if found is not None and found.margins.equations.states not in left:
                 return found
             failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+            tried[states] = failing
             search.fails(states, failing, self._released(states, at, choices))
         if fault is not None:
             raise fault
@@ -210,7 +211,7 @@ class ModeSelection:
         for index, mesh in enumerate(self.system.meshes):
             slip = float(mesh.slip @ at.speeds)
             if states.meshes[index] == "stick" and abs(slip) > least:
-                found.append(Watch("cone", index))
+                found.append(Watch("cone", index, 1 if slip > 0 else -1))
         return found
 
     def _failing(
@@ -222,14 +223,14 @@ class ModeSelection:
         units = margins.units(scales)
         below = ~(now >= -STANDING * units)
         if below.any():
-            return _failed(margins, time, state, below)
+            return _failed(margins, time, state, np.where(below, now / units, np.inf))
         near = now <= STANDING * units
         if not near.any():
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)
         then = margins.at(time + self.within, ahead)
         falls = near & (then - now < -FALLING_MARGIN * units)
-        return _failed(margins, time + self.within, ahead, falls)
+        return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
 
 
 def _moves(slip: Floats, motions: Floats) -> bool:
@@ -237,13 +238,14 @@ def _moves(slip: Floats, motions: Floats) -> bool:
     return bool((np.abs(slip @ motions) > STANDING).any())
 
 
-def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> list[Watch]:
-    """What fails; of what holds together what is at its limit."""
+def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
+    """What fails, most first, by sizes that are finite; of what holds together what is tight."""
     found: list[Watch] = []
-    for index in np.flatnonzero(failing):
+    order = np.argsort(sizes, kind="stable")
+    for index in order[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
         found += margins.tight(time, state) if watch.kind == "split" else [watch]
-    return found
+    return [margins.breaking(watch, time, state) for watch in found]
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:
