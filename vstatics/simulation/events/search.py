@@ -14,8 +14,9 @@ _FIRST_TRIED = 40
 """Choices by their order, before it is asked what slips if all may that fails."""
 _MOST_STEPS = 30
 """On this way."""
-_MOST_TRIED = 2000
-"""Choices, before it is told that there is none."""
+_WORTH_WHILE = 24_000
+"""So many choices are tried by the square of what has one, before it is told that there is none:
+a try of many takes longer."""
 
 
 Kind = Literal["contacts", "meshes", "springs"]
@@ -45,7 +46,7 @@ class ModeSearch:
         """Choices, as they are to be tried."""
         yield from self._best(_FIRST_TRIED)
         yield from self._along()
-        yield from self._best(_MOST_TRIED)
+        yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
         """Those that are waiting, the best first; then all others."""
@@ -72,12 +73,10 @@ class ModeSearch:
                     break
                 met.add(self.changed)
                 yield self._with(self.changed)
-                kinds = [self.choices[number][0] for number, _ in self.turned]
-                first = kinds.index("contacts") if "contacts" in kinds else 0
                 turned = {
                     number: state
                     for place, (number, state) in enumerate(self.turned)
-                    if place == first or (together and kinds[place] == "meshes")
+                    if not place or (together and self.choices[number][0] == "meshes")
                 }
                 if not turned:
                     break
