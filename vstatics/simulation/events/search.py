@@ -12,7 +12,7 @@ from vstatics.simulation.system.ports import States
 
 _FIRST_TRIED = 40
 """Choices by their order, before it is asked what slips if all may that fails."""
-_MOST_STEPS = 30
+_MOST_STEPS = 60
 """On this way."""
 _WORTH_WHILE = 24_000
 """So many choices are tried by the square of what has one, before it is told that there is none:
@@ -60,31 +60,33 @@ class ModeSearch:
             yield self._with(changed)
 
     def _along(self) -> Iterator[States]:
-        """From all sticking on: what fails most is changed, with all meshes that fail, or alone.
+        """From all sticking on, what fails most is changed, with all meshes that fail.
 
-        An active set method; it comes to an end in few steps where many things slip.
+        An active set method, depth first: it comes to an end in few steps where many things slip.
         """
-        for together in (True, False):
-            changes: dict[int, str] = {}
-            met: set[Changed] = set()
-            for _ in range(_MOST_STEPS):
-                self.changed = tuple(sorted(changes.items()))
-                if self.changed in met:
-                    break
-                met.add(self.changed)
-                yield self._with(self.changed)
-                turned = {
-                    number: state
-                    for place, (number, state) in enumerate(self.turned)
-                    if not place or (together and self.choices[number][0] == "meshes")
-                }
-                if not turned:
-                    break
-                changes = {
-                    number: state
-                    for number, state in {**changes, **turned}.items()
-                    if state != self.choices[number][2][0]
-                }
+        ways: list[dict[int, str]] = [{}]
+        met: set[Changed] = set()
+        while ways and len(met) < _MOST_STEPS:
+            changes = ways.pop()
+            self.changed = tuple(sorted(changes.items()))
+            if self.changed in met:
+                continue
+            met.add(self.changed)
+            yield self._with(self.changed)
+            meshes = {
+                number: state
+                for number, state in self.turned
+                if self.choices[number][0] == "meshes"
+            }
+            for number, state in reversed(self.turned):
+                turned = {**changes, **meshes, number: state}
+                ways.append(
+                    {
+                        place: state
+                        for place, state in turned.items()
+                        if state != self.choices[place][2][0]
+                    }
+                )
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
