@@ -230,7 +230,9 @@ class EventRun:
         kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
         if kind is not None:
             return self._name_of(kind, watch.of)
-        outside = self.system.layout.outside
+        outside, frictions = self.system.layout.outside, self.system.layout.frictions
+        if watch.of >= frictions:
+            return self.system.contacts[watch.of - frictions].name
         if watch.of >= outside:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"

@@ -97,6 +97,8 @@ STRAIGHT_BALANCE = 1e-12
 """A torque that bends does not act along a motion if it does so by less."""
 
 # stretches in closed form
+ENOUGH_TERMS = 1e-18
+"""A term of a series that is smaller, by what it is added to, is the last."""
 SHORTEST_PART = 2.0**-14
 """By which a part may be shortened, where torques bend."""
 FITTING_TORQUE = 1e-12

@@ -15,7 +15,7 @@ from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.system.curves import capacity_at, programme_at
-from vstatics.simulation.system.matrices import MotionSystem, OutsideTorque, sign
+from vstatics.simulation.system.matrices import Contact, MotionSystem, OutsideTorque, sign
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import AHEAD, STANDING
@@ -65,10 +65,12 @@ class ModeChoices:
             self._mesh(index, at, before, scales, choices) for index in range(len(system.meshes))
         ]
         springs = [self._spring(index, at, scales, choices) for index in range(len(system.springs))]
-        last = before.pieces if before else [None] * (self.layout.outside + self.layout.converters)
+        layout = self.layout
+        last = before.pieces if before else [None] * (layout.frictions + len(contacts))
         pieces = [
             *map(self._piece, repeat(at), system.outside, last),
-            *map(_converter_piece, repeat(at), system.converters, last[self.layout.outside :]),
+            *map(_converter_piece, repeat(at), system.converters, last[layout.outside :]),
+            *map(_friction_piece, repeat(at), system.contacts, last[layout.frictions :]),
         ]
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
 
@@ -152,6 +154,12 @@ def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int
         # no ratio; what follows tells, piece by piece
         return len(converter.points) if last is None else last
     return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last, STANDING)
+
+
+def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:
+    """The piece of the coefficient of friction."""
+    slip = abs(float(contact.row @ at.speeds))
+    return _piece_at(slip, contact.corners, last, STANDING * max(1.0, slip))
 
 
 def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:

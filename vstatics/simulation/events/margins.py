@@ -129,6 +129,15 @@ class Margins:
             port = equations.layout.angles.index(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((port, by_angle, corner, side))
+        for index, (contact, state) in enumerate(
+            zip(equations.system.contacts, equations.states.contacts, strict=True)
+        ):
+            if state in SIGNS:
+                place = equations.layout.frictions + index
+                for corner, side in self._ends(place, contact.corners):
+                    way = SIGNS[state]
+                    port = equations.layout.contacts + index
+                    self.corners.append((port, False, way * corner, way * side))
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
@@ -242,6 +251,14 @@ class Margins:
         near = best <= best.min() + TIGHT_SLACK * largest(slack)
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
         return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
+
+    def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
+        """What ends, for a mesh with the side to which it begins to move."""
+        if watch.kind != "cone":
+            return watch
+        _, torques = self.equations.acting(time, state)
+        held = self.equations.structure.torques[watch.of] @ torques
+        return watch._replace(side=watch.side if held >= 0 else -watch.side)
 
     def split(self, times: Floats, held: Floats) -> Floats:
         """Torques of what holds, those of least norm within the limits, shape (held, times)."""

@@ -10,8 +10,13 @@ from typing import Literal
 from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
-_MOST_TRIED = 2000
-"""Choices, before it is told that there is none."""
+_FIRST_TRIED = 40
+"""Choices by their order, before it is asked what slips if all may that fails."""
+_MOST_STEPS = 60
+"""On this way."""
+_WORTH_WHILE = 24_000
+"""So many choices are tried by the square of what has one, before it is told that there is none:
+a try of many takes longer."""
 
 
 Kind = Literal["contacts", "meshes", "springs"]
@@ -39,14 +44,49 @@ class ModeSearch:
 
     def __iter__(self) -> Iterator[States]:
         """Choices, as they are to be tried."""
+        yield from self._best(_FIRST_TRIED)
+        yield from self._along()
+        yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
+
+    def _best(self, count: int) -> Iterator[States]:
+        """Those that are waiting, the best first; then all others."""
         others = (changed for changed in self._all() if changed not in self.seen)
-        for _ in range(_MOST_TRIED):
+        for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
             if changed is None:
                 return
             self.seen.add(changed)
             self.changed = changed
             yield self._with(changed)
+
+    def _along(self) -> Iterator[States]:
+        """From all sticking on, what fails most is changed, with all meshes that fail.
+
+        An active set method, depth first: it comes to an end in few steps where many things slip.
+        """
+        ways: list[dict[int, str]] = [{}]
+        met: set[Changed] = set()
+        while ways and len(met) < _MOST_STEPS:
+            changes = ways.pop()
+            self.changed = tuple(sorted(changes.items()))
+            if self.changed in met:
+                continue
+            met.add(self.changed)
+            yield self._with(self.changed)
+            meshes = {
+                number: state
+                for number, state in self.turned
+                if self.choices[number][0] == "meshes"
+            }
+            for number, state in reversed(self.turned):
+                turned = {**changes, **meshes, number: state}
+                ways.append(
+                    {
+                        place: state
+                        for place, state in turned.items()
+                        if state != self.choices[place][2][0]
+                    }
+                )
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
@@ -56,12 +96,15 @@ class ModeSearch:
                 if kind == "meshes" and released.meshes[index] != states.meshes[index]:
                     changes[number] = released.meshes[index]
             self._push(changes, single=False)
+        self.turned: list[tuple[int, str]] = []
         for watch in failing:
-            for number, state in self._others(watch):
-                others = {**dict(self.changed), number: state}
+            others = list(self._others(watch))
+            self.turned += others[:1]
+            for number, state in others:
+                changes = {**dict(self.changed), number: state}
                 if state == self.choices[number][2][0]:
-                    del others[number]
-                self._push(others, single=True)
+                    del changes[number]
+                self._push(changes, single=True)
 
     def _push(self, changes: dict[int, str], *, single: bool) -> None:
         """Have a choice tried: meshes that move together count as one."""
@@ -87,9 +130,9 @@ class ModeSearch:
         if number is None:
             return
         options = self.choices[number][2]
-        if watch.kind == "hold":
+        if watch.kind in ("hold", "cone"):
             wanted = "+" if watch.side > 0 else "-"
-            options = tuple(option for option in options if option in (wanted, "stick"))
+            options = tuple(option for option in options if option[0] in (wanted, "s"))
         now = dict(self.changed).get(number, options[0])
         yield from ((number, option) for option in options if option != now)
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
 from vstatics.simulation.events.instants import Instant, Jump, consistent, state_of
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
@@ -79,7 +79,12 @@ class ModeSelection:
         base, choices = self.choices.at(at, before, scales, met)
         search = ModeSearch(base, choices, before)
         fault: CaseError | None = None
-        for states in search:
+        tried: dict[States, list[Watch]] = {}
+        for chosen in search:
+            states = self._driven(chosen, choices, at, scales)
+            if states in tried:
+                search.fails(states, tried[states], None)
+                continue
             try:
                 found, failing = self._tried(states, at, scales)
             except CaseError as error:
@@ -89,10 +94,34 @@ class ModeSelection:
             if found is not None and found.margins.equations.states not in left:
                 return found
             failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+            tried[states] = failing
             search.fails(states, failing, self._released(states, at, choices))
         if fault is not None:
             raise fault
         raise NoChoice
+
+    def _driven(
+        self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
+    ) -> States:
+        """The states in which meshes move whose speeds are given by what is heavy.
+
+        In a gear nearly all are: a mesh may stand, or its speed jump, only in what slips.
+        """
+        options = {index: options for kind, index, options in choices if kind == "meshes"}
+        if not options:
+            return states
+        meshes = list(states.meshes)
+        try:
+            motions = self.structure(states.held, ("",) * len(meshes))
+        except np.linalg.LinAlgError:
+            return states
+        speeds = motions.free @ motions.of(at.speeds)
+        for index, (_, *moving) in options.items():
+            slip = self.system.meshes[index].slip
+            speed = float(slip @ speeds)
+            if abs(speed) > STANDING * scales.speed and not _moves(slip, motions.light):
+                meshes[index] = next(one for one in moving if one[0] == sign(speed))
+        return states._replace(meshes=tuple(meshes))
 
     def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
         """Whether a mesh that fails could move at all, with what sticks besides meshes."""
@@ -105,8 +134,7 @@ class ModeSelection:
         except np.linalg.LinAlgError:
             return True
         slip = self.system.meshes[watch.of].slip
-        moves = np.concatenate([slip @ motions.free, slip @ motions.light])
-        return bool((np.abs(moves) > STANDING).any())
+        return _moves(slip, motions.free) or _moves(slip, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
         """The states with all meshes moving that would, if none of them held by its friction."""
@@ -153,8 +181,8 @@ class ModeSelection:
             tried.add(states)
             equations = self._equations(states, at)
             state = state_of(equations, at)
-            if caught := self._caught(equations.structure, at, state, scales):
-                return None, caught
+            if self._jumps(equations.structure, at, state, scales):
+                return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)
@@ -164,24 +192,27 @@ class ModeSelection:
             states = turned(states, [one for one in failing if only or one.kind == "flow"])
         return None, failing
 
-    def _caught(
+    def _jumps(
         self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes
-    ) -> list[Watch]:
-        """What can't stick, since something heavy would have to change its speed at once."""
+    ) -> bool:
+        """Whether something heavy would have to change its speed at once."""
         heavy = self.system.heavy
         speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
-        if largest(speeds - heavy @ at.speeds) <= 100 * STANDING * scales.speed:
-            return []
-        slips = {
-            index: float(contact.row @ at.speeds)
-            for index, contact in enumerate(self.system.contacts)
-            if structure.held[index] and self.choices.touched[index]
-        }
-        return [
-            Watch("hold", index, 1 if slip > 0 else -1)
-            for index, slip in slips.items()
-            if abs(slip) > STANDING * scales.speed
-        ]
+        return largest(speeds - heavy @ at.speeds) > 100 * STANDING * scales.speed
+
+    def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
+        """What sticks although it slips: something of it can't."""
+        least = STANDING * scales.speed
+        found = []
+        for index, contact in enumerate(self.system.contacts):
+            slip = float(contact.row @ at.speeds)
+            if states.contacts[index] == "stick" and abs(slip) > least:
+                found.append(Watch("hold", index, 1 if slip > 0 else -1))
+        for index, mesh in enumerate(self.system.meshes):
+            slip = float(mesh.slip @ at.speeds)
+            if states.meshes[index] == "stick" and abs(slip) > least:
+                found.append(Watch("cone", index, 1 if slip > 0 else -1))
+        return found
 
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
@@ -192,23 +223,29 @@ class ModeSelection:
         units = margins.units(scales)
         below = ~(now >= -STANDING * units)
         if below.any():
-            return _failed(margins, time, state, below)
+            return _failed(margins, time, state, np.where(below, now / units, np.inf))
         near = now <= STANDING * units
         if not near.any():
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)
         then = margins.at(time + self.within, ahead)
         falls = near & (then - now < -FALLING_MARGIN * units)
-        return _failed(margins, time + self.within, ahead, falls)
+        return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
 
 
-def _failed(margins: Margins, time: float, state: Floats, failing: Booleans) -> list[Watch]:
-    """What fails; of what holds together what is at its limit."""
+def _moves(slip: Floats, motions: Floats) -> bool:
+    """Whether motions change a slip."""
+    return bool((np.abs(slip @ motions) > STANDING).any())
+
+
+def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
+    """What fails, most first, by sizes that are finite; of what holds together what is tight."""
     found: list[Watch] = []
-    for index in np.flatnonzero(failing):
+    order = np.argsort(sizes, kind="stable")
+    for index in order[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
         found += margins.tight(time, state) if watch.kind == "split" else [watch]
-    return found
+    return [margins.breaking(watch, time, state) for watch in found]
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:

@@ -16,10 +16,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.numerics.arrays import Booleans, Complex, Floats, largest
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
+    ENOUGH_TERMS,
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
@@ -63,6 +64,19 @@ class Exponential:
         made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
         for _ in range(self.halvings):
             made = made @ made
+        return made
+
+    def moved(self, parts: Floats, states: Floats) -> Floats:
+        """States, as columns, each after its part of the time: matrices are not needed for it."""
+        step, made = self.series[1], states
+        for _ in range(2**self.halvings):
+            term = made
+            enough = ENOUGH_TERMS * largest(made)
+            for number in range(1, _TERMS + 1):
+                term = (step @ term) * (parts / number)
+                made = made + term
+                if largest(term) <= enough:
+                    break
         return made
 
     def repeated(self, first: Floats, count: int) -> Floats:
@@ -137,6 +151,31 @@ _RELAXATION_ROUNDS = 12
 _ORDERS = DEGREE + 1
 
 
+_FEW = 64
+"""So many states have their eigenvalues calculated at once."""
+_SQUARINGS = 6
+"""Of a matrix, by which its largest eigenvalue is bounded."""
+
+
+def _largest_rate(matrix: Floats) -> float:
+    """A bound of the eigenvalues, hardly above the largest: ``|A^n|^(1/n)`` (Gelfand).
+
+    Examples
+    --------
+    >>> round(_largest_rate(np.array([[0.0, 4.0], [-1.0, 0.0]])), 6)
+    2.0
+    """
+    bound, power = 1.0, matrix
+    for number in range(_SQUARINGS + 1):
+        size = largest(np.abs(power).sum(axis=0))
+        if not size:
+            return 0.0
+        bound *= size ** (0.5**number)
+        power = power / size
+        power = power @ power
+    return bound
+
+
 class NoFit(Exception):  # noqa: N818 - it never leaves the room
     """Torques that no polynomial comes near, or more parts than are worth while."""
 
@@ -195,9 +234,9 @@ class Closed:
         self.affine = Affine(equations, by_rate)
         self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
-        self.rates = np.linalg.eigvals(matrix) if self.size else np.zeros(0)
         self.balance = self._balanced()
         self.matrix: Floats = self.balance[:, None] * matrix / self.balance
+        self.rates: Complex | None = None
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
@@ -252,8 +291,7 @@ class Closed:
 
     def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
         """Length and number of the parts of the next stretch."""
-        alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
-        fastest = float(alive.max(initial=0.0))
+        fastest = self._fastest(gone)
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
         if self.equations.ports.timed:
             length = min(length, self.equations.longest)
@@ -263,6 +301,16 @@ class Closed:
         while count * length < left * (1 - SAME_TIME):
             count *= 2
         return left / count, count
+
+    def _fastest(self, gone: float) -> float:
+        """The fastest motion that has not died away after so much time [rad/s]."""
+        if self.rates is None:
+            if self.size > _FEW and not gone:  # eigenvalues take longer than all the rest
+                return _largest_rate(self.matrix)
+            matrix = self.affine.change.by_state
+            self.rates = np.asarray(np.linalg.eigvals(matrix), complex)
+        alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
+        return float(alive.max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
         """Of x, of the time and 1, of the torques that bend; and the unit of all but x."""
@@ -370,10 +418,10 @@ class Closed:
         parts = stretch.parts
         passed = (times - parts.begin) / parts.length
         at = np.clip(passed.astype(int), 0, parts.number - 1)
-        moves = stretch.exponential.at(np.clip(passed - at, 0.0, 1.0))[:, : self.size]
+        within = np.clip(passed - at, 0.0, 1.0)
+        moved = stretch.exponential.moved(within, stretch.starts[:, at])
         made = befores[:, at].copy()
-        made[: self.size] = np.einsum("nij,jn->in", moves, stretch.starts[:, at])
-        made[: self.size] /= self.balance[:, None]
+        made[: self.size] = moved[: self.size] / self.balance[:, None]
         return made
 
     def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
@@ -382,10 +430,10 @@ class Closed:
         passed = (time - parts.begin) / parts.length
         part = min(parts.number - 1, max(0, int(passed)))
         within = min(1.0, max(0.0, passed - part))
-        moves = stretch.exponential.at(within * NODES)
+        starts = np.repeat(stretch.starts[:, part, None], len(NODES), axis=1)
+        moved = stretch.exponential.moved(within * NODES, starts)
         made = np.zeros((self.equations.size, 1, len(NODES)))
-        at = (moves @ stretch.starts[:, part])[:, : self.size].T
-        made[: self.size, 0] = at / self.balance[:, None]
+        made[: self.size, 0] = moved[: self.size] / self.balance[:, None]
         begin = parts.begin + part * parts.length
         times = begin + parts.length * within * NODES[None, :]
         self._account(made, times, befores[:, part], parts.length * within)

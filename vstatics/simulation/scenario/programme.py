@@ -92,8 +92,13 @@ def friction_at(friction: Friction | None, slip: float = 0.0) -> float:
     """The coefficient of friction at a slip [rad/s]; 1 of what has no pack."""
     if friction is None:
         return 1.0
+    return friction_points(friction).at(abs(slip))
+
+
+def friction_points(friction: Friction) -> Points:
+    """The coefficient of friction over the slip."""
     slips, values = zip(*friction.coefficient, strict=True)
-    return Points(slips, values).at(abs(slip))
+    return Points(slips, values, "speed")
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:

@@ -43,6 +43,14 @@ class Contact(NamedTuple):
     while_open: int | None = None
     """Index of the element while whose capacity is 0 it acts."""
 
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """Slips at which its coefficient of friction bends [rad/s]; none where it is a number."""
+        pack = self.friction
+        if pack is None or len(pack.coefficient) == 1:
+            return ()
+        return tuple(slip for slip, _ in pack.coefficient)
+
 
 class RigidMechanism(NamedTuple):
     """A rigid mechanism."""
@@ -116,6 +124,8 @@ class PortLayout:
         self.converters = len(system.converters)
         self.turbines = self.pumps + self.converters
         self.ports = self.turbines + self.converters
+        self.frictions = self.outside + self.converters
+        """Of the pieces on which curves are, the first of a contact; before them converters."""
         angles = {one.link for one in system.outside if one.needs_angle}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
         """Indices of the links whose angles are followed."""

@@ -16,8 +16,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Converter
-from vstatics.simulation.scenario.programme import Programme, friction_at
-from vstatics.simulation.system.curves import Torque, capacity_at, curve_along, slope_of
+from vstatics.simulation.scenario.programme import Programme, friction_at, friction_points
+from vstatics.simulation.system.curves import Torque, curve_along, programme_at, slope_of
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 
 
@@ -32,7 +32,7 @@ class States(NamedTuple):
     """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
     pieces: tuple[int, ...]
     """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
-    of each converter.
+    of each converter; then of the coefficient of friction of each contact, over its slip.
     """
 
     @property
@@ -84,7 +84,8 @@ class Ports:
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             self._outside(index, one.law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
-            self._contact(layout.contacts + index, contact, states.contacts[index], time)
+            piece = states.pieces[layout.frictions + index]
+            self._contact(layout.contacts + index, contact, states.contacts[index], piece, time)
         for index, spring in enumerate(system.springs):
             port, state = layout.springs + index, states.springs[index]
             if state == "stick":
@@ -195,19 +196,27 @@ class Ports:
             else:
                 self.by_angle.append((port, place, slope))
 
-    def _contact(self, port: int, contact: Contact, state: str, time: float) -> None:
+    def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if state not in SIGNS:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
             return
-        if contact.friction is None or len(contact.friction.coefficient) == 1:
+        if contact.friction is None or not contact.corners:
             mu = friction_at(contact.friction)
             self._programme(port, contact.programme, SIGNS[state] * mu, time)
             return
+        value, slope = friction_points(contact.friction).piece(piece)
+        curve = contact.programme.curve
+        if isinstance(curve, Points) and not curve.piece(curve.piece_at(time))[1]:
+            normal = programme_at(contact.programme, time)
+            self.c0[port] = SIGNS[state] * normal * value
+            self.by_rate[port] = normal * slope
+            self.senses_rate[port] = slope != 0
+            return
 
         def torque(at: float, slip: float, _angle: float) -> float:
-            return SIGNS[state] * capacity_at(contact, at, slip)
+            return programme_at(contact.programme, at) * (SIGNS[state] * value + slope * slip)
 
         self.special.append((port, -1, torque))
 

@@ -78,10 +78,11 @@ class MotionStructure:
         self.free, self.light = _motions(system.heavy, rows)
         left, left_light = self.free, self.light
         taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
-        circulating = np.zeros((len(self.multipliers), 0))
+        conditions = np.zeros((len(self.multipliers), 0))
         if columns is not rows:
-            circulating = _circulating(rows, columns)
-            columns = columns - columns @ circulating @ circulating.T
+            friction = np.array([one.kind == "friction" for one in self.multipliers])
+            circulating, conditions = _circulating(rows, columns, friction)
+            columns = columns - columns @ circulating @ conditions.T
             left, left_light = _motions(system.heavy, columns)
         momenta = self.free.T @ mass
         self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
@@ -92,12 +93,17 @@ class MotionStructure:
         self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
         residual = forces - mass @ self.free @ self.accelerations
         weights = np.array([_weight(system, one) for one in self.multipliers])
-        fixed = np.vstack([columns, circulating.T])
-        residual = np.vstack([residual, np.zeros((circulating.shape[1], residual.shape[1]))])
+        fixed = np.vstack([columns, conditions.T])
+        residual = np.vstack([residual, np.zeros((conditions.shape[1], residual.shape[1]))])
         self.torques, self.redundant = _multipliers(fixed, weights, residual)
         self.mesh_rates: Floats = taken @ self.free
         self.mesh_light_rates: Floats = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
+
+    def of(self, speeds: Floats) -> Floats:
+        """The motions with inertia by the speeds of links; of the same momentum if none fit."""
+        motions: Floats = self.free.T @ speeds
+        return motions + self.projection @ (speeds - self.free @ motions)
 
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
@@ -170,26 +176,46 @@ def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     free = null(columns.T)
     if not free.shape[1]:
         return free, free
-    _, sizes, right = np.linalg.svd(heavy @ free)
-    rank = _counting(sizes, sizes[0]) if sizes[0] > INDEPENDENT_MOTION else 0
+    moved = heavy @ free
+    rank = _rank(moved) if largest(moved) > INDEPENDENT_MOTION else 0
+    if rank == free.shape[1]:
+        return free, free[:, :0]
+    right = np.linalg.svd(moved)[2]
     light = free @ right[rank:].T
     light[np.abs(light) < ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
     return free @ right[:rank].T, light
 
 
-def _circulating(rows: Floats, columns: Floats) -> Floats:
+def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Floats, Floats]:
     """Multipliers that change no speed but lose power, as gears on two ways that turn alike.
 
-    Nothing tells how large they are: they are taken to be 0. As columns, orthonormal.
+    Nothing tells how large they are: those are taken that leave least friction in meshes that
+    stand, none as a rule, as in statics; of these the least.
+
+    Returns
+    -------
+    directions : ndarray, shape (multipliers, directions)
+        Multipliers, as columns.
+    conditions : ndarray, shape (multipliers, directions)
+        What is 0 of multipliers, as columns; their products with `directions` are the unit matrix.
     """
-    if not rows.shape[1]:
-        return np.zeros((0, 0))
-    spare = null(rows)
+    spare = null(rows) if rows.shape[1] else np.zeros((0, 0))
     if not spare.shape[1]:
-        return spare
+        return spare, spare
     _, sizes, right = np.linalg.svd(columns @ spare)
-    circulating: Floats = spare @ right[: _counting(sizes, largest(columns))].T
-    return circulating
+    count = _counting(sizes, largest(columns))
+    circulating, redundant = spare @ right[:count].T, spare @ right[count:].T
+    if not friction.any():
+        return circulating, circulating
+    own = null(redundant[friction].T)  # friction that nothing redundant could take
+    _, sizes, right = np.linalg.svd(own.T @ circulating[friction])
+    count = _counting(sizes, 1.0)
+    directions: Floats = circulating @ right.T
+    conditions = directions.copy()
+    conditions[:, :count] = 0.0
+    shares = own @ (own.T @ directions[friction, :count])
+    conditions[friction, :count] = shares / sizes[:count] ** 2
+    return directions, conditions
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:

@@ -1,0 +1,164 @@
+"""What sticks and what moves: steady drives, in and beside what friction would hold at rest.
+
+Expected are `plain`, which tries all signs in closed form, the static torques of the gear with
+losses (`statics`), and ``dw/dt = (T i eta - T_out)/(J_in i^2 eta + J_out)`` of one set.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import null_space
+
+from tests.commands import CASES
+from tests.simulation.events.plain import PlainGear
+from tests.simulation.reference import element_column, mechanism_column
+from tests.trains import random_train, seeded
+from vstatics import solve
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.readers import load
+from vstatics.simulation import Motion, Scenario, Start, constant, simulate
+
+SHIPPED = sorted([*CASES.glob("*.yaml"), *CASES.glob("*.dat")])
+QUICK = ("gm-6t70", "mercedes-7g", "ravigneaux-gf4a", "simpson")
+ROUNDING = 1e-6
+"""What may be left where the input works 1e4 J, all of which is taken or lost. [J]"""
+
+
+def driven(case: Transmission, gear: Gear, torques: dict[int, float], speed: float) -> Motion:
+    """One second of a gear under constant torques."""
+    laws = tuple((link, constant(torque)) for link, torque in torques.items())
+    start = Start(gear=gear.name, speed=speed, settled=True)
+    return simulate(Scenario(case, 1.0, start, None, laws))
+
+
+def ran(motion: Motion) -> bool:
+    """Whether it came to its end, and its energy closes."""
+    return motion.stopped is None or abs(motion.energy.balance) < ROUNDING
+
+
+def one_set(efficiency: float = 0.96) -> Transmission:
+    """Sun in, ring out, carrier held: i = -2.8."""
+    return Transmission(
+        4,
+        [ShiftElement(1, 2, "A"), ShiftElement(3, 0, "D")],
+        [Mechanism(2, 4, 3, -2.8, efficiency, name="R")],
+        [Gear([1, 2], name="1")],
+        output=4,
+        link_names=["i", "s", "c", "o"],
+        inertias={1: 1.0, 4: 1.0},
+    )
+
+
+@pytest.mark.parametrize("load", [265.0, 2.8 * 96, 275.0, 280.0, 2.8 * 100 / 0.96, 295.0])
+def test_a_set_that_turns_goes_on_under_loads_that_would_hold_it_at_rest(load: float) -> None:
+    """Power goes from the input on as long as the torque there is above 0: it is, all the time."""
+    case, ratio, efficiency = one_set(), 2.8, 0.96
+    motion = driven(case, case.gears[0], {1: 100.0, 4: load}, 100.0)
+    rate = (100 * ratio * efficiency - load) / (ratio**2 * efficiency + 1)
+    assert motion.stopped is None
+    assert not motion.events
+    assert -motion.speeds[-1, 3] == pytest.approx(100 / 2.8 + rate, rel=1e-8)
+
+
+def test_a_set_at_rest_stays_there_under_such_a_load_and_no_other() -> None:
+    case = one_set()
+    for torque, moves in ((265, True), (269, False), (291, False), (293, True)):
+        motion = driven(case, case.gears[0], {1: 100.0, 4: torque}, 0.0)
+        assert motion.stopped is None
+        assert (abs(motion.speeds[-1, 0]) > 0) == moves
+
+
+def steady(path: Path) -> Iterator[tuple[Transmission, Gear, float]]:
+    """The gears of a case with one motion, and their output torques at 100 N*m."""
+    case = load(path)
+    case = case.replace(
+        shift_elements=[one._replace(capacity=None, drag=0.0) for one in case.shift_elements],
+        gears=[one._replace(drag={}, open_drag={}) for one in case.gears],
+        springs=[one._replace(limit=None) for one in case.springs],
+    )
+    results = solve(case)
+    for number, gear in enumerate(case.gears, 1):
+        torque = -100.0 * float(results.lossy_output_torque[number - 1])
+        if math.isfinite(torque) and not (gear.speeds or gear.torques):
+            inertias = {case.gear_input(gear): 1.0, case.gear_output(gear): 1.0}
+            yield case.replace(inertias=inertias), gear, torque
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, id=path.name, marks=() if path.stem in QUICK else pytest.mark.slow)
+        for path in SHIPPED
+    ],
+)
+def test_a_shipped_gear_runs_on_at_its_static_load_and_up_to_2_percent_more(path: Path) -> None:
+    for case, gear, torque in steady(path):
+        ends = case.gear_input(gear), case.gear_output(gear)
+        for more in (0.0, 0.01, 0.02):
+            loads = dict(zip(ends, (100.0, torque * (1 + more)), strict=True))
+            motion = driven(case, gear, loads, 100.0)
+            speed = motion.speeds[:, ends[0] - 1]
+            assert ran(motion)
+            assert not motion.events
+            assert speed[-1] == pytest.approx(100, rel=0.05 if more else 1e-8)
+
+
+def random_gear(seed: int) -> tuple[Transmission, Gear, dict[int, float], float]:
+    """A random box in a gear, with torques in and beside what friction holds, and a speed."""
+    rng = seeded(seed)
+    while True:
+        case = random_train(rng, regular=True, gears=1, coast=False)
+        [gear] = case.gears
+        rows = [mechanism_column(one, case.links) for one in case.mechanisms]
+        rows += [element_column(case.shift_elements[n - 1], case.links) for n in gear.engaged]
+        free = null_space(np.array(rows))
+        if free.shape[1] != 1 or len(rows) != case.links - 1 or case.gear_input(gear) != 1:
+            continue
+        if len(case.mechanisms) > 5 or any(map(may_jam, case.mechanisms)):
+            continue
+        first, last = free[[0, case.output - 1], 0]
+        if case.output != 1 and abs(first) > 1e-6 and 1e-3 < abs(last / first) < 1e3:
+            break
+    speed = float(last / first)
+    elements = [one._replace(drag=0.0) for one in case.shift_elements]
+    gear = gear._replace(name="1", drag={}, open_drag={})
+    inertias = {1: round(rng.uniform(0.1, 3), 2), case.output: round(rng.uniform(0.1, 3), 2)}
+    case = case.replace(gears=[gear], shift_elements=elements, inertias=inertias)
+    lossy = math.prod(one.efficiency for one in case.mechanisms)
+    parts = (lossy, 1.0, rng.uniform(lossy, 1 / lossy), lossy * rng.uniform(0.99, 1.01))
+    part = rng.choice((*parts, 0.0, rng.uniform(-2, 2)))
+    torque = rng.choice((100.0, -100.0))
+    torques = {1: torque, case.output: -torque * part / speed}
+    return case, gear, torques, rng.choice((100.0, -100.0, 5.0, -5.0, 0.0))
+
+
+def may_jam(one: Mechanism) -> bool:
+    """Whether friction could hold the third link by the others alone, whatever it carries."""
+    return one.efficiency <= one.ratio <= 1 / one.efficiency and one.third != 0
+
+
+def agrees(seed: int) -> bool:
+    """Whether a random gear ends with a speed that it may have."""
+    case, gear, torques, speed = random_gear(seed)
+    motion = driven(case, gear, torques, speed)
+    ends = [*PlainGear(case, gear, torques).ends(speed, 1.0)]
+    close = 1e-6 * max(1.0, abs(speed), *map(abs, ends))
+    return ran(motion) and any(abs(motion.speeds[-1, 0] - end) < close for end in ends)
+
+
+def test_random_gears_move_as_by_the_signs_that_fit() -> None:
+    assert [seed for seed in range(25) if not agrees(seed)] == []
+
+
+@pytest.mark.slow
+@settings(max_examples=400, deadline=None)
+@given(st.integers(0, 10**6))
+def test_any_random_gear_moves_as_by_the_signs_that_fit(seed: int) -> None:
+    assert agrees(seed)

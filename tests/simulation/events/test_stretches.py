@@ -1,0 +1,120 @@
+"""Long chains of springs, and friction that bends with the slip: right, and found in time.
+
+Expected are an integrator of the plain equations ``J dw/dt = T - A' (k e + d de/dt) - friction``,
+and closed forms. Times are compared with others on the same machine.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from time import process_time
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.simulation.test_closed_forms import links, run
+from vstatics.model.parts import Friction
+from vstatics.model.springs import Spring, between
+from vstatics.model.transmission import ShiftElement
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+
+STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
+
+
+def chain(count: int) -> Scenario:
+    """Links on springs, those before a clutch in the middle faster than those behind."""
+    middle = count // 2
+    springs = tuple(
+        Spring(between(link, link + 1), STIFFNESS, damping=DAMPING)
+        for link in range(1, count)
+        if link != middle
+    )
+    clutch = ShiftElement(middle, middle + 1, "C")
+    case = links(*[INERTIA] * count, elements=(clutch,), springs=springs)
+    speeds = {link: 50.0 if link <= middle else 0.0 for link in range(1, count + 1)}
+    torques = ((1, constant(20.0)), (count, constant(-5.0)))
+    return Scenario(case, 0.2, Start(speeds=speeds), {1: Capacity(constant(100.0))}, torques)
+
+
+def test_a_chain_whose_clutch_slips_moves_as_by_a_plain_integrator() -> None:
+    count = 40
+    twist = np.eye(count - 1, count) - np.eye(count - 1, count, 1)
+    slipping = twist[count // 2 - 1]
+    twist = np.delete(twist, count // 2 - 1, axis=0)
+    load = np.zeros(count)
+    load[[0, -1]] = 20, -5
+
+    def change(_time: float, state: Floats) -> Floats:
+        rates = twist @ state[:count]
+        carried = STIFFNESS * state[count:] + DAMPING * rates
+        return np.concatenate([(load - carried @ twist - 100 * slipping) / INERTIA, rates])
+
+    motion = simulate(chain(count))
+    first = np.concatenate([motion.speeds[0], np.zeros(count - 2)])
+    found = solve_ivp(change, (0, 0.2), first, "DOP853", rtol=1e-11, atol=1e-9)
+    assert not motion.events
+    assert motion.speeds[-1] == pytest.approx(found.y[:count, -1], abs=1e-6)
+
+
+def test_friction_that_bends_with_the_slip_is_passed_piece_by_piece() -> None:
+    """J ds/dt = -G mu(s): .16 down to 50 rad/s, then a straight line to .12."""
+    pack = Friction(0.1, 60e-4, 8, ((0.0, 0.12), (50.0, 0.16), (200.0, 0.16)))
+    case = links(0.5, elements=(ShiftElement(1, 0, "B", friction=pack),))
+    for way in (1, -1):
+        motion = run(case, 10.0, {1: way * 100.0}, controls={1: Capacity(constant(1e4))})
+        gain, slope = 1e4 * 0.1 * 60e-4 * 8, 0.04 / 50
+        time = 0.5 * 50 / (gain * 0.16) + 0.5 / (gain * slope) * math.log(1 + slope * 50 / 0.12)
+        [event] = motion.events
+        assert event.event == "locks"
+        assert event.time == pytest.approx(time, abs=1e-9)
+        assert motion.energy.heat["B"] == pytest.approx(0.5 * 100**2 / 2, rel=1e-9)
+
+
+def taken(what: Callable[[], object]) -> float:
+    """Processor time, the least of three [s]."""
+    found = []
+    for _ in range(3):
+        begin = process_time()
+        what()
+        found.append(process_time() - begin)
+    return min(found)
+
+
+def stick_slip(*coefficient: tuple[float, float]) -> Scenario:
+    """A body on a spring whose other end goes at constant speed, some fifty times."""
+    pack = Friction(0.1, 60e-4, 8, coefficient)
+    brake = ShiftElement(1, 0, "C", static=1.3, friction=pack)
+    case = links(0.5, 1e6, elements=(brake,), springs=(Spring(between(2, 1), 200.0),))
+    pressure = Capacity(constant(10 / pack.per_pressure / 0.1))
+    return Scenario(case, 8.0, Start(speeds={1: 0.0, 2: 0.8}, engaged=(1,)), {1: pressure})
+
+
+@pytest.mark.slow
+def test_an_event_with_friction_by_points_takes_as_long_as_with_a_number() -> None:
+    number = taken(lambda: simulate(stick_slip((0.0, 0.1))))
+    points = taken(lambda: simulate(stick_slip((0.0, 0.1), (10.0, 0.05))))
+    assert points < 3 * number
+
+
+@pytest.mark.slow
+def test_a_chain_of_200_links_takes_no_more_than_some_eigenvalues() -> None:
+    """On one thread, or what waits for another counts; 24 times as long, 150 before."""
+    code = (
+        "import numpy as np\n"
+        "from tests.simulation.events.test_stretches import chain, simulate, taken\n"
+        "matrix = np.random.default_rng(1).normal(size=(400, 400))\n"
+        "scenario = chain(200)._replace(duration=1.0)\n"
+        "whole, part = taken(lambda: simulate(scenario)), taken(lambda: np.linalg.eigvals(matrix))\n"
+        "print(whole / part)"
+    )
+    alone = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": "."}
+    made = subprocess.run(
+        [sys.executable, "-c", code], env=alone, capture_output=True, text=True, check=True
+    )
+    assert float(made.stdout) < 60
