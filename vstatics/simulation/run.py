@@ -18,10 +18,11 @@ from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.scenario.programme import bare_capacities, programmes
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
+from vstatics.statics.result_arrays import Message
 
 Method = Literal["events", "tarasik"]
 
@@ -82,7 +83,8 @@ def simulate(
     system, messages = with_viscous_damping(system, speeds)
     start = start_instant(system, speeds, _twists(system, speeds))
     record = Record(system, start, step)
-    record.messages += messages
+    told = (Message("note", one.message) for one in bare_capacities(scenario.case))
+    record.messages += [*told, *messages]
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
