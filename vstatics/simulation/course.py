@@ -128,7 +128,7 @@ class EventRun:
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
-        finder = Finder(selected.margins, self.scales, self.record.sample)
+        finder = Finder(selected.margins, self.scales)
         try:
             for step in self._steps(selected, end, tolerances, length):
                 found = finder.event_in(step)
@@ -160,7 +160,7 @@ class EventRun:
 
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""
-        time, state = self.record.time, self.record.kept[-1].state
+        time, state = self.record.time, self.record.pieces[-1].states[-1]
         for ahead in AHEAD_OF_STOP:
             at = time + ahead * self.duration
             _, torques = equations.acting(at, state)

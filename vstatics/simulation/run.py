@@ -91,7 +91,7 @@ def simulate(
             EventRun(system, record, rtol).run(start)
     except CaseError as stop:
         stopped = stop.problems[0]
-    if not record.kept:
+    if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
     motion = record.motion(stopped)
