@@ -17,11 +17,12 @@ from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
 from vstatics.simulation.events.stretches import Closed, NoFit
-from vstatics.simulation.record.motion import Event, EventKind
+from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
+from vstatics.simulation.record.words import event_of, released
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, MotionSystem
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.tolerances import AHEAD_OF_STOP, LEAST_RTOL, SAME_INSTANT, STANDING
 
@@ -203,9 +204,9 @@ class EventRun:
             return at
         made = impact(system, at.speeds, rigid, joining)
         for index, energy in zip(joining, made.energies, strict=True):
-            name = system.contacts[index].name
             if at.time > 0:  # what happens at the start is no event
-                self.record.events.append(Event(at.time, name, "impact", energy))
+                joined = event_of(at.time, system.contacts[index], "impact", energy)
+                self.record.events.append(joined)
             self.record.impact += energy
             self.record.joined.add(index)
         return at._replace(speeds=made.speeds)
@@ -216,9 +217,9 @@ class EventRun:
             for index, contact in enumerate(self.system.contacts):
                 if not (contact.is_drag or index in self.record.joined):
                     change = before.contacts[index], states.contacts[index]
-                    self._tell_change(time, contact.name, *change)
+                    self._tell_change(time, contact, *change)
             for index, spring in enumerate(self.system.springs):
-                self._tell_change(time, spring.name, before.springs[index], states.springs[index])
+                self._tell_change(time, spring, before.springs[index], states.springs[index])
         self.record.joined.clear()
 
     def _name_of(self, kind: Kind, index: int) -> str:
@@ -235,7 +236,7 @@ class EventRun:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
 
-    def _tell_change(self, time: float, name: str, before: str, after: str) -> None:
+    def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
         sticks = ("stick", "rigid")
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
@@ -245,4 +246,5 @@ class EventRun:
         elif {before, after} == {*SIGNS}:
             kind = "reverses"
         if kind is not None:
-            self.record.events.append(Event(time, name, kind))
+            event = event_of(time, device, kind)
+            self.record.events.append(released(event) if after == "open" else event)

@@ -11,6 +11,8 @@ CLOSED_ENERGY = 1e-8
 """A run closes that leaves no more than this part of the largest energy."""
 NO_ENERGY = 1e-12
 """An energy that is none. [J]"""
+PRINTED = 1e-9
+"""Less than this part of the largest number of its kind is printed as 0."""
 CLOSED_BALANCE = 5e-4
 """A balance below it is 0 to three decimals. [J]"""
 

@@ -110,6 +110,8 @@ def extreme_times(curves: Sequence[Curves], of: CurveRanges) -> list[Floats]:
     >>> sorted(set(times.round(9).tolist()))
     [0.0, 1.0]
     """
+    if not np.isfinite(of.size).any():  # nothing changes
+        return [np.zeros(0) for _ in curves]
     tried = [_turns(one, of) for one in curves]
     columns, times, values = (np.concatenate(one) for one in zip(*tried, strict=True))
     owner = np.repeat(np.arange(len(curves)), [len(one.columns) for one in tried])

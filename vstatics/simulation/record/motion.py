@@ -22,6 +22,8 @@ class Event(NamedTuple):
     event: EventKind
     energy: float = 0.0
     """Lost at once, in an impact. [J]"""
+    word: str = ""
+    """What people call it: dog clutches open and close, freewheels overrun, loads start."""
 
 
 class Energy(NamedTuple):
