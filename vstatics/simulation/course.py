@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import largest
+from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
@@ -35,10 +36,12 @@ _MOST_EVENTS = 100_000
 class EventRun:
     """A run."""
 
-    def __init__(self, system: MotionSystem, record: Record, rtol: float) -> None:
+    def __init__(
+        self, system: MotionSystem, record: Record, rtol: float, watch: Guard | None = None
+    ) -> None:
         self.system, self.record = system, record
         self.selection = ModeSelection(system)
-        self.rtol = rtol
+        self.rtol, self.watch = rtol, watch
         self.duration = system.scenario.duration
         self.breaks = break_times(system)
         self.scales = LargeSizes(1.0, 1.0)
@@ -135,12 +138,20 @@ class EventRun:
                 found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
+                    self._watched()
                     return found, step.end - step.start
                 self.record.step(step, step.end, step.last)
+                self._watched()
                 length = step.end - step.start
         except TooSmall:
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ()), length
+
+    def _watched(self) -> None:
+        """Stop where that is asked for, unless this is the end."""
+        time = self.record.time
+        if self.watch is not None and time < self.duration and (why := self.watch(time)):
+            raise CaseError(f"at {time:.9g} s {why}")
 
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None

@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.bounds import Guard
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
@@ -33,6 +34,7 @@ def simulate(
     step: float | None = None,
     rtol: float = RTOL,
     method: Method = "events",
+    watch: Guard | None = None,
 ) -> Motion:
     """The motion of a case by a scenario.
 
@@ -45,6 +47,8 @@ def simulate(
         Accuracy of event times by the duration, of speeds and energies by their largest. [-]
     method : {"events", "tarasik"}
         The second is the published one, for comparison; see `tarasik`.
+    watch : callable, optional
+        Is told the time that is reached [s], again and again; a text stops the run there.
 
     Returns
     -------
@@ -88,7 +92,7 @@ def simulate(
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
-            EventRun(system, record, rtol).run(start)
+            EventRun(system, record, rtol, watch).run(start)
     except CaseError as stop:
         stopped = stop.problems[0]
     if not record.pieces:

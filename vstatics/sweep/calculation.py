@@ -10,6 +10,9 @@ if TYPE_CHECKING:
     from vstatics.sweep.chunk import Chunk
     from vstatics.sweep.plan import SweepPlan
 
+MEASURED_RUNS = 8
+"""So many runs tell how long all of them take."""
+
 
 def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     """Calculate the variants from `start` up to `stop`.
@@ -39,7 +42,7 @@ def middle(plan: SweepPlan) -> tuple[int, int]:
     """The ends of a block in the middle of a sweep, by which the whole is estimated."""
     start, stop = plan.span(plan.pieces // 2)
     if not isinstance(plan.subject, Transmission):
-        return start, stop
+        return start, min(stop, start + MEASURED_RUNS)
     from vstatics.sweep.blocks import blocks
 
     ends = list(blocks(plan.subject, start, stop))

@@ -14,10 +14,11 @@ from vstatics.cli.frame import files, formats
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.scenario_run import LIMIT
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.sweep.estimate import estimate, most_rows
 from vstatics.cli.sweep.run import SweepRun, carry_out
-from vstatics.cli.sweep.subject import check_options, read_subject, spare
+from vstatics.cli.sweep.subject import check_options, limited, read_subject, spare
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.sweep import build
@@ -61,6 +62,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
     ),
 )
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
+@LIMIT
 @arguments.input_format
 @arguments.coast
 @arguments.idle
@@ -70,6 +72,7 @@ def sweep(
     sharing: Sharing,
     raw: bool,
     dry_run: bool,
+    limit: float | None,
     input_format: readers.Format | None,
     telling: Telling,
     **said: Any,
@@ -125,6 +128,7 @@ def sweep(
         subject, warnings = read_subject(options.case or "", input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
+        subject = limited(subject, limit)
         plan = build.plan(subject, options)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"

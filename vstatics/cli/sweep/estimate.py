@@ -8,6 +8,7 @@ import time
 from vstatics.cli.frame.estimates import CommandEstimate, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.model.transmission import Transmission
 from vstatics.sweep import calculation
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.best import BEST
@@ -74,7 +75,8 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, columns = plan.variants.count, len(plan.names) + len(plan.headings) + 2
     start, stop = calculation.middle(plan)
-    calculation.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    first = 100 if isinstance(plan.subject, Transmission) else 1
+    calculation.calculate(plan, start, min(start + first, stop))  # the first time costs more
     began = time.perf_counter()
     rows = calculation.calculate(plan, start, stop)
     data = data_of(form, rows)

@@ -31,6 +31,8 @@ from vstatics.simulation.tolerances import (
 _NONE = np.zeros(0)
 _TERMS = 22
 """Of the series."""
+_APPLIED = 3
+"""So many squares of a matrix cost more than to apply it again and again."""
 
 
 class Exponential:
@@ -58,12 +60,24 @@ class Exponential:
 
     def at(self, parts: Floats) -> Floats:
         """For parts of the time, each 0 to 1; shape (parts, size, size)."""
+        return self._squared(parts, self.halvings)
+
+    def _squared(self, parts: Floats, times: int) -> Floats:
+        """Of halved parts, squared so many times."""
         factors = parts[:, None] ** np.arange(len(self.series))
         size = self.series.shape[1]
         made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
-        for _ in range(self.halvings):
+        for _ in range(times):
             made = made @ made
         return made
+
+    def moved(self, parts: Floats, starts: Floats) -> Floats:
+        """States after parts of the time, each 0 to 1, from starts of shape (size, parts)."""
+        squares = max(0, self.halvings - _APPLIED)
+        moves, made = self._squared(parts, squares), starts.T[:, :, None]
+        for _ in range(2 ** (self.halvings - squares)):
+            made = moves @ made
+        return made[:, :, 0].T
 
     def repeated(self, first: Floats, count: int) -> Floats:
         """States at the start of each of so many equal parts, shape (size, parts)."""
@@ -382,8 +396,8 @@ class Closed:
         made = befores[:, at].copy()
         batches = 1 + len(times) * self.size**2 // _MOST_NUMBERS
         for some in np.array_split(np.arange(len(times)), batches):
-            moves = stretch.exponential.at(within[some])[:, : self.size]
-            made[: self.size, some] = np.einsum("nij,jn->in", moves, stretch.starts[:, at[some]])
+            moved = stretch.exponential.moved(within[some], stretch.starts[:, at[some]])
+            made[: self.size, some] = moved[: self.size]
         made[: self.size] /= self.balance[:, None]
         worked = parts.length * within[:, None] ** np.arange(1, _GAUSS + 1) @ _BY_ORDER
         made[first:] += np.einsum("wnj,nj->wn", powers[:, at], worked)

@@ -21,7 +21,7 @@ _NEAR_TOP = 0.1
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the most chords of a part: what bends more has no polynomial."""
-_MOST_DRAWN = 500_000
+_MOST_DRAWN = 200_000
 """Instants of a run that are added to draw it; with more its chords are longer."""
 
 
