@@ -72,7 +72,6 @@ def sweep(
     sharing: Sharing,
     raw: bool,
     dry_run: bool,
-    limit: float | None,
     input_format: readers.Format | None,
     telling: Telling,
     **said: Any,
@@ -109,6 +108,7 @@ def sweep(
     --strict also if there is a warning on the case;
     2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
+    limit = said.pop("limit")
     own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:
         of_file = read_sweep_file(*files.read_input(sweep_file))

@@ -58,7 +58,8 @@ def ranges(curves: Sequence[Curves], kinds: Sequence[slice]) -> CurveRanges:
     largest = np.fmax.reduce([np.fmax.reduce(one.values, axis=(1, 2)) for one in curves])
     size = largest - least
     for kind in kinds:
-        near = NO_RANGE * np.maximum(np.abs(largest[kind]), np.abs(least[kind])).max(initial=0.0)
+        sizes = np.fmax(np.abs(largest[kind]), np.abs(least[kind]))
+        near = NO_RANGE * np.fmax.reduce(sizes, initial=0.0)
         size[kind] = np.where(size[kind] > near, size[kind], np.inf)
     return CurveRanges(least, largest, np.where(np.isfinite(size), size, np.inf))
 

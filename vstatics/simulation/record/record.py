@@ -102,7 +102,8 @@ class Record:
         """All of it."""
         system, last = self.system, self.pieces[-1]
         table = MotionColumns(system)
-        times, columns = table.along(self.pieces)
+        with np.errstate(all="ignore"):
+            times, columns = table.along(self.pieces)
         kept = _different(times, columns[: table.heat.start])
         times, columns = times[kept], columns[:, kept]
         speeds, slips, torques, heat = (columns[of].T.copy() for of in table.kinds)
