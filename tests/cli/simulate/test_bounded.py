@@ -72,6 +72,8 @@ def test_a_limit_that_is_long_enough_changes_nothing() -> None:
 def test_a_limit_is_above_0(limit: str) -> None:
     for command in (("simulate",), ("sweep", "--vary", "duration=1,2")):
         assert vstatics(*command, "short.yaml", "--limit", limit).status == 2
+    published = ("--method", "tarasik", "--limit", "1")
+    assert vstatics("simulate", "short.yaml", *published).status == 2
 
 
 def test_a_row_of_a_sweep_is_stopped_and_the_next_goes_on() -> None:

@@ -56,6 +56,8 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
+    if asked.limit is not None and asked.method != "events":
+        raise click.UsageError("--limit is for the method `events`.")
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
