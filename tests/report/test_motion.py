@@ -96,6 +96,24 @@ def test_commands_take_a_scenario_for_its_case(tmp_path: Path) -> None:
         assert (said.status, said.all) == (0, "")
 
 
+def test_a_run_is_shown_though_its_gears_are_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A mass on a spring to the housing swings; in statics, which has no springs, it is tied up."""
+    monkeypatch.chdir(tmp_path)
+    case = "links: [m, n]\ninertias: {m: 1, n: 1}\ngears: {g: []}\n"
+    case += "springs: {k: {links: [m, housing], stiffness: 100}}\n"
+    Path("mass.yaml").write_text(case, encoding="utf-8")
+    scenario = "{case: mass.yaml, duration: 2, start: {speeds: {m: 1, n: 0}}}"
+    Path("swing.yaml").write_text(scenario, encoding="utf-8")
+    assert vstatics("simulate", "swing.yaml").status == 0
+    for wanted in (("plot", "--kind", "shift", "-o", "a.svg"), ("report", "-o", "a.html")):
+        said = vstatics(*wanted, "swing.yaml", "--strict")
+        assert (said.status, said.err) == (0, "")
+    assert Page(Path("a.html").read_text(encoding="utf-8")).table("Largest torques").keys() == {"k"}
+    assert vstatics("plot", "--kind", "structure", "swing.yaml", "-o", "b.svg").status == 1
+
+
 def test_other_commands_say_that_it_is_a_scenario() -> None:
     for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"]):
         said = vstatics(*command, SCENARIO, *["x.yaml"] * (command[0] == "convert"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
@@ -191,8 +192,8 @@ def _told(cases: Sequence[str], options: CaseOptions, *, as_json: bool) -> tuple
     return "".join(found), failed
 
 
-_TRIED_PART = 1e-9
-"""So much of the duration is tried."""
+TRIED, LONG = 1.0, 60.0
+"""So long a scenario is tried, and what takes longer by that is told. [s]"""
 
 
 def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
@@ -201,7 +202,7 @@ def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem],
 
     try:
         read = scenario_with_case(*files.read_input(file), options.input_format)
-        found = [*scenario_doubts(read.scenario), *_faults_at_start(read.scenario)]
+        found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
         problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
     except ReadError as error:
         return file, error.problems, True, None
@@ -212,17 +213,24 @@ def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem],
     return file, problems, failed or options.telling.fails(problems), shown
 
 
-def _faults_at_start(scenario: Scenario) -> list[Problem]:
-    """Why it can't begin, as far as that takes no run; nothing where scipy is not installed."""
+def _tried(scenario: Scenario) -> list[Problem]:
+    """Why it can't begin, or that it takes long; nothing where scipy is not installed."""
     if extras.missing("simulation", "a simulation"):
         return []
+    from vstatics.cli.frame.estimates import duration_text
+    from vstatics.simulation.bounds import Pace
     from vstatics.simulation.run import simulate
 
+    pace = Pace(scenario.duration, TRIED)
     try:
-        simulate(scenario._replace(duration=_TRIED_PART * scenario.duration, targets={}))
+        simulate(scenario._replace(targets={}), watch=pace)
     except CaseError as error:
         return error.problems
-    return []
+    if pace.needed <= LONG:
+        return []
+    needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
+    message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
+    return [Problem(message, ("duration",), severity="note")]
 
 
 def _scenario_summary(file: str, scenario: Scenario) -> Grid:

@@ -114,7 +114,8 @@ def plot(
         gears=gears,
         style=Style(lang, dark, wheels=wheels, merged=merge),
     )
-    return carry_out(Job("plot", settings._replace(scenarios=True), to, picture), cases)
+    options = settings._replace(scenarios=True, of_runs=kind in OF_RUNS)
+    return carry_out(Job("plot", options, to, picture), cases)
 
 
 def _refuse_without_suffix(output: str) -> None:

@@ -57,7 +57,9 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
         return report_boxes(*found, cases[0], output, digits)
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
-    return carry_out(Job("report", settings._replace(scenarios=True), to, show), cases)
+    return carry_out(
+        Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
+    )
 
 
 def _shown(

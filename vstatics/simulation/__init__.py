@@ -5,7 +5,7 @@
 3. `events`: they are solved in closed form, else step by step, to where a margin ends; from there
    on something else sticks.
 4. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
-   must close. `run` is all of it.
+   must close. `run` is all of it, `bounds` says how long it may take.
 
 `published` is the method of Tarasik, for comparison. The room needs scipy, an extra. How it all is
 derived: docs/method.md.

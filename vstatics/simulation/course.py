@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import largest
+from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
@@ -17,11 +18,12 @@ from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
 from vstatics.simulation.events.stretches import Closed, NoFit
-from vstatics.simulation.record.motion import Event, EventKind
+from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
+from vstatics.simulation.record.words import event_of, released
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, MotionSystem
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.tolerances import AHEAD_OF_STOP, LEAST_RTOL, SAME_INSTANT, STANDING
 
@@ -34,10 +36,12 @@ _MOST_EVENTS = 100_000
 class EventRun:
     """A run."""
 
-    def __init__(self, system: MotionSystem, record: Record, rtol: float) -> None:
+    def __init__(
+        self, system: MotionSystem, record: Record, rtol: float, watch: Guard | None = None
+    ) -> None:
         self.system, self.record = system, record
         self.selection = ModeSelection(system)
-        self.rtol = rtol
+        self.rtol, self.watch = rtol, watch
         self.duration = system.scenario.duration
         self.breaks = break_times(system)
         self.scales = LargeSizes(1.0, 1.0)
@@ -128,18 +132,26 @@ class EventRun:
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
-        finder = Finder(selected.margins, self.scales, self.record.sample)
+        finder = Finder(selected.margins, self.scales)
         try:
             for step in self._steps(selected, end, tolerances, length):
                 found = finder.event_in(step)
                 if found is not None:
                     self.record.step(step, found.time, found.state)
+                    self._watched()
                     return found, step.end - step.start
                 self.record.step(step, step.end, step.last)
+                self._watched()
                 length = step.end - step.start
         except TooSmall:
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ()), length
+
+    def _watched(self) -> None:
+        """Stop where that is asked for, unless this is the end."""
+        time = self.record.time
+        if self.watch is not None and time < self.duration and (why := self.watch(time)):
+            raise CaseError(f"at {time:.9g} s {why}")
 
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
@@ -160,7 +172,7 @@ class EventRun:
 
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""
-        time, state = self.record.time, self.record.kept[-1].state
+        time, state = self.record.time, self.record.pieces[-1].states[-1]
         for ahead in AHEAD_OF_STOP:
             at = time + ahead * self.duration
             _, torques = equations.acting(at, state)
@@ -203,9 +215,9 @@ class EventRun:
             return at
         made = impact(system, at.speeds, rigid, joining)
         for index, energy in zip(joining, made.energies, strict=True):
-            name = system.contacts[index].name
             if at.time > 0:  # what happens at the start is no event
-                self.record.events.append(Event(at.time, name, "impact", energy))
+                joined = event_of(at.time, system.contacts[index], "impact", energy)
+                self.record.events.append(joined)
             self.record.impact += energy
             self.record.joined.add(index)
         return at._replace(speeds=made.speeds)
@@ -216,9 +228,9 @@ class EventRun:
             for index, contact in enumerate(self.system.contacts):
                 if not (contact.is_drag or index in self.record.joined):
                     change = before.contacts[index], states.contacts[index]
-                    self._tell_change(time, contact.name, *change)
+                    self._tell_change(time, contact, *change)
             for index, spring in enumerate(self.system.springs):
-                self._tell_change(time, spring.name, before.springs[index], states.springs[index])
+                self._tell_change(time, spring, before.springs[index], states.springs[index])
         self.record.joined.clear()
 
     def _name_of(self, kind: Kind, index: int) -> str:
@@ -237,7 +249,7 @@ class EventRun:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
 
-    def _tell_change(self, time: float, name: str, before: str, after: str) -> None:
+    def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
         sticks = ("stick", "rigid")
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
@@ -247,4 +259,5 @@ class EventRun:
         elif {before, after} == {*SIGNS}:
             kind = "reverses"
         if kind is not None:
-            self.record.events.append(Event(time, name, kind))
+            event = event_of(time, device, kind)
+            self.record.events.append(released(event) if after == "open" else event)

@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.bounds import Guard
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
@@ -18,10 +19,11 @@ from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.scenario.programme import bare_capacities, programmes
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
+from vstatics.statics.result_arrays import Message
 
 Method = Literal["events", "tarasik"]
 
@@ -32,6 +34,7 @@ def simulate(
     step: float | None = None,
     rtol: float = RTOL,
     method: Method = "events",
+    watch: Guard | None = None,
 ) -> Motion:
     """The motion of a case by a scenario.
 
@@ -44,6 +47,8 @@ def simulate(
         Accuracy of event times by the duration, of speeds and energies by their largest. [-]
     method : {"events", "tarasik"}
         The second is the published one, for comparison; see `tarasik`.
+    watch : callable, optional
+        Is told the time that is reached [s], again and again; a text stops the run there.
 
     Returns
     -------
@@ -82,14 +87,15 @@ def simulate(
     system, messages = with_viscous_damping(system, speeds)
     start = start_instant(system, speeds, _twists(system, speeds))
     record = Record(system, start, step)
-    record.messages += messages
+    told = (Message("note", one.message) for one in bare_capacities(scenario.case))
+    record.messages += [*told, *messages]
     stopped: Problem | None = None
     try:
         with np.errstate(all="ignore"):
-            EventRun(system, record, rtol).run(start)
+            EventRun(system, record, rtol, watch).run(start)
     except CaseError as stop:
         stopped = stop.problems[0]
-    if not record.kept:
+    if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
     motion = record.motion(stopped)

@@ -11,6 +11,8 @@ CLOSED_ENERGY = 1e-8
 """A run closes that leaves no more than this part of the largest energy."""
 NO_ENERGY = 1e-12
 """An energy that is none. [J]"""
+PRINTED = 1e-9
+"""Less than this part of the largest number of its kind is printed as 0."""
 CLOSED_BALANCE = 5e-4
 """A balance below it is 0 to three decimals. [J]"""
 
@@ -31,8 +33,6 @@ ROOT_PART = 1e-14
 """A root of a polynomial, by the interval: nearer there is nothing but rounding."""
 ROOT_TIME = 1e-15
 """A root by the margin itself, as a part of the time."""
-LEAST_SPREAD = 1e-3
-"""The last of the intervals by which a peak is refined, by the first."""
 
 # speeds, torques, margins
 STANDING = 1e-9
@@ -83,6 +83,14 @@ LEAST_MASS = 1e-30
 """In place of the mass of a motion that has none, under a root. [kg*m^2]"""
 NOT_ZERO = 1e-300
 """In place of 0, by which something is divided."""
+
+# curves over time
+CHORD = 8e-4
+"""Chords between the instants of a run come so near to a column, by its range: people see 1e-3."""
+NO_RANGE = 1e-9
+"""A column that changes less, by the largest of its kind, does not change but for rounding."""
+EQUAL_EXTREMES = 1e-7
+"""Extremes that differ by less, by the range, may be equal: polynomials are as accurate."""
 
 # slopes
 DIFFERENCE_STEP = 1e-6

@@ -76,6 +76,7 @@ def test_json_has_all_of_it() -> None:
         "element": "brake",
         "event": "locks",
         "energy": 0,
+        "word": "locks",
     }
     assert found["energy"]["heat"]["brake"] == pytest.approx(858.815102, abs=1e-5)
     assert set(found["speeds"]) == {"in", "ring", "out, too"}

@@ -88,11 +88,13 @@ class CalculatedCase(NamedTuple):
     telling: Telling = Telling()
     scenario: ScenarioFile | None = None
     """That which names the case, where the command takes one."""
+    is_run: bool = False
+    """Whether its run is shown."""
 
     @property
     def failed(self) -> bool:
         """Whether the case is in error, a gear is tied up, or what is told makes it fail."""
-        if self.results is None or self.results.failed:
+        if self.results is None or (self.results.failed and not self.is_run):
             return True
         return self.telling.fails(self.problems)
 
@@ -106,6 +108,8 @@ class CaseOptions(NamedTuple):
     telling: Telling = Telling()
     scenarios: bool = False
     """Whether a scenario may stand for its case."""
+    of_runs: bool = False
+    """Whether its run is shown then, of which faults of gears are none."""
 
 
 telling = gathered("telling", Telling, quiet, strict)
@@ -173,7 +177,10 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
-        problems = [*reading.warnings, *notes, *_located(reading, results, each_gear=each)]
+        found = _located(reading, results, each_gear=each)
+        if settings.of_runs and scenario is not None:
+            found = (one._replace(severity="note") for one in found)
+        problems = [*reading.warnings, *notes, *found]
     except ReadError as error:
         taken = ["scenario"] * settings.scenarios
         no_case = documents.no_case(data, name, taken)
@@ -181,7 +188,8 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     told = settings.telling.told(problems)
-    return CalculatedCase(name, results, told, data, settings.telling, scenario)
+    is_run = settings.of_runs and scenario is not None
+    return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run)
 
 
 def read_data(

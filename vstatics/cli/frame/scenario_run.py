@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import click
+
 from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import CalculatedCase
+from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import missing
 
@@ -14,6 +17,14 @@ if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
 
+LIMIT = click.option(
+    "--limit",
+    type=float,
+    callback=value(above_0),
+    metavar="SECONDS",
+    help="So long a run may take by the clock; then it stops, with what it has.",
+)
+"""Of the commands that run scenarios."""
 INSTANTS = 400
 """Of a run that is drawn, at least."""
 

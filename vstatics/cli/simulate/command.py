@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -10,11 +11,12 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, texts
 from vstatics.cli.frame.documents import scenario_with_case
-from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.one_case import file_name, one_text, tell
 from vstatics.cli.frame.scenario_run import needs, run_problems
 from vstatics.cli.simulate.options import SimulateOptions, options
+from vstatics.cli.simulate.watched import watched
 from vstatics.errors import CaseError, ReadError
 
 if TYPE_CHECKING:
@@ -47,13 +49,15 @@ def simulate(asked: SimulateOptions) -> int:
       vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
 
     \b
-    Exit status: 0 done; 1 scenario or case is in error, or the run stopped;
-    2 wrong use.
+    Exit status: 0 done; 1 scenario or case is in error, or the run stopped, as by
+    --limit; 2 wrong use; 130 stopped by Ctrl-C, with what was calculated.
     """
     scenario, case, telling = asked.scenario, asked.case, asked.telling
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
+    if asked.limit is not None and asked.method != "events":
+        raise click.UsageError("--limit is for the method `events`.")
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
@@ -67,12 +71,17 @@ def simulate(asked: SimulateOptions) -> int:
     from vstatics.simulation.run import simulate as simulated
 
     try:
-        motion = simulated(read.scenario, step=asked.step, rtol=asked.rtol, method=asked.method)
+        with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
+            motion = simulated(
+                read.scenario, step=asked.step, rtol=asked.rtol, method=asked.method, watch=watch
+            )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
     problems = [*read.reading.warnings, *run_problems(read, motion)]
     tell(problems, telling, scenario)
     show(scenario, to, read, motion)
+    if watch.interrupted and motion.stopped is not None:
+        return stopped_by(signal.SIGINT)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
 

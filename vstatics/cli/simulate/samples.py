@@ -46,7 +46,7 @@ def run_samples(asked: SimulateOptions) -> int:
     form = _format(wanted)
     scenario = Document(*files.read_input(asked.scenario))
     subject, warnings = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
-    varied = replace(cast("VariedScenario", subject), rtol=asked.rtol)
+    varied = replace(cast("VariedScenario", subject), rtol=asked.rtol, limit=asked.limit)
     spare(varied, wanted.output)
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=sampling.out)
     try:

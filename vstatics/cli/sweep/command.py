@@ -14,10 +14,11 @@ from vstatics.cli.frame import files, formats
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.scenario_run import LIMIT
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.sweep.estimate import estimate, most_rows
 from vstatics.cli.sweep.run import SweepRun, carry_out
-from vstatics.cli.sweep.subject import check_options, read_subject, spare
+from vstatics.cli.sweep.subject import check_options, limited, read_subject, spare
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.sweep import build
@@ -62,6 +63,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 )
 @click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3.")
 @click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
+@LIMIT
 @arguments.input_format
 @arguments.coast
 @arguments.idle
@@ -108,6 +110,7 @@ def sweep(
     --strict also if there is a warning on the case;
     2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
+    limit = said.pop("limit")
     own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:
         of_file = read_sweep_file(*files.read_input(sweep_file))
@@ -127,6 +130,7 @@ def sweep(
         subject, warnings = read_subject(options.case or "", input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
+        subject = limited(subject, limit)
         plan = build.plan(subject, options)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"

@@ -7,6 +7,7 @@ import time
 from vstatics.cli.frame.estimates import CommandEstimate, free_room, size_text
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.model.transmission import Transmission
 from vstatics.sweep import blocks
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.best import BEST
@@ -71,7 +72,8 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, headings = plan.variants.count, plan.output_headings
     start, stop = blocks.middle(plan)
-    blocks.calculate(plan, start, min(start + 100, stop))  # the first time costs more
+    first = 100 if isinstance(plan.subject, Transmission) else 1
+    blocks.calculate(plan, start, min(start + first, stop))  # the first time costs more
     began = time.perf_counter()
     rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import click
 
 from vstatics import readers
@@ -78,3 +80,18 @@ def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> 
     if isinstance(subject, VariedScenario) and (coast is not None or idle is not None):
         option = "--coast" if coast else "--idle" if coast is None else "--drive"
         raise click.UsageError(f"{option} is for a case; a scenario says itself what happens.")
+
+
+def limited(subject: Subject, limit: float | None) -> Subject:
+    """A scenario each run of which may take so many seconds.
+
+    Raises
+    ------
+    UsageError
+        Of a case, which has no runs.
+    """
+    if limit is None:
+        return subject
+    if not isinstance(subject, VariedScenario):
+        raise click.UsageError("--limit is for a scenario: a case has no runs.")
+    return replace(subject, limit=limit)

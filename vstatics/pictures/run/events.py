@@ -20,8 +20,12 @@ EVENTS_IN_RUSSIAN = {
     "slips": "буксует",
     "reverses": "меняет знак скольжения",
     "impact": "удар",
+    "opens": "выключается",
+    "closes": "включается",
+    "overruns": "обгоняет",
+    "starts": "трогается",
 }
-"""Kinds of events."""
+"""Kinds of events, and other words for them."""
 
 
 def short(name: str) -> str:
@@ -40,7 +44,8 @@ def event_text(event: Event, style: Style) -> str:
     >>> event_text(Event(0.3, "C1", "locks"), Style())
     'C1 locks'
     """
-    return f"{short(event.element)} {style.text(event.event, EVENTS_IN_RUSSIAN[event.event])}"
+    word = event.word or event.event
+    return f"{short(event.element)} {style.text(word, EVENTS_IN_RUSSIAN[word])}"
 
 
 def named_events(events: Sequence[Event], most: int) -> list[Event]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import reduce
 from typing import NamedTuple
 
@@ -29,9 +28,6 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at whose beginning a margin may be 0."""
 
-Sample = Callable[[TimeStep, Floats, Floats], None]
-"""Takes instants of a step and their states."""
-
 
 class MarginEnd(NamedTuple):
     """Where margins end."""
@@ -49,13 +45,10 @@ class Finder:
     margins : Margins
         Of the piece.
     scales : LargeSizes
-    sample : callable
-        Is told of all instants that are looked at before an event.
     """
 
-    def __init__(self, margins: Margins, scales: LargeSizes, sample: Sample) -> None:
+    def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
-        self.sample = sample
         self.noise = NO_MARGIN * margins.units(scales)
         self.by_formula = [
             contact
@@ -67,14 +60,13 @@ class Finder:
         """The first event in a step."""
         self._check_capacities(step)
         times, states = step.times, step.states
-        margins = np.zeros((0, len(times)))
-        if self.margins.watches:
-            margins = self.margins.along(times, states)
+        if not self.margins.watches:
+            return None
+        margins = self.margins.along(times, states)
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
-        first = int(ends[0]) if len(ends) else len(times)
-        self.sample(step, times[:first], states[:, :first])
         if not len(ends):
             return None
+        first = int(ends[0])
         under = float(times[first]), margins[:, first]
         if first:
             return self._located(step, (float(times[first - 1]), margins[:, first - 1]), under)

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
 
 if TYPE_CHECKING:
     from scipy.integrate import DOP853
 
-_SAMPLES = 8
-"""Instants of a step that are looked at."""
+_NODES: Floats = np.arange(1, 9) / 8
+"""Instants of a step that are looked at, by its length."""
 Between = Callable[[Floats], Floats]
 """Times within a step, shape (n,) -> states, shape (size, n)."""
 
@@ -44,8 +44,8 @@ class TimeStep(NamedTuple):
     """Instants of it that are looked at, the last is its end. [s]"""
     states: Floats
     """There, shape (size, instants)."""
-    marks: Booleans
-    """Which of them are points of integration."""
+    nodes: Floats
+    """Where they are in each of its equal parts, by the length of a part; the last is 1."""
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
@@ -75,12 +75,14 @@ def steps(
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall
         between = solver.dense_output()
-        times = np.linspace(start[0], solver.t, _SAMPLES + 1)[1:]
+        times = start[0] + (solver.t - start[0]) * _NODES
+        times[-1] = solver.t
         states = between(times)
         states[:, -1] = solver.y
-        marks = np.arange(_SAMPLES) == _SAMPLES - 1
         exact = partial(_exactly, equations, start, tolerances)
-        yield TimeStep(start[0], solver.t, start[1], solver.y, between, exact, times, states, marks)
+        yield TimeStep(
+            start[0], solver.t, start[1], solver.y, between, exact, times, states, _NODES
+        )
 
 
 def _exactly(

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Complex, Floats, largest
+from vstatics.numerics.arrays import Complex, Floats, largest
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
@@ -32,6 +32,8 @@ from vstatics.simulation.tolerances import (
 _NONE = np.zeros(0)
 _TERMS = 22
 """Of the series."""
+_APPLIED = 3
+"""So many squares of a matrix cost more than to apply it again and again."""
 
 
 class Exponential:
@@ -59,15 +61,24 @@ class Exponential:
 
     def at(self, parts: Floats) -> Floats:
         """For parts of the time, each 0 to 1; shape (parts, size, size)."""
+        return self._squared(parts, self.halvings)
+
+    def _squared(self, parts: Floats, times: int) -> Floats:
+        """Of halved parts, squared so many times."""
         factors = parts[:, None] ** np.arange(len(self.series))
         size = self.series.shape[1]
         made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
-        for _ in range(self.halvings):
+        for _ in range(times):
             made = made @ made
         return made
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """States, as columns, each after its part of the time: matrices are not needed for it."""
+        """States, as columns, each after its part of the time, 0 to 1."""
+        size = len(states)
+        if 2**self.halvings > max(size, 2**_APPLIED):
+            batches = 1 + len(parts) * size**2 // _MOST_NUMBERS
+            some = (np.array_split(one, batches, axis=-1) for one in (parts, states))
+            return np.hstack([self._moved_by_squares(*one) for one in zip(*some, strict=True)])
         step, made = self.series[1], states
         for _ in range(2**self.halvings):
             term = made
@@ -78,6 +89,14 @@ class Exponential:
                 if largest(term) <= enough:
                     break
         return made
+
+    def _moved_by_squares(self, parts: Floats, states: Floats) -> Floats:
+        """The same by matrices, which are squared until they are to be applied a few times."""
+        squares = self.halvings - _APPLIED
+        moves, made = self._squared(parts, squares), states.T[:, :, None]
+        for _ in range(2**_APPLIED):
+            made = moves @ made
+        return made[:, :, 0].T
 
     def repeated(self, first: Floats, count: int) -> Floats:
         """States at the start of each of so many equal parts, shape (size, parts)."""
@@ -96,6 +115,10 @@ _GAUSS = 8
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
 NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
 """Gauss points of a part of a stretch and its end, by its length."""
+_BY_ORDER: Floats = (
+    np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
+)
+"""Powers at the Gauss points of a part -> works up to a time in it, by the powers of that time."""
 
 
 @lru_cache(maxsize=16)
@@ -142,6 +165,8 @@ _MOST_HALVINGS = 256
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
 _MOST_STRETCH_PARTS = 300_000
+_MOST_NUMBERS = 4_000_000
+"""Of the matrices that are made at once."""
 _FIRST_PARTS = 4
 """Parts of a stretch to begin with, where torques bend."""
 _SMOOTH = 4
@@ -403,25 +428,29 @@ class Closed:
             times[-1, -1] = end
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
         states[: self.size] = self._states(stretch)
-        self._account(states, times, state, parts.length)
+        powers = self._account(states, times, state, parts.length)
         flat = states.reshape(self.equations.size, -1)
         befores = np.column_stack([state, states[:, :-1, -1]])
-        between, exact = (partial(one, stretch, befores) for one in (self._among, self._inside))
-        marks: Booleans = np.tile(np.arange(len(NODES)) == len(WEIGHTS), parts.number)
+        between = partial(self._among, stretch, befores, powers)
+        exact = partial(self._inside, stretch, befores)
         last = float(times[-1, -1]), flat[:, -1].copy()
         return TimeStep(
-            parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, marks
+            parts.begin, last[0], state, last[1], between, exact, times.reshape(-1), flat, NODES
         )
 
-    def _among(self, stretch: TimeStretch, befores: Floats, times: Floats) -> Floats:
-        """X at any times of a stretch, with the works and losses up to the part they are in."""
-        parts = stretch.parts
+    def _among(
+        self, stretch: TimeStretch, befores: Floats, powers: Floats, times: Floats
+    ) -> Floats:
+        """The states at any times of a stretch."""
+        parts, first = stretch.parts, self.equations.works.start
         passed = (times - parts.begin) / parts.length
         at = np.clip(passed.astype(int), 0, parts.number - 1)
         within = np.clip(passed - at, 0.0, 1.0)
         moved = stretch.exponential.moved(within, stretch.starts[:, at])
         made = befores[:, at].copy()
         made[: self.size] = moved[: self.size] / self.balance[:, None]
+        worked = parts.length * within[:, None] ** np.arange(1, _GAUSS + 1) @ _BY_ORDER
+        made[first:] += np.einsum("wnj,nj->wn", powers[:, at], worked)
         return made
 
     def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
@@ -439,16 +468,18 @@ class Closed:
         self._account(made, times, befores[:, part], parts.length * within)
         return np.asarray(made[:, 0, -1])
 
-    def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> None:
-        """Fill in works and losses."""
+    def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> Floats:
+        """Fill in works and losses; their changes with time at the Gauss points of each part."""
         equations = self.equations
         first = equations.works.start
         count, nodes = times.shape
         flat = np.repeat(before[:, None], count * nodes, axis=1)
         flat[:first] = states[:first].reshape(first, count * nodes)
         powers = equations.powers_at(times.reshape(-1), flat)
-        by_part = powers.reshape(-1, count, nodes)[:, :, : len(WEIGHTS)] @ WEIGHTS * (0.5 * length)
-        ends = before[first:, None] + np.cumsum(by_part, axis=1)
+        at_points: Floats = powers.reshape(-1, count, nodes)[:, :, : len(WEIGHTS)]
+        ends = before[first:, None] + np.cumsum(at_points @ WEIGHTS * (0.5 * length), axis=1)
         begins = np.hstack([before[first:, None], ends[:, :-1]])
-        states[first:] = begins[:, :, None]
+        within = length * (NODES[:-1, None] ** np.arange(1, _GAUSS + 1)) @ _BY_ORDER
+        states[first:, :, :-1] = begins[:, :, None] + at_points @ within.T
         states[first:, :, -1] = ends
+        return at_points

@@ -29,7 +29,8 @@ from vstatics.simulation.events.start import start_gear, start_speeds
 from vstatics.simulation.published.phase_equations import ClutchPhase, PublishedEquations
 from vstatics.simulation.published.record_of_phases import TarasikRecord
 from vstatics.simulation.published.two_masses import NotTwoError, two_masses
-from vstatics.simulation.record.motion import Event, EventKind, Motion
+from vstatics.simulation.record.motion import EventKind, Motion
+from vstatics.simulation.record.words import event_of
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Dog, Scenario
 from vstatics.simulation.scenario.programme import programmes
@@ -246,7 +247,7 @@ class _Run:
         return phase._replace(locked=False, direction=math.copysign(1.0, passed))
 
     def _tell(self, time: float, contact: int, kind: EventKind) -> None:
-        self.record.events.append(Event(time, self.system.contacts[contact].name, kind))
+        self.record.events.append(event_of(time, self.system.contacts[contact], kind))
 
 
 _INSTEAD = "take the events, the method by default"

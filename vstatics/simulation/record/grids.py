@@ -5,11 +5,12 @@ Devices without heat, loss or torque are left out, as JSON has them all.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.tolerances import CLOSED_BALANCE
-from vstatics.tables.grid import Column, Grid, Row, exact, grid_of, text
+from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
@@ -19,8 +20,9 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
     yield _events(motion)
     yield _energy(motion)
+    torques = _of_kind(peak.torque for peak in motion.peaks.values())
     rows = [
-        (name, peak.torque, exact(peak.time, digits=6))
+        (name, torques(peak.torque), exact(peak.time, digits=6))
         for name, peak in motion.peaks.items()
         if peak.torque
     ]
@@ -30,12 +32,32 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
         yield _targets(motion)
 
 
+def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
+    """How numbers of a kind are shown: what is small beside the largest of some as 0."""
+    least = PRINTED * max((abs(one) for one in numbers if math.isfinite(one)), default=0.0)
+
+    def shown(value: float | None) -> Cell:
+        if value is not None and abs(value) < least:
+            return exact(0.0)._replace(value=value)
+        return exact(value)
+
+    return shown
+
+
+def _energies(motion: Motion) -> Callable[[float | None], Cell]:
+    """How energies are shown."""
+    energy = motion.energy
+    parts = (*energy.heat.values(), *energy.losses.values())
+    return _of_kind((energy.work, energy.kinetic, energy.elastic, energy.impact, *parts))
+
+
 def _events(motion: Motion) -> Grid:
     with_energy = any(event.event == "impact" for event in motion.events)
     rows: list[Row] = []
+    shown = _energies(motion)
     for event in motion.events:
-        cells: Row = [exact(event.time, digits=9), event.element, event.event]
-        cells.append(exact(event.energy if event.event == "impact" else None))
+        cells: Row = [exact(event.time, digits=9), event.element, event.word or event.event]
+        cells.append(shown(event.energy if event.event == "impact" else None))
         rows.append(cells[: 3 + with_energy])
     columns = [Column("time [s]"), text("element"), text("event"), Column("energy [J]")]
     title = "Events" if rows else "Events: none"
@@ -48,11 +70,12 @@ def _energy(motion: Motion) -> Grid:
     per_area = energy.heat_per_area
     rows: list[Row] = []
     levels: list[int] = []
+    shown, shown_by_area = _energies(motion), _of_kind(per_area.values())
 
     def add(name: str, value: float, level: int = 1) -> None:
-        cells: Row = [name, exact(value)]
+        cells: Row = [name, shown(value)]
         if per_area:
-            cells.append(exact(per_area.get(name) if level > 1 else None))
+            cells.append(shown_by_area(per_area.get(name) if level > 1 else None))
         rows.append(cells)
         levels.append(level)
 

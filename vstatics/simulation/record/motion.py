@@ -22,6 +22,8 @@ class Event(NamedTuple):
     event: EventKind
     energy: float = 0.0
     """Lost at once, in an impact. [J]"""
+    word: str = ""
+    """What people call it: dog clutches open and close, freewheels overrun, loads start."""
 
 
 class Energy(NamedTuple):
@@ -74,8 +76,9 @@ class Motion(NamedTuple):
     Attributes
     ----------
     time : ndarray, shape (instants,)
-        Points of integration, events, multiples of a step; an instant of a jump stands
-        twice, the last is the duration. [s]
+        Events, the largest and least values of each column, multiples of a step, and so many
+        others that straight lines between them draw the columns; an instant of a jump
+        stands twice, the last is the duration. [s]
     links, elements, devices : sequence of str
         Names of the columns of `speeds`, of `slips`, of `torques`.
     speeds : ndarray, shape (instants, links)

@@ -20,7 +20,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
-from vstatics.simulation.scenario.programme import largest_control
+from vstatics.simulation.scenario.programme import bare_capacities, largest_control
 from vstatics.simulation.tolerances import GIVEN_CAPACITY, MADE_CAPACITY, MISSING_MASS
 
 _TRIED_TIMES = 1001
@@ -63,8 +63,9 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful about a scenario: vehicles whose mass is not among the inertias."""
+    """What is doubtful: capacities without a unit, vehicles whose mass is no inertia."""
     case = scenario.case
+    yield from bare_capacities(case)
     for link, law in scenario.torques:
         if isinstance(law, Road) and 0 < link <= case.links:
             mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.parts import Friction, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
@@ -74,18 +75,35 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
 
 
 def newton_metres(number: float | None, case: Transmission) -> float | None:
-    """A capacity or a drag of a case as a torque [N*m]; by the torque of the load without a unit.
+    """A capacity or a drag of a case as a torque [N*m].
 
-    NaN where the case has no such load.
+    Without a unit it is relative to the torque of the load; where there is none it is in N*m.
     """
     if number is None:
         return None
     if isinstance(number, OfLoad):
         return abs(number.given)
-    if not number or math.isinf(number):
-        return number
-    whole = case.load.torque if case.load else None
-    return abs(number * whole) if whole else math.nan
+    return abs(number * (load_torque(case) or 1.0))
+
+
+def load_torque(case: Transmission) -> float | None:
+    """To which torques without a unit are related [N*m]; None where the case tells none."""
+    return case.load.torque if case.load else None
+
+
+def bare_capacities(case: Transmission) -> Iterator[Problem]:
+    """A note on capacities without a unit that are taken in N*m, as there is no load."""
+    bare = [
+        number
+        for number, one in enumerate(case.shift_elements, 1)
+        if one.capacity is not None and not isinstance(one.capacity, OfLoad)
+    ]
+    if bare and not load_torque(case):
+        names = listed([case.shift_elements[number - 1].name for number in bare], 6)
+        why = "the case has no `load` with a torque"
+        message = f"{why}, so a capacity without a unit is in N*m ({names})"
+        path = ("case", "shift_elements", bare[0], "capacity")
+        yield Problem(message, path, severity="note")
 
 
 def friction_at(friction: Friction | None, slip: float = 0.0) -> float:

@@ -8,14 +8,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Path, Problem
 from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.scenario.programme import Programme, friction_at, newton_metres
+from vstatics.simulation.scenario.programme import (
+    Programme,
+    friction_at,
+    load_torque,
+    newton_metres,
+)
 from vstatics.simulation.system.matrices import (
     Contact,
     Elastic,
@@ -233,18 +238,28 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     found = []
     for is_element, number, drag, name in items:
-        torque = abs(newton_metres(drag, case) or 0.0)
-        if math.isnan(torque):
+        torque = newton_metres(drag, case)
+        if drag and not (isinstance(drag, OfLoad) or load_torque(case)):
             message = (
                 f"the drag of {name} is {drag:g} of the input torque, which a scenario does not "
                 "have: give it with its unit, such as `3 N*m`, or a `load` with a torque"
             )
-            problems.append(Problem(message))
+            problems.append(Problem(message, _place_of_drag(case, gear, number, is_element)))
         elif torque:
             found.append(DragTorque(is_element, number, torque))
     if problems:
         raise CaseError(problems)
     yield from found
+
+
+def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001
+    """Where the drag of an element or a link stands: in the case, or in a gear alone."""
+    key = "open_drag" if is_element else "drag"
+    if gear is not None and number in getattr(gear, key):
+        common = _of_all_gears([getattr(one, key) for one in case.gears])
+        if number not in common:
+            return ("case", "gears", case.gear_number(gear.name), key, number)
+    return ("case", "shift_elements", number, "drag") if is_element else ("case", key, number)
 
 
 def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:

@@ -56,6 +56,8 @@ class VariedScenario:
         In any format; its numbers vary where that is YAML or JSON.
     rtol : float
         Accuracy of the runs, as of `simulate`. [-]
+    limit : float, optional
+        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
         Told by the suffix, else by the content, when not given.
     """
@@ -63,6 +65,7 @@ class VariedScenario:
     scenario: Document
     case: Document
     rtol: float = 1e-8
+    limit: float | None = None
     case_format: Format | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -125,9 +128,11 @@ class VariedScenario:
         CaseError
             If it can't begin.
         """
+        from vstatics.simulation.bounds import wall_limit
         from vstatics.simulation.run import simulate
 
-        return simulate(self.variant(paths, values).scenario, rtol=self.rtol)
+        watch = None if self.limit is None else wall_limit(self.limit)
+        return simulate(self.variant(paths, values).scenario, rtol=self.rtol, watch=watch)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
         """The names of what tables of a kind have a row for."""

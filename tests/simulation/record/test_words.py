@@ -1,0 +1,77 @@
+"""What events are called: friction slips when it is overcome, other things open, start, overrun."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.simulation.boxes import held, points
+from tests.simulation.test_closed_forms import links, run
+from vstatics.model.parts import ShiftElement
+from vstatics.simulation.record.grids import motion_grids
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation.scenario.laws import Resistance, Road, constant
+from vstatics.simulation.scenario.parts import Capacity, Dog
+
+
+def words(motion: Motion) -> list[tuple[str, str]]:
+    return [(one.event, one.word) for one in motion.events]
+
+
+def test_a_dog_clutch_closes_and_opens() -> None:
+    case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "D", "dog_clutch"),))
+    dog = {1: Dog(((0.2, True), (0.5, False)))}
+    motion = run(case, 1.0, {1: 5.0, 2: 3.0}, (), dog)
+    assert words(motion) == [("impact", "closes"), ("slips", "opens")]
+    assert motion.events[0].energy == pytest.approx(1.0)  # 1/2 (1/2 kg*m^2) (2 rad/s)^2
+    together = ((1, constant(1.0)), (2, constant(1.0)))
+    still = run(case, 1.0, {1: 5.0, 2: 5.0}, together, dog)
+    assert words(still) == [("locks", "closes"), ("slips", "opens")]
+
+
+def test_what_the_end_of_a_control_lets_go_opens() -> None:
+    """A clutch that would hold 10 times the torque on it is let go, not overcome."""
+    case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "C"),))
+    ends = {1: Capacity(points((0, 100), (0.5, 100), (0.5, 0)))}
+    drive = ((1, constant(20.0)),)
+    motion = run(case, 1.0, {1: 5.0, 2: 5.0}, drive, ends, engaged=(1,))
+    assert words(motion) == [("slips", "opens")]
+
+
+def test_friction_that_is_overcome_slips() -> None:
+    """Half of the torque passes: 30 N*m at .6 s."""
+    case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "C"),))
+    ramp = ((1, points((0, 0), (1, 100))),)
+    motion = run(case, 1.0, {1: 5.0, 2: 5.0}, ramp, {1: held(30)}, engaged=(1,))
+    assert words(motion) == [("slips", "slips")]
+    assert motion.events[0].time == pytest.approx(0.6)
+
+
+def test_a_freewheel_overruns() -> None:
+    case = links(0.2, 0.5, elements=(ShiftElement(2, 1, "L", "freewheel"),))
+    drive = ((1, points((0, 5), (2, 5), (2, -8))), (2, constant(-2)))
+    motion = run(case, 3.0, {1: 10.0, 2: 20.0}, drive)
+    assert words(motion) == [("locks", "locks"), ("slips", "overruns")]
+
+
+@pytest.mark.parametrize("load", [Resistance(50.0), Road(100 / 9.81, 0.5, rolling=1.0)])
+def test_a_load_starts(load: Resistance | Road) -> None:
+    """Both hold 50 N*m at rest."""
+    motion = run(links(4.0), 2.0, {1: 0.0}, ((1, points((0, 0), (2, 100))), (1, load)))
+    assert words(motion) == [("slips", "starts")]
+    assert motion.events[0].time == pytest.approx(1.0)
+
+
+def test_what_is_rounding_beside_the_largest_is_printed_as_0() -> None:
+    case = links(1.0)
+    motion = run(case, 1.0, {1: 0.0}, ((1, constant(1.0)),))._replace(
+        events=(Event(0.5, "D", "impact", 3e-9, "closes"),),
+        energy=Energy(100.0, {"C": 60.0, "D": 5e-8}, {}, {"m": -2e-9}, 40.0, 1e-12, 0.0, 0.0),
+        peaks={"C": Peak(2e3, 0.1), "D": Peak(-1e-6, 0.2), "E": Peak(3e-6, 0.2)},
+    )
+    shown = {
+        str(row[0 if grid.key != "events" else 1].text): row[-2 if grid.key == "peaks" else -1].text
+        for grid in motion_grids(motion)
+        for row in grid.cells
+    }
+    assert shown["elastic"] == shown["m"] == ".000"
+    assert shown["E"] != ".000" == shown["D"]

@@ -1,0 +1,88 @@
+"""What a shift element can carry: capacities with a unit, without one, with a load and without."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES, vstatics
+from vstatics import readers
+from vstatics.errors import CaseError
+from vstatics.model.transmission import Transmission
+from vstatics.simulation.run import simulate
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Scenario, Shift, Start
+from vstatics.simulation.scenario.programme import programmes
+
+WHEEL = """\
+links: [wheel]
+inertias: {{wheel: 2}}
+shift_elements: {{B: {{links: [wheel, housing], capacity: {capacity}}}}}
+gears: {{n: [], held: [B]}}
+{load}
+"""
+
+
+def wheel(capacity: str, load: str = "") -> Transmission:
+    return readers.read(WHEEL.format(capacity=capacity, load=load).encode(), "wheel.yaml").case
+
+
+@pytest.mark.parametrize(
+    ("capacity", "load"),
+    [("40", ""), ("40 N*m", ""), ("2", "load: {torque: 20 N*m}"), ("2", "load: {torque: -20 N*m}")],
+)
+def test_a_brake_of_40_newton_metres_stops_a_wheel(capacity: str, load: str) -> None:
+    """2 kg*m^2 at 10 rad/s have 100 J and stop after 2 10/40 s, however the capacity is given."""
+    case = wheel(capacity, load)
+    motion = simulate(Scenario(case, 1.0, Start("n", 10.0), shifts=(Shift(0.0, "held"),)))
+    assert [(one.event, round(one.time, 9)) for one in motion.events] == [("locks", 0.5)]
+    assert motion.energy.heat["B"] == pytest.approx(100, rel=1e-12)
+
+
+def test_a_note_says_that_a_capacity_without_a_unit_is_in_newton_metres() -> None:
+    held = Start("held", 0.0)
+    [told] = simulate(Scenario(wheel("40"), 1.0, held)).messages
+    assert (told.severity, "N*m (B)" in told.text) == ("note", True)
+    for case in (wheel("40 N*m"), wheel("2", "load: {torque: 20 N*m}")):
+        assert simulate(Scenario(case, 1.0, held)).messages == ()
+
+
+def test_check_tells_it_where_the_capacity_stands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = WHEEL.format(capacity="40", load="")
+    Path("wheel.yaml").write_text(text, encoding="utf-8")
+    scenario = "{case: wheel.yaml, duration: 1, start: {gear: held, speed: 0}}"
+    Path("stop.yaml").write_text(scenario, encoding="utf-8")
+    said = vstatics("check", "stop.yaml")
+    assert said.status == 0
+    assert said.err.startswith("wheel.yaml:3:57: note: shift_elements.B.capacity: the case has no")
+
+
+@pytest.mark.parametrize("more", ["drag: {wheel: 2}", ""])
+def test_drag_without_a_unit_and_without_a_load_is_an_error_at_its_place(more: str) -> None:
+    element = "B: {links: [wheel, housing]" + ("}" if more else ", drag: 2}")
+    text = f"links: [wheel]\ninertias: {{wheel: 2}}\nshift_elements: {{{element}}}\n{more}\n"
+    read = readers.read(text.encode(), "wheel.yaml")
+    with pytest.raises(CaseError) as caught:
+        simulate(Scenario(read.case, 1.0, Start(speeds={1: 10.0})))
+    [problem] = caught.value.problems
+    assert "is 2 of the input torque" in problem.message
+    located = read.locate(problem._replace(path=problem.path[1:]))
+    assert located.place is not None
+    assert located.place.line == (4 if more else 3)
+
+
+@pytest.mark.parametrize("path", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
+def test_no_shipped_case_has_a_capacity_that_is_no_number(path: Path) -> None:
+    """In every gear and shift, with its load and without one; infinite is what holds anything."""
+    case = readers.load(path)
+    for one in (case, case.replace(load=None)):
+        shifts = tuple(Shift(float(number), gear.name) for number, gear in enumerate(one.gears))
+        scenario = Scenario(one, 99.0, Start(one.gears[0].name, 1.0), shifts=shifts)
+        for programme in programmes(scenario, tuple(one.gears[0].engaged)):
+            assert isinstance(programme.curve, Points)
+            assert not np.isnan([*programme.curve.y, programme.factor]).any()

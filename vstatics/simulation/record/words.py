@@ -1,0 +1,35 @@
+"""What people call the events of a run, by what they happen to."""
+
+from __future__ import annotations
+
+from vstatics.simulation.record.motion import Event, EventKind
+from vstatics.simulation.system.matrices import Contact, Elastic
+
+
+def event_of(time: float, device: Contact | Elastic, kind: EventKind, energy: float = 0.0) -> Event:
+    """An event of a device, with its word.
+
+    Parameters
+    ----------
+    time : float
+        [s]
+    energy : float
+        Lost at once. [J]
+    """
+    return Event(time, device.name, kind, energy, _word(device, kind))
+
+
+def released(event: Event) -> Event:
+    """The same where nothing is overcome, but the control takes the capacity away."""
+    return event._replace(word="opens") if event.word == "slips" else event
+
+
+def _word(device: Contact | Elastic, kind: EventKind) -> str:
+    if isinstance(device, Contact) and kind == "slips":
+        if device.one_way:
+            return "overruns"
+        if device.element is None:  # a load
+            return "starts"
+    if device.programme.is_dog and kind != "reverses":
+        return "opens" if kind == "slips" else "closes"
+    return kind
