@@ -7,6 +7,8 @@ REAL_EIGENVALUE = 1e-12
 """An imaginary part below this part of the modulus is rounding of a real eigenvalue."""
 SAME_MODULUS = 1e-9
 """Moduli of eigenvalues, or parts in a mode, that differ by less than this part are the same."""
+LAST_EIGENVALUE_STEP = 1e-8
+"""A step below this part of the eigenvalue is the last: the next would be its square or less."""
 LOST_SQUARE = 1e-4
 """A square below this part of the largest one has lost digits that its root has not."""
 BELOW_SQUARES = 1e-3

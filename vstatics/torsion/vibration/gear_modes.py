@@ -219,12 +219,13 @@ def _named(  # noqa: PLR0913, PLR0917
     nodes = count_nodes(system, split, shapes)
     shapes[split.undetermined] = math.nan
     links = system.names[: system.own]
+    ratios = np.zeros_like(natural.omegas) if damped is None else damped.ratios
+    swings = natural.omegas if damped is None else damped.frequencies
     for index, omega in enumerate(natural.omegas.tolist()):
-        s = complex(0, omega) if damped is None else complex(damped.of_modes[index])
         yield Mode(
             omega=omega,
-            damping_ratio=-s.real / abs(s) + 0.0 if s else 1.0,
-            damped_frequency=s.imag / (2 * math.pi),
+            damping_ratio=float(ratios[index]),
+            damped_frequency=float(swings[index]) / (2 * math.pi),
             shape=_of_mode(dict(zip(links, shapes, strict=False)), index),
             torques=_of_mode(by_device, index),
             kinetic=_of_mode(kinetic, index),
