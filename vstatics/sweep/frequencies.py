@@ -171,9 +171,8 @@ def _by_ratios(
                     rows[:, link - 1] += part
             place = [device.name for device in system.devices].index(mechanism.name)
             twists[place] = rows
-    turning = one.gear_input(one.gears[gear]) - 1
     others = _elastic_and_heavy(case, system, targets, values)
-    varied = VariedSystem(system, turning, twists, *others)
+    varied = VariedSystem(system, twists, *others)
     return frequencies_of_ratios(varied, modes, len(values))
 
 

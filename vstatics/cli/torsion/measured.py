@@ -76,8 +76,8 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
       vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
-    no mode; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
+    2 wrong use.
     """
 
     def calculate(reading: Reading) -> CaseAnswer:
@@ -131,8 +131,8 @@ def damping(
       vstatics torsion damping box.yaml --gear 1 --decrements shaft=.1 --omega 83
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
-    no mode; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
+    2 wrong use.
     """
 
     def calculate(reading: Reading) -> CaseAnswer:

@@ -92,7 +92,8 @@ def response(
       vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error or a gear has no response;
+    2 wrong use.
     """
     to = one.destination(*([torque] if torque else []))
     if torque is None and orders is None:
