@@ -156,16 +156,16 @@ def _gear_response(
     natural = natural_modes(system, split)
     undamped = natural.omegas[_are_undamped(system, natural)]
     found = []
-    nothing = np.zeros(speeds.shape, np.complex128)
     for one in harmonics:
         with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
             excited = one.order * RAD_PER_RPM * speeds
             amplitudes = _amplitudes(system, split, at, excited, undamped)
             amplitudes *= one.amplitude * np.exp(1j * one.phase)
             by_device = _torques(system, at, excited, amplitudes, one)
+            named = own_torques(case, system, by_device, amplitudes * excited**2)
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.own], amplitudes, strict=False))
-        found.append(OrderResponse(one.order, links, own_torques(case, by_device, nothing)))
+        found.append(OrderResponse(one.order, links, named))
     return GearResponse(gear.name, speeds, found, _resonances(natural.omegas, harmonics, speeds))
 
 

@@ -211,9 +211,8 @@ def _named(  # noqa: PLR0913, PLR0917
 ) -> Iterator[Mode]:
     """The modes by names, each with its largest amplitude 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.own])
-    by_device = own_torques(
-        case, torques(system, held, shapes, natural.omegas), np.zeros_like(natural.omegas)
-    )
+    found = torques(system, held, shapes, natural.omegas)
+    by_device = own_torques(case, system, found, shapes * natural.omegas**2)
     kinetic = _shares(shapes, [(one.name, one.inertia, one.form) for one in system.bodies])
     elastic = _shares(shapes, [(one.name, one.rate, one.twist) for one in system.elastic])
     nodes = count_nodes(system, split, shapes)
