@@ -244,6 +244,31 @@ def test_a_gear_that_is_not_there_is_wrong_use(call: tuple[str, ...], gear: str,
     assert hint in answer.err
 
 
+ONE_GEAR = (
+    ("simplify", "--links", "1"),
+    ("identify", "--omega", "2"),
+    ("damping", "--decrements", "t=.1"),
+)
+
+
+@pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
+def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> None:
+    """That of a case without gears, too."""
+    command, *options = call
+    without = said(command, *options, "-f", "json", text=CHAIN)
+    assert (without.status, without.err) == (0, "")
+    assert json.loads(without.out)["gear"] == "1"
+    assert without.out == said(command, *options, "--gear", "1", "-f", "json", text=CHAIN).out
+
+
+@pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
+def test_one_of_several_gears_must_be_named(call: tuple[str, ...]) -> None:
+    command, *options = call
+    answer = said(command, *options)
+    assert (answer.status, answer.out) == (2, "")
+    assert "Missing option '--gear': gears are low, direct, tied, N" in answer.err
+
+
 # what is told, and the exit status
 
 

@@ -7,11 +7,10 @@ from contextlib import contextmanager
 
 import click
 
-from vstatics.cli.frame.cases import gear_number
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
-from vstatics.cli.torsion.case import elastic_case, located
+from vstatics.cli.torsion.case import chosen_gear, elastic_case, gear_of, located
 from vstatics.errors import CaseError, ReadError
 from vstatics.readers.reading import Reading
 
@@ -28,7 +27,7 @@ def _of_one_mode(command: Command) -> Command:
             metavar="K",
             help="Of those that are not rigid, the lowest is 1.",
         ),
-        click.option("--gear", required=True, metavar="G", help="The gear, by its name or number."),
+        chosen_gear,
     ):
         command = option(command)
     return command
@@ -63,7 +62,9 @@ def _decrements(text: str) -> Mapping[str, float]:
     metavar="D",
     help="Its logarithmic decrement, for the dampings of all devices.",
 )
-def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float | None) -> int:
+def identify(
+    one: OneCase, gear: str | None, mode: int, omega: float, decrement: float | None
+) -> int:
     """Correct the compliances of CASE by a measured frequency; - is standard input.
 
     All elastic devices of the gear get their compliance times (calculated/W)^2, in their
@@ -86,7 +87,7 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
         from vstatics.torsion.vibration.measured import identify as identified
 
         own = reading.case
-        chosen = own.gears[gear_number(own, gear) - 1].name
+        chosen = gear_of(own, gear).name
         with _told(reading, chosen):
             made = identified(own, chosen, omega, decrement, mode)
         return CaseAnswer(
@@ -115,7 +116,7 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
 )
 def damping(
     one: OneCase,
-    gear: str,
+    gear: str | None,
     mode: int,
     decrements: Mapping[str, float],
     omega: float | None,
@@ -141,7 +142,7 @@ def damping(
         from vstatics.torsion.vibration.measured import damping as damped
 
         own = reading.case
-        chosen = own.gears[gear_number(own, gear) - 1].name
+        chosen = gear_of(own, gear).name
         with _told(reading, chosen):
             made = damped(own, chosen, decrements, omega, mode)
         return CaseAnswer(
