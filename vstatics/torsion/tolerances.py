@@ -16,6 +16,9 @@ BELOW_SQUARES = 1e-3
 LEAST_SHOWN_PART = 0.0005
 """Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
 
+LEAST_PARTICIPATION = 1e-9
+"""A link whose amplitude in a mode is below this part of the largest can't excite it."""
+
 # variants
 LOST_PIVOT = 1e-6
 """A pivot below this part of that of the first variant may be one that is zero."""
