@@ -48,9 +48,16 @@ class Frequencies(NamedTuple):
 
 
 def frequencies(
-    case: Transmission, targets: Sequence[Target], values: Floats, asked: Asked
+    case: Transmission,
+    targets: Sequence[Target],
+    values: Floats,
+    asked: Asked,
+    first: Floats | None = None,
 ) -> Frequencies:
     """The frequencies of variants.
+
+    Where stiffnesses and inertias alone vary modes are numbered as in the first variant of all,
+    else by their frequencies.
 
     Parameters
     ----------
@@ -59,6 +66,8 @@ def frequencies(
     values : ndarray, shape (variants, targets)
         The varied numbers, all of them possible.
     asked : mapping
+    first : ndarray, shape (1, targets), optional
+        The numbers of the first variant of all; that of these when not given.
 
     Examples
     --------
@@ -91,7 +100,7 @@ def frequencies(
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                found = _of_gear(case, system, targets, values[rows], modes)
+                found = _of_gear(case, system, targets, values[rows], modes, first)
                 omegas[rows[:, np.newaxis], gear, modes] = found
     return Frequencies(omegas, tied_up, conflict)
 
@@ -176,19 +185,26 @@ def _by_ratios(
     return frequencies_of_ratios(varied, modes, len(values))
 
 
-def _of_gear(
+def _of_gear(  # noqa: PLR0913 PLR0917
     case: Transmission,
     system: TorsionalSystem,
     targets: Sequence[Target],
     values: Floats,
     modes: Sequence[int],
+    first: Floats | None,
 ) -> Floats:
     """The frequencies of a gear, of shape (variants, modes)."""
-    from vstatics.torsion.vibration.variants import variant_frequencies
+    from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
 
     stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
+    start = _elastic_and_heavy(case, system, targets, values[:1] if first is None else first)
     return variant_frequencies(
-        system, modes, stiffnesses=stiffnesses, inertias=inertias, variants=len(values)
+        system,
+        modes,
+        stiffnesses=stiffnesses,
+        inertias=inertias,
+        variants=len(values),
+        first=first_variant(*start),
     )
 
 

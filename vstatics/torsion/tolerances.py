@@ -20,6 +20,8 @@ LEAST_PARTICIPATION = 1e-9
 """A link whose amplitude in a mode is below this part of the largest can't excite it."""
 
 # variants
+APART = 1e-9
+"""A device or body whose energy in a mode is below the square of this part has none in it."""
 LOST_PIVOT = 1e-6
 """A pivot below this part of that of the first variant may be one that is zero."""
 RESIDUE = 1e-11
