@@ -233,28 +233,38 @@ def test_a_damping_changes_no_frequency() -> None:
     assert made.columns[:, 1].tolist() == [0, 10]
 
 
-def tied_up() -> Transmission:
-    """A brake and a gear pair hold the input in `held`, and the support is soft in both."""
+def held() -> Transmission:
+    """A brake and a gear pair hold the input in `held`, another brake all the rest in `tied up`."""
     return Transmission(
         3,
-        [ShiftElement(2, name="B")],
+        [ShiftElement(2, name="B"), ShiftElement(3, name="D")],
         [Mechanism(1, 2, 0, -2.0, name="pair")],
-        [Gear(name="free"), Gear([1], name="held")],
+        [Gear(name="free"), Gear([1], name="held"), Gear([1, 2], name="tied up")],
         springs=[Spring({2: 1, 3: -1}, stiffness=100.0, name="shaft")],
         inertias={1: 0.1, 2: 0.2, 3: 0.5},
     )
 
 
-def test_a_tied_up_gear_has_none() -> None:
-    made = only(tied_up(), "shaft.stiffness=100,200", out="omega[1]")
+def test_a_gear_in_which_nothing_can_move_has_none() -> None:
+    """That whose input is held has: ``omega^2 = c/J`` of the mass on the shaft."""
+    made = only(held(), "shaft.stiffness=100,200", out="omega[1]")
     assert statuses(made) == ["tied up"] * 2
-    assert np.isnan(made.columns[:, 1]).all()
-    np.testing.assert_allclose(made.columns[0, 0], alone(tied_up(), "free")[0], rtol=1e-12)
+    assert np.isnan(made.columns[:, 2]).all()
+    np.testing.assert_allclose(made.columns[:, 1] ** 2, [200, 400], rtol=1e-12)
+    np.testing.assert_allclose(made.columns[0, 0], alone(held(), "free")[0], rtol=1e-12)
+
+
+def test_ratios_vary_where_the_input_is_held() -> None:
+    """``omega^2 = c/J``, whatever the ratio; each variant has another."""
+    ratios = ",".join(f"{-1 - n / 100}" for n in range(200))
+    made = only(held(), f"pair.ratio={ratios}", out="omega[1,held]")
+    assert set(statuses(made)) == {"ok"}
+    np.testing.assert_allclose(made.columns[:, 0] ** 2, 200, rtol=1e-12)
 
 
 def test_the_status_is_that_of_the_gears_that_are_asked_for() -> None:
     """A soft support ties up the mean speeds, which is of no matter to vibration."""
-    assert statuses(only(tied_up(), "shaft.stiffness=100", out="omega[1,free]")) == ["ok"]
+    assert statuses(only(held(), "shaft.stiffness=100", out="omega[1,free]")) == ["ok"]
     supported = SHAFT.replace(springs=[*SHAFT.springs, Spring({1: 1}, stiffness=1.0)])
     assert statuses(only(supported, "S2.stiffness=1,2", out="omega[1,1]")) == ["ok", "ok"]
     both = only(supported, "S2.stiffness=1,2", out="omega[1,1], ratio[1]")

@@ -75,7 +75,8 @@ def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
         numbers = _of_mechanisms(case, targets, values)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
-        modes = frequencies(case, targets, values, asked)
+        first, _ = possible_numbers(case, targets, plan.variants.block(0, 1))
+        modes = frequencies(case, targets, values, asked, first)
     return BlockTables(results, modes)
 
 

@@ -48,9 +48,16 @@ class Frequencies(NamedTuple):
 
 
 def frequencies(
-    case: Transmission, targets: Sequence[Target], values: Floats, asked: Asked
+    case: Transmission,
+    targets: Sequence[Target],
+    values: Floats,
+    asked: Asked,
+    first: Floats | None = None,
 ) -> Frequencies:
     """The frequencies of variants.
+
+    Where stiffnesses and inertias alone vary modes are numbered as in the first variant of all,
+    else by their frequencies.
 
     Parameters
     ----------
@@ -59,6 +66,8 @@ def frequencies(
     values : ndarray, shape (variants, targets)
         The varied numbers, all of them possible.
     asked : mapping
+    first : ndarray, shape (1, targets), optional
+        The numbers of the first variant of all; that of these when not given.
 
     Examples
     --------
@@ -74,7 +83,6 @@ def frequencies(
            [[20.]]])
     """
     from vstatics.torsion.system.state import vibrating
-    from vstatics.torsion.vibration.variants import variant_frequencies
 
     count = 1 + max((mode for modes in asked.values() for mode in modes), default=-1)
     omegas = np.full((len(values), len(case.gears), count), np.nan)
@@ -92,10 +100,8 @@ def frequencies(
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                stiff, heavy = _elastic_and_heavy(case, system, targets, values[rows])
-                omegas[rows[:, np.newaxis], gear, modes] = variant_frequencies(
-                    system, modes, stiffnesses=stiff, inertias=heavy, variants=len(rows)
-                )
+                found = _of_gear(case, system, targets, values[rows], modes, first)
+                omegas[rows[:, np.newaxis], gear, modes] = found
     return Frequencies(omegas, tied_up, conflict)
 
 
@@ -174,10 +180,32 @@ def _by_ratios(
                     rows[:, link - 1] += part
             place = [device.name for device in system.devices].index(mechanism.name)
             twists[place] = rows
-    turning = one.gear_input(one.gears[gear]) - 1
     others = _elastic_and_heavy(case, system, targets, values)
-    varied = VariedSystem(system, turning, twists, *others)
+    varied = VariedSystem(system, twists, *others)
     return frequencies_of_ratios(varied, modes, len(values))
+
+
+def _of_gear(  # noqa: PLR0913 PLR0917
+    case: Transmission,
+    system: TorsionalSystem,
+    targets: Sequence[Target],
+    values: Floats,
+    modes: Sequence[int],
+    first: Floats | None,
+) -> Floats:
+    """The frequencies of a gear, of shape (variants, modes)."""
+    from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
+
+    stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
+    start = _elastic_and_heavy(case, system, targets, values[:1] if first is None else first)
+    return variant_frequencies(
+        system,
+        modes,
+        stiffnesses=stiffnesses,
+        inertias=inertias,
+        variants=len(values),
+        first=first_variant(*start),
+    )
 
 
 def _elastic_and_heavy(

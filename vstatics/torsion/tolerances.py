@@ -7,6 +7,8 @@ REAL_EIGENVALUE = 1e-12
 """An imaginary part below this part of the modulus is rounding of a real eigenvalue."""
 SAME_MODULUS = 1e-9
 """Moduli of eigenvalues, or parts in a mode, that differ by less than this part are the same."""
+LAST_EIGENVALUE_STEP = 1e-8
+"""A step below this part of the eigenvalue is the last: the next would be its square or less."""
 LOST_SQUARE = 1e-4
 """A square below this part of the largest one has lost digits that its root has not."""
 BELOW_SQUARES = 1e-3
@@ -14,7 +16,12 @@ BELOW_SQUARES = 1e-3
 LEAST_SHOWN_PART = 0.0005
 """Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
 
+LEAST_PARTICIPATION = 1e-9
+"""A link whose amplitude in a mode is below this part of the largest can't excite it."""
+
 # variants
+APART = 1e-9
+"""A device or body whose energy in a mode is below the square of this part has none in it."""
 LOST_PIVOT = 1e-6
 """A pivot below this part of that of the first variant may be one that is zero."""
 RESIDUE = 1e-11

@@ -9,7 +9,7 @@ import numpy as np
 import openpyxl
 import pytest
 
-from tests.commands import vstatics
+from tests.commands import Said, vstatics
 
 CASE = """\
 links: [engine, disc, wheel]
@@ -108,15 +108,29 @@ def test_the_best_and_a_condition() -> None:
     assert row.startswith("2,600,ok,64.")
 
 
-def test_no_variant_can_turn() -> None:
-    """The brake holds the second wheel, and so the input."""
-    Path("tied.yaml").write_text(
-        "links: 3\ninertias: {1: 1, 3: 1}\nsprings: {s: {links: [2, 3], stiffness: 5}}\n"
-        "shift_elements: {B: [2, housing]}\ngears: {low: [B]}\n"
-        "mechanisms: {pair: {first: 1, second: 2, third: housing, ratio: -2}}\n",
-        encoding="utf-8",
-    )
-    said = vstatics("sweep", "tied.yaml", "--vary", "s.stiffness=1,2", "--out", "omega")
+HELD = """\
+links: 3
+inertias: {1: 1, 3: 1}
+springs: {s: {links: [2, 3], stiffness: 5}}
+shift_elements: {B: [2, housing], P: [3, housing]}
+mechanisms: {pair: {first: 1, second: 2, third: housing, ratio: -2}}
+"""
+"""The brake B holds the second wheel, and so the input."""
+
+
+def swept(gear: str) -> Said:
+    Path("held.yaml").write_text(f"{HELD}gears: {{low: {gear}}}\n", encoding="utf-8")
+    return vstatics("sweep", "held.yaml", "--vary", "s.stiffness=1,4", "--out", "omega")
+
+
+def test_a_gear_whose_input_is_held_vibrates() -> None:
+    """One mass of 1 kg*m^2 on the spring: the square root of its stiffness."""
+    said = swept("[B]")
+    assert (said.status, said.out.splitlines()[1:]) == (0, ["0,1,ok,1", "1,4,ok,2"])
+
+
+def test_no_variant_can_move() -> None:
+    said = swept("[B, P]")
     assert said.status == 1
-    assert said.out.splitlines()[1:] == ["0,1,tied up,", "1,2,tied up,"]
+    assert said.out.splitlines()[1:] == ["0,1,tied up,", "1,4,tied up,"]
     assert "no variant has a solution" in said.err

@@ -70,6 +70,39 @@ def test_json_fits_its_schema(options: tuple[str, ...]) -> None:
     assert not validator.is_valid({key: made[key] for key in ("format", "version")})
 
 
+NUMBERS = (
+    "{J1: 4.29, J2: 0.1, J3: 0.0674, J4: 0.147, J5: 10.8, E: 2600e-6, M_C0: 1344, %s, omega1: 135}"
+)
+
+
+def test_json_has_the_limits_that_tables_have() -> None:
+    """Of a GAZ-24 (table 3.7): ``M_C0 (J1 + J2 + J3)/J1``, ``M_phi (1 + J4/J5)``, (3.14)."""
+    text = NUMBERS % "M_phi: 507"
+    made = json.loads(said("-f", "json", text=text).out)
+    assert made["case"] == "V3"
+    assert made["clutch_breaks_away"] == pytest.approx(1344 * (4.29 + 0.1 + 0.0674) / 4.29)
+    assert made["wheels_break_away"] == pytest.approx(507 * (1 + 0.147 / 10.8))
+    assert made["grabs_below"] == pytest.approx(0.8 * 1344 * (2600e-6 / 0.1) ** 0.5)
+    cells = said("-f", "csv", text=text).out
+    numbers = [one for one in made.values() if isinstance(one, float)]
+    assert len(numbers) == 8
+    assert all(repr(one) in cells for one in numbers)
+    grips = json.loads(said("-f", "json", text=NUMBERS % "M_phi: .inf").out)
+    assert grips["wheels_break_away"] is None
+
+
+def test_the_limits_of_gears_are_told() -> None:
+    made = json.loads(said("-f", "json", text=FOUR).out)["gears"][0]
+    text, cells = said(text=FOUR).out, said("-f", "csv", text=FOUR).out
+    for name, row in (
+        ("clutch_breaks_away", "the clutch breaks away at [N*m]"),
+        ("wheels_break_away", "the wheels break away at [N*m]"),
+        ("grabs_below", "the clutch grabs below a speed of [rad/s]"),
+    ):
+        assert row in text
+        assert repr(made[name]) in cells
+
+
 def test_tables_for_people() -> None:
     answer = said(text=FOUR)
     assert "Clutch dump, on propshaft\n" in answer.out

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from tests.cli.torsion.torsional import STUCK
 from tests.commands import vstatics
 from tests.torsion.vibration.test_measured import DRIVELINE
 from vstatics import loads
@@ -99,10 +100,9 @@ def test_a_mistyped_device_gets_the_nearest_one() -> None:
 
 
 def test_a_gear_that_is_tied_up_is_told_with_its_place() -> None:
-    text = "input: disc\n" + DRIVELINE.replace(", stiffness: 1e5", "")
-    answer = said("identify", "--gear", "both", "--omega", "1", text=text)
+    answer = said("identify", "--gear", "stuck", "--omega", "1", text=STUCK)
     assert (answer.status, answer.out) == (1, "")
-    assert "<stdin>:15:26: error: gear both: tied up" in answer.err
+    assert "<stdin>:5:19: error: gear stuck: tied up" in answer.err
 
 
 def test_a_case_without_anything_elastic_is_told() -> None:

@@ -49,7 +49,7 @@ def test_tables_of_modes_have_all_digits_in_csv() -> None:
     expected = [[gear.name, mode.omega] for gear in gears for mode in gear.modes]
     assert [[row[0], float(row[2])] for row in rows] == expected
     assert [row[:2] for row in found["rigid"][1:]] == [
-        *(["low", "1"], ["direct", "1"], ["tied", ""], ["N", "3"])
+        *(["low", "1"], ["direct", "1"], ["tied", "1"], ["N", "3"])
     ]
     [_, *shape] = found["Gear low: amplitudes of links"]
     assert [float(cell) for cell in shape[1][1:]] == [mode.shape["disc"] for mode in gears[0].modes]

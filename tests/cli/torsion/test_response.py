@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
 from pathlib import Path
 
 import numpy as np
+import openpyxl
 import pytest
 
 from tests.cli.torsion.torsional import GOOD, document, said, tables
@@ -32,12 +35,19 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Path("engine.csv").write_text(TABLE, encoding="utf-8")
 
 
+def bytes_of(*call: str, text: str) -> bytes:
+    """The workbook that a command writes."""
+    assert said(*call, "-o", "new.xlsx", text=text).status == 0
+    return Path("new.xlsx").read_bytes()
+
+
 def test_json_has_the_moduli_of_the_library() -> None:
     made = document("response", *AT, "--orders", "2,4.5", *SPEED, text=GOOD)
     speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
     [expected] = response(loads(GOOD), "engine", [Harmonic(2.0), Harmonic(4.5)], speeds)
     [gear] = made["gears"]
-    assert (made["at"], gear["speeds"]) == ("engine", speeds)
+    assert (made["at"], gear["speeds"]) == ("engine", expected.speeds.tolist())
+    assert set(gear["speeds"]) == {*speeds, *(one["speed"] for one in gear["resonances"])}
     assert [one["order"] for one in gear["orders"]] == [2.0, 4.5]
     for told, one in zip(gear["orders"], expected.orders, strict=True):
         assert told["amplitudes"] == {k: np.abs(v).tolist() for k, v in one.amplitudes.items()}
@@ -69,28 +79,59 @@ def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
         told: list[float] = made["gears"][0]["speeds"]
         return told
 
-    assert speeds("600:1000:3") == [600.0, 800.0, 1000.0]
-    assert speeds("1000:600:3") == [1000.0, 800.0, 600.0]
+    [peak] = set(speeds("600:1000:3")) - {600.0, 800.0, 1000.0}
+    assert speeds("600:1000:3") == [600.0, peak, 800.0, 1000.0]
+    assert speeds("1000:600:3") == [1000.0, 800.0, peak, 600.0]
     assert speeds("600, 650.5,6e2") == [600.0, 650.5, 600.0]
     assert speeds("0:0:2") == [0.0, 0.0]
 
 
-def test_text_shows_what_is_largest_and_csv_every_speed() -> None:
+def test_csv_is_one_table_with_a_line_for_each_value() -> None:
+    call = ("response", *AT, "--orders", "2,4.5", *SPEED, "--sum")
+    [gear] = document(*call, text=GOOD)["gears"]
+    heading, *rows = csv.reader(io.StringIO(said(*call, "-f", "csv", text=GOOD).out))
+    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
+    found = {tuple(row[:6]): row[6] for row in rows}
+    assert len(found) == len(rows)
+    expected = {
+        ("resonance", "direct", str(one["order"]), str(one["mode"]), "", ""): one["speed"]
+        for one in gear["resonances"]
+    }
+    for table, key in (("amplitude", "amplitudes"), ("torque", "torques")):
+        for place, speed in enumerate(gear["speeds"]):
+            for order in gear["orders"]:
+                for row, values in order[key].items():
+                    at = (table, "direct", str(order["order"]), "", str(speed), row)
+                    expected[at] = values[place]
+            for part in ("largest", "rms"):
+                for row, values in gear["sum"][key].items():
+                    at = (f"{table} {part}", "direct", "", "", str(speed), row)
+                    expected[at] = values[part][place]
+    assert found == {at: repr(value) for at, value in expected.items()}
+
+
+def test_csv_without_a_resonance_or_a_value_has_its_headings() -> None:
+    call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT), "-f", "csv")
+    heading, resonance, *rows = csv.reader(io.StringIO(said(*call, text=MASS).out))
+    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
+    assert resonance[:4] == ["resonance", "1", "1.0", "1"]
+    assert [row[-1] for row in rows] == ["", ""]
+    none = said(*call[:-3], "1000", "-f", "csv", text=MASS).out
+    assert "resonance" not in none
+    assert none.startswith("table,gear,order,mode,speed,row,value\n")
+
+
+def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     call = ("response", *AT, "--orders", "2,4", *SPEED, "--sum")
     text = said(*call, text=GOOD).out
     assert "Gear direct: largest torques of devices [N*m]\n" in text
     assert "Gear direct, all orders: torques of devices [N*m]\n" in text
-    found = tables(said(*call, "-f", "csv", text=GOOD).out)
-    heading, *rows = found["Gear direct, order 4: torques of devices [N*m]"]
-    assert heading[0] == "speed [rpm]"
+    book = openpyxl.load_workbook(io.BytesIO(bytes_of(*call, text=GOOD)))
     told = document(*call, text=GOOD)["gears"][0]
-    assert [float(row[0]) for row in rows] == told["speeds"]
-    damper = heading.index("damper")
-    assert [float(row[damper]) for row in rows] == told["orders"][1]["torques"]["damper"]
-    largest = found["Gear direct, all orders: torques of devices [N*m]"]
-    [row] = [row for row in largest if row[0] == "damper"]
-    assert float(row[1]) == max(told["sum"]["torques"]["damper"]["largest"])
-    assert float(row[3]) == max(told["sum"]["torques"]["damper"]["rms"])
+    cells = [cell for sheet in book for row in sheet.values for cell in row]
+    numbers = {f"{cell:.9g}" for cell in cells if isinstance(cell, float)}
+    assert {f"{one:.9g}" for one in told["orders"][1]["torques"]["damper"]} <= numbers
+    assert f"{max(told['sum']['torques']['damper']['rms']):.9g}" in numbers
 
 
 def test_resonances_within_the_speeds_and_that_there_are_none() -> None:
@@ -110,7 +151,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
     assert gear["sum"]["torques"]["mount"]["largest"][0] is None
     assert gear["orders"][0]["amplitudes"]["mass"][1] is not None
     rows = tables(said(*call, "-f", "csv", text=MASS).out)
-    assert rows["Gear 1, order 1: amplitudes of links [rad]"][1][1] == ""
+    assert rows["amplitude"][1][-1] == ""
     shown = said(*call[:-1], text=MASS).out
     assert "100.0" in shown.partition("largest amplitudes")[2]
 
@@ -121,7 +162,8 @@ def test_where_nothing_has_a_value_text_says_so() -> None:
     assert (answer.status, answer.err) == (0, "")
     assert "mass        -           -\n" in answer.out
     assert (
-        "Resonances\ngear  order  mode  speed [rpm]\n1         1     1        382.0\n" in answer.out
+        "Resonances\ngear  order  mode  speed [rpm]  participation\n1         1     1        382.0          1.000\n"
+        in answer.out
     )
 
 

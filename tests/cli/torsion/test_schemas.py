@@ -91,7 +91,7 @@ def _of_mode(change: dict[str, Any]) -> Callable[[Any], None]:
         ("modes", _of_gear({"more": 1})),
         ("modes", _of_gear({"rigid_modes": 1.5})),
         ("modes", _of_gear({"damped": [{"real": 1}]})),
-        ("modes", _of_gear({"rigid_modes": 1}, gear=2)),
+        ("modes", _of_gear({"error": "tied up"})),
         ("modes", _of_mode({"omega": "1"})),
         ("modes", _of_mode({"shape": {"engine": "1"}})),
         ("modes", _of_mode({"sensitivity": {"stiffness": {}}})),

@@ -171,7 +171,6 @@ def test_what_the_scheme_does_not_have(options: tuple[str, ...], words: str) -> 
 @pytest.mark.parametrize(
     "options",
     [
-        ("--links", "2"),
         ("--gear", "direct"),
         *((*OF_GOOD, "--links", one) for one in ("0", "-1", "1.5", "nan", "inf", "", "1e3")),
         (*OF_GOOD, "--rule", "x"),

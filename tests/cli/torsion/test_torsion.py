@@ -16,6 +16,7 @@ from tests.cli.torsion.torsional import (
     CHAIN,
     GOOD,
     OF_GEARS,
+    STUCK,
     asked,
     document,
     said,
@@ -26,7 +27,13 @@ from vstatics.cli.torsion.group import COMMANDS
 
 SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
 ALL = (*((name, *options) for name, options in ASKED.items()), SIMPLIFY)
-TIED_UP = "gear tied: tied up: A lets the input not turn; release one of the engaged elements"
+STANDS = {
+    "reduce": "link engine does not turn: nothing can be reduced to it",
+    "response": "link engine stands still",
+}
+"""What commands say of a gear that holds the engine."""
+CSV_OF_VALUES = ("response", "csv")
+"""It has values alone."""
 
 
 @pytest.fixture(autouse=True)
@@ -180,29 +187,45 @@ def test_all_gears_or_those_asked_for_by_name_or_number_each_once(command: str) 
     assert told("--gear", "4") == ["N"]
 
 
-@pytest.mark.parametrize("command", OF_GEARS)
-def test_a_gear_that_is_tied_up_does_not_stop_the_others(command: str) -> None:
+def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
+    answer = said("modes", "-f", "json", text=STUCK)
+    free, stuck = json.loads(answer.out)["gears"]
+    why = "tied up: A and B let nothing move; release one of the engaged elements"
+    assert (answer.status, free["rigid_modes"], stuck.keys()) == (1, 1, {"name", "error"})
+    assert stuck["error"].startswith(why)
+    assert "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move" in answer.err
+
+
+def test_a_gear_that_holds_the_input_vibrates() -> None:
+    """The engine stands; all frequencies are those of the rest on the damper."""
+    answer = said("modes", "--gear", "tied", "-f", "json")
+    [gear] = json.loads(answer.out)["gears"]
+    assert (answer.status, gear["rigid_modes"], len(gear["modes"])) == (0, 1, 4)
+    assert {mode["shape"]["engine"] for mode in gear["modes"]} == {0.0}
+
+
+@pytest.mark.parametrize("command", STANDS)
+def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> None:
     answer = asked(command, "-f", "json")
     low, direct, tied, neutral = json.loads(answer.out)["gears"]
     assert answer.status == 1
     assert tied.keys() == {"name", "error"}
-    assert f"gear tied: {tied['error']}".startswith(TIED_UP)
+    assert tied["error"] == STANDS[command]
     assert not any("error" in gear for gear in (low, direct, neutral))
-    assert f"<stdin>:20:3: error: {TIED_UP}" in answer.err
+    assert f"<stdin>:20:3: error: gear tied: {STANDS[command]}" in answer.err
     assert asked(command, "--gear", "low", "--gear", "N").status == 0
     for form in ("text", "csv", "markdown"):
         shown = asked(command, "-f", form)
         assert shown.status == 1
-        assert "lets the input not turn" in shown.out
+        assert STANDS[command] in (shown.err if (command, form) == CSV_OF_VALUES else shown.out)
 
 
-@pytest.mark.parametrize("call", [SIMPLIFY, ("identify", "--omega", "5", "--gear", "direct")])
+@pytest.mark.parametrize("call", [("simplify", "--links", "2"), ("identify", "--omega", "5")])
 def test_of_one_gear_that_is_tied_up_there_is_nothing(call: tuple[str, ...]) -> None:
     command, *options = call
-    answer = said(command, *options, "--gear", "tied", "-f", "json")
+    answer = said(command, *options, "--gear", "stuck", "-f", "json", text=STUCK)
     assert (answer.status, answer.out) == (1, "")
-    assert answer.err.startswith("<stdin>:20:3: error: gear")
-    assert TIED_UP.partition(": ")[2] in answer.err
+    assert "<stdin>:5:19: error: gear stuck: tied up: A and B let nothing move" in answer.err
 
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
@@ -221,6 +244,31 @@ def test_a_gear_that_is_not_there_is_wrong_use(call: tuple[str, ...], gear: str,
     answer = said(command, *options, "--gear", gear)
     assert (answer.status, answer.out) == (2, "")
     assert hint in answer.err
+
+
+ONE_GEAR = (
+    ("simplify", "--links", "1"),
+    ("identify", "--omega", "2"),
+    ("damping", "--decrements", "t=.1"),
+)
+
+
+@pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
+def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> None:
+    """That of a case without gears, too."""
+    command, *options = call
+    without = said(command, *options, "-f", "json", text=CHAIN)
+    assert (without.status, without.err) == (0, "")
+    assert json.loads(without.out)["gear"] == "1"
+    assert without.out == said(command, *options, "--gear", "1", "-f", "json", text=CHAIN).out
+
+
+@pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
+def test_one_of_several_gears_must_be_named(call: tuple[str, ...]) -> None:
+    command, *options = call
+    answer = said(command, *options)
+    assert (answer.status, answer.out) == (2, "")
+    assert "Missing option '--gear': gears are low, direct, tied, N" in answer.err
 
 
 # what is told, and the exit status
@@ -242,10 +290,10 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict() -> None:
     assert said("modes", "-q", "--strict", text=text).err == quiet
 
 
-@pytest.mark.parametrize("command", OF_GEARS)
+@pytest.mark.parametrize("command", STANDS)
 def test_an_error_is_printed_whoever_is_quiet(command: str) -> None:
     answer = asked(command, "-q")
-    assert (answer.status, TIED_UP in answer.err) == (1, True)
+    assert (answer.status, STANDS[command] in answer.err) == (1, True)
 
 
 @pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])

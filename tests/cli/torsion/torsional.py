@@ -32,6 +32,14 @@ gears:
   N: {}
 """
 """A gearbox whose casing takes the reactions; its third gear holds the input."""
+STUCK = """\
+links: [a, b]
+inertias: {a: 4, b: 1}
+springs: {s: {links: [a, b], compliance: 1}}
+shift_elements: {A: [a, housing], B: [b, housing]}
+gears: {free: {}, stuck: {engaged: [A, B]}}
+"""
+"""Its second gear holds all that could move."""
 GOOD = BOX.partition("gears:\n")[0] + "gears:\n  direct: {engaged: [C, D]}\n"
 """The same with one gear that nothing is wrong with."""
 CHAIN = """\

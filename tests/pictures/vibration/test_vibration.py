@@ -251,6 +251,23 @@ def test_a_campbell_diagram_shows_frequencies_that_orders_reach_and_names_the_ot
     assert "1: 720.0 Hz ↑" in beyond
 
 
+@pytest.mark.parametrize(("link", "excited"), [(1, False), (3, True)])
+def test_a_mode_in_which_the_input_stands_has_no_resonance(link: int, excited: bool) -> None:
+    """Two equal wheels on equal half-shafts, in antiphase at ``sqrt(c/J)``, 5 rad/s or 0.8 Hz."""
+    twists = [{1: 1, 2: -1}, {2: 1, 3: -1}, {2: 1, 4: -1}]
+    springs = [
+        Spring(twist, c, name=f"s{n}")
+        for n, (twist, c) in enumerate(zip(twists, (70.0, 50.0, 50.0), strict=True))
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    case = Transmission(*(4, [], [], []), springs=springs, inertias=inertias, input=link, output=4)
+    figure = picture(solve(case), "campbell", Style())
+    dots = [said for said, _ in drawn.titled(figure) if " rpm, 0.796 Hz" in said]
+    assert bool(dots) == excited
+    assert all(said.endswith(", participation 1") for said in dots)
+    assert sum(" rpm, " in said for said, _ in drawn.titled(figure)) > 6
+
+
 @pytest.mark.slow
 def test_no_number_of_a_resonance_lies_on_a_line_or_point() -> None:
     """Issue 16; where there is no room the dot has its speed in its title only."""

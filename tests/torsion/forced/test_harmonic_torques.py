@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
+from tests.trains import seeded
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import RAD_PER_RPM, Harmonic, response
@@ -29,7 +30,8 @@ def one_mass(damping: Damping | float) -> Transmission:
 def test_one_mass(damping: Damping | float, factor: object) -> None:
     """``q = 1/(c - J w^2 + i w d)``, torque ``(c + i w d) q``."""
     [gear] = response(one_mass(damping), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
-    omega = 2 * RAD_PER_RPM * SPEEDS
+    omega = 2 * RAD_PER_RPM * gear.speeds
+    assert 190.98 < np.setdiff1d(gear.speeds, SPEEDS) < 190.99
     rate = 800 + np.array([factor(w) for w in omega])  # type: ignore[operator]
     expected = 3 * np.exp(0.5j) / (rate - 0.5 * omega**2)
     [order] = gear.orders
@@ -55,21 +57,24 @@ def test_every_system_is_in_balance_and_reciprocal(case: Transmission) -> None:
     [first] = response(case, 1, [Harmonic(1.5)], SPEEDS)
     [last] = response(case, case.links, [Harmonic(1.5)], SPEEDS)
     q = np.array(list(first.orders[0].amplitudes.values()))
-    for index, speed in enumerate(SPEEDS):
+    for index, speed in enumerate(first.speeds):
         w = 1.5 * RAD_PER_RPM * speed
         dynamic = stiffness + 1j * w * resistance - w**2 * mass
         force = dynamic @ q[:, index]
         expected = np.eye(case.links)[0]
         np.testing.assert_allclose(force, expected, atol=1e-7 * max(1, np.abs(dynamic).max()))
-    there = first.orders[0].amplitudes[str(case.links)]
-    np.testing.assert_allclose(there, last.orders[0].amplitudes["1"], rtol=1e-6, atol=1e-12)
+    there = dict(zip(first.speeds, first.orders[0].amplitudes[str(case.links)], strict=True))
+    here = dict(zip(last.speeds, last.orders[0].amplitudes["1"], strict=True))
+    assert set(SPEEDS) <= there.keys() & here.keys()
+    for speed in there.keys() & here.keys():
+        assert there[speed] == pytest.approx(here[speed], rel=1e-6, abs=1e-12)
 
 
 def test_torques_of_rigid_devices_balance_every_link() -> None:
     case = with_planetary_set()
     [gear, _] = response(case, 1, [Harmonic(2.0)], SPEEDS)
     [order] = gear.orders
-    t, q, w2 = order.torques, order.amplitudes, (2 * RAD_PER_RPM * SPEEDS) ** 2
+    t, q, w2 = order.torques, order.amplitudes, (2 * RAD_PER_RPM * gear.speeds) ** 2
     np.testing.assert_allclose(1 - t["in"], -0.2 * w2 * q["1"], rtol=1e-9)
     np.testing.assert_allclose(t["in"] - t["P"], -0.01 * w2 * q["2"], rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(3.5 * t["P"] - t["out"], -0.03 * w2 * q["4"], rtol=1e-9, atol=1e-9)
@@ -79,14 +84,70 @@ def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
     case = with_planetary_set()
     [gear, _] = response(case, 1, [Harmonic(2.0), Harmonic(4.5)], [300.0, 4000.0])
     omegas = [mode.omega for mode in modes(case)[0].modes]
+    shapes = [mode.shape["1"] for mode in modes(case)[0].modes]
     expected = [
-        (order, number, omega / order / RAD_PER_RPM)
+        (order, number, omega / order / RAD_PER_RPM, abs(shapes[number - 1]))
         for order in (2.0, 4.5)
         for number, omega in enumerate(omegas, 1)
         if 300 <= omega / order / RAD_PER_RPM <= 4000
     ]
     assert len(expected) > 2
     assert [tuple(one) for one in gear.resonances] == [pytest.approx(one) for one in expected]
+
+
+def symmetric() -> Transmission:
+    """Two equal wheels on equal half-shafts behind an engine."""
+    springs = [
+        Spring({1: 1, 2: -1}, stiffness=70.0, damping=0.02, name="propshaft"),
+        Spring({2: 1, 3: -1}, stiffness=50.0, damping=0.02, name="left"),
+        Spring({2: 1, 4: -1}, stiffness=50.0, damping=0.02, name="right"),
+    ]
+    inertias = {1: 9.0, 2: 1.0, 3: 2.0, 4: 2.0}
+    return Transmission(4, [], [], [], springs=springs, inertias=inertias, output=4)
+
+
+def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
+    """The wheels in antiphase, at 5 rad/s: from a wheel, but not from the engine."""
+    speeds = np.array([20.0, 60.0, 200.0])
+    [antiphase] = [
+        number
+        for number, mode in enumerate(modes(symmetric())[0].modes, 1)
+        if mode.omega == pytest.approx(5.0)
+    ]
+    for link, excited in ((1, False), (2, False), (3, True)):
+        [gear] = response(symmetric(), link, [Harmonic(1.0)], speeds)
+        told = {one.mode: one.participation for one in gear.resonances}
+        assert (antiphase in told) == excited
+        assert ((np.abs(gear.speeds * RAD_PER_RPM - 5) < 1e-9).any()) == excited
+    assert told[antiphase] == pytest.approx(1.0)
+
+
+def test_the_largest_amplitude_is_that_at_a_resonance_between_two_speeds() -> None:
+    """A mass on a mount: ``1/(d w)`` at its frequency, far above its neighbours."""
+    speeds = np.array([500.0, 300.0, 500.0])
+    case = one_mass(0.1)
+    [gear] = response(case, 1, [Harmonic(1.0)], speeds)
+    hit = 40.0 / RAD_PER_RPM
+    assert gear.speeds == pytest.approx([500.0, hit, 300.0, hit, 500.0])
+    sizes = np.abs(gear.orders[0].amplitudes["1"])
+    assert sizes.max() == pytest.approx(1 / (0.1 * 40))
+    assert sizes.max() > 70 * sizes[[0, 2, 4]].max()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(40))
+def test_no_peak_of_a_random_chain_is_missed(number: int) -> None:
+    """Lightly damped: of 20,001 speeds none has more than the few with resonances."""
+    rng = seeded(number)
+    links = rng.randint(2, 8)
+    stiffnesses = [10 ** rng.uniform(2, 5) for _ in range(links - 1)]
+    inertias = [10 ** rng.uniform(-2, 1) for _ in range(links)]
+    case = chain(inertias, stiffnesses, [c * 1e-5 for c in stiffnesses])
+    [few] = response(case, 1, [Harmonic(2.0)], [100.0, 5000.0])
+    [many] = response(case, 1, [Harmonic(2.0)], np.linspace(100, 5000, 20_001))
+    for name, values in many.orders[0].amplitudes.items():
+        most = np.abs(few.orders[0].amplitudes[name]).max()
+        assert np.abs(values).max() <= most * 1.02
 
 
 def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:

@@ -63,6 +63,8 @@ def test_planets_vibrate_as_links_of_their_own_would() -> None:
 def test_at_the_meshes_planets_are_links_anyway() -> None:
     [own] = modes(read())
     [meshes] = modes(loads("losses: meshes" + DRIVELINE % ""))
+    for one, other in zip(meshes.modes, own.modes, strict=True):
+        assert one.torques == pytest.approx(other.torques, rel=1e-9)
     assert omegas(meshes) == pytest.approx(omegas(own), rel=1e-12)
     [hand] = modes(by_hand())
     for one, other in zip(meshes.modes, hand.modes, strict=True):

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+import time
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from scipy import linalg
 
-from tests.torsion.systems import branched, chain, matrices
+from tests.torsion.systems import Array, branched, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
+from tests.trains import seeded
 from vstatics import Damping, Spring, Transmission
+from vstatics.torsion.vibration.gear_modes import modes
 
 
 def mounted(damping: Damping | float, stiffness: float = 100.0) -> Transmission:
@@ -34,7 +37,47 @@ def test_an_overdamped_mass_has_two_real_eigenvalues() -> None:
     """``s^2 + 25 s + 100 = 0``."""
     gear = only(mounted(25.0))
     assert gear.damped == pytest.approx([complex(-5, 0), complex(-20, 0)])
-    assert (gear.modes[0].damping_ratio, gear.modes[0].damped_frequency) == (1.0, 0.0)
+    assert gear.modes[0].damping_ratio == pytest.approx(1.25)
+    assert gear.modes[0].damped_frequency == 0
+
+
+@pytest.mark.parametrize("damping", [60.0, Damping(loss_factor=6.0)])
+def test_a_damping_ratio_above_1_has_both_eigenvalues(damping: Damping | float) -> None:
+    """``s^2 + 2 * 3 omega s + omega^2 = 0`` with omega = 10: ``s = -10 (3 -+ sqrt(8))``."""
+    gear = only(mounted(damping))
+    assert gear.damped == pytest.approx([-10 * (3 - math.sqrt(8)), -10 * (3 + math.sqrt(8))])
+    assert gear.modes[0].damping_ratio == pytest.approx(3, rel=1e-12)
+    assert gear.modes[0].damped_frequency == 0
+
+
+def test_loss_factors_in_one_proportion_are_those_of_every_mode() -> None:
+    """D at omega_k is ``6 K/omega_k``, so each mode creeps with its ``-omega (3 -+ sqrt(8))``."""
+    springs = [
+        one._replace(damping=Damping(loss_factor=6.0))
+        for one in chain([1.0, 2.0, 0.5, 3.0], [40.0, 90.0, 250.0]).springs
+    ]
+    gear = only(chain([1.0, 2.0, 0.5, 3.0], [40.0, 90.0, 250.0]).replace(springs=springs))
+    expected = [-mode.omega * (3 + sign * math.sqrt(8)) for mode in gear.modes for sign in (-1, 1)]
+    assert gear.damped == pytest.approx(sorted(expected, reverse=True), rel=1e-11)
+    assert [mode.damping_ratio for mode in gear.modes] == pytest.approx([3.0] * 3, rel=1e-11)
+
+
+def test_what_creeps_alone_is_no_mode() -> None:
+    """A spring of 10 with a damper of 1 behind it, beside a mount of 100: the mass still swings.
+
+    ``J s^2 + c + c2 d s/(c2 + d s) = 0``: one real root, that of the damper, and two of the mass.
+    """
+    springs = [
+        Spring({1: 1}, stiffness=100.0, name="mount"),
+        Spring({1: 1, 2: -1}, stiffness=10.0, name="spring"),
+        Spring({2: 1}, stiffness=1e-6, damping=1.0, name="damper"),
+    ]
+    gear = only(Transmission(2, [], [], [], springs=springs, inertias={1: 1.0}))
+    roots = np.roots([1.0, 10.0, 110.0, 1000.0])
+    [swing] = [root for root in roots if root.imag > 0]
+    assert len(gear.damped) == 2
+    assert gear.modes[0].damped_frequency == pytest.approx(swing.imag / (2 * math.pi), rel=1e-6)
+    assert gear.modes[0].damping_ratio == pytest.approx(-swing.real / abs(swing), rel=1e-6)
 
 
 @pytest.mark.parametrize("ratio", [0.001, 0.02, 0.5])
@@ -69,7 +112,7 @@ def test_every_damped_system(case: Transmission) -> None:
         assert np.abs(found - value).min() < 1e-5 * abs(value)
     assert sorted(np.abs(found)) == pytest.approx(list(np.abs(found)), rel=1e-8)
     for mode in gear.modes:
-        assert 0 <= mode.damping_ratio <= 1
+        assert (mode.damping_ratio >= 1) == (mode.damped_frequency == 0)
 
 
 def test_proportional_damping_leaves_the_shapes() -> None:
@@ -112,5 +155,89 @@ def test_massless_links_whose_dampings_differ_by_many_powers_of_ten() -> None:
     assert fast == pytest.approx(-4e9)
 
 
+@pytest.mark.parametrize("damping", [2.0, Damping(loss_factor=0.1)])
+def test_a_damper_between_a_mass_that_is_free_and_a_link_without(damping: Damping | float) -> None:
+    """There is no mode, and nothing that moves: the link is behind the device alone."""
+    spring = Spring({1: 1, 2: -1}, stiffness=8.0, damping=damping)
+    gear = only(Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0}))
+    assert gear.modes == []
+    assert gear.damped == pytest.approx([-4.0] if damping == 2.0 else [])
+
+
 def test_nothing_damped_has_no_eigenvalues_to_tell() -> None:
     assert only(mounted(0.0)).damped == []
+
+
+def with_losses(number: int, most: float) -> Transmission:
+    """A random chain with some mounts, damped by numbers, loss factors up to the most, or not."""
+    rng = seeded(number)
+    links = rng.randint(2, 16)
+    twists = [{n: 1.0, n + 1: -1.0} for n in range(1, links)]
+    twists += [{rng.randint(1, links): 1.0} for _ in range(rng.randint(0, 2))]
+    springs = []
+    for place, twist in enumerate(twists):
+        kinds: list[Damping | float] = [0.0, 10 ** rng.uniform(-3, 1)]
+        kinds += [Damping(loss_factor=rng.uniform(0, most))] * 2
+        damping = kinds[rng.randint(0, 3)] if place else kinds[2]
+        stiffness = 10 ** rng.uniform(1, 5)
+        springs.append(Spring(twist, stiffness=stiffness, damping=damping, name=f"s{place}"))
+    inertias = {n: 10 ** rng.uniform(-2, 1) for n in range(1, links + 1)}
+    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
+
+
+def eigenvalues_of_mode(case: Transmission, omega: float, shape: Array) -> tuple[Array, Array]:
+    """All eigenvalues with the D of a frequency, and their parts in a mode: of the state matrix."""
+    mass, stiffness, resistance = matrices(case)
+    for spring in case.springs:
+        assert isinstance(spring.damping, Damping)
+        row = np.array([spring.form.get(n, 0.0) for n in range(1, case.links + 1)])
+        lost = spring.damping.loss_factor * spring.rate / omega
+        resistance = resistance + lost * np.outer(row, row)
+    below = [-linalg.solve(mass, stiffness), -linalg.solve(mass, resistance)]
+    state = np.block([[np.zeros(mass.shape), np.eye(len(mass))], below])
+    values, vectors = linalg.eig(state)
+    shapes = vectors[: len(mass)]
+    lengths = np.sqrt(np.einsum("ij,ik,kj->j", shapes.conj(), mass, shapes).real)
+    return values, np.abs(shape @ mass @ shapes) / lengths / math.sqrt(shape @ mass @ shape)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(150))
+@pytest.mark.parametrize("most", [0.1, 0.5, 2.0])
+def test_loss_factors_of_any_chain(number: int, most: float) -> None:
+    """Each mode has the eigenvalue nearest to it with the damping ``c loss_factor/omega``."""
+    case = with_losses(number, most)
+    for mode in only(case).modes:
+        shape = np.array([*mode.shape.values()])
+        values, parts = eigenvalues_of_mode(case, mode.omega, shape)
+        upper = values.imag >= 0
+        values, parts = values[upper], parts[upper]
+        order = np.argsort(-parts)
+        value = values[order[0]]
+        if abs(value.imag) < 1e-6 * abs(value) or parts[order[1]] > 0.8 * parts[order[0]]:
+            continue  # it creeps, or several are as near
+        assert mode.damping_ratio == pytest.approx(-value.real / abs(value), rel=1e-6, abs=1e-9)
+        assert mode.damped_frequency == pytest.approx(value.imag / (2 * math.pi), rel=1e-8)
+
+
+@pytest.mark.slow
+@pytest.mark.alone
+def test_loss_factors_take_little_more_time_than_numbers() -> None:
+    """Of 60 links at most three times the time of the processor."""
+    links = 60
+    rng = seeded(links)
+    stiffnesses = [10 ** rng.uniform(2, 5) for _ in range(links - 1)]
+    plain = chain([10 ** rng.uniform(-2, 1) for _ in range(links)], stiffnesses, [1.0] * 59)
+    lost = [
+        one._replace(damping=Damping(loss_factor=rng.uniform(0.02, 0.3))) for one in plain.springs
+    ]
+
+    def seconds(case: Transmission) -> float:
+        took = []
+        for _ in range(5):
+            start = time.process_time()
+            modes(case)
+            took.append(time.process_time() - start)
+        return min(took)
+
+    assert seconds(plain.replace(springs=lost)) < 3 * seconds(plain)

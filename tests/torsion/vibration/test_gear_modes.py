@@ -280,10 +280,23 @@ def test_a_tied_up_gear_says_why_and_elastic_devices_tie_nothing_up() -> None:
     case = Transmission(
         2, brakes, [], [Gear([1, 2])], springs=[Spring({1: 1}, stiffness=1.0)], inertias={1: 1.0}
     )
-    assert only(case).error.startswith("tied up: B and C let the input not turn")
+    assert only(case).error.startswith("tied up: B and C let nothing move")
     assert only(case).modes == ()
     elastic = case.replace(shift_elements=[brakes[0], brakes[1]._replace(stiffness=8.0)])
     assert omegas(only(elastic)) == pytest.approx([3.0])
+
+
+@settings(max_examples=30, deadline=None)
+@given(branched())
+def test_a_gear_whose_input_is_held_vibrates(case: Transmission) -> None:
+    """M and K without the row and the column of the input have its frequencies."""
+    mass, stiffness, _ = matrices(case)
+    squares = linalg.eigh(stiffness[1:, 1:], mass[1:, 1:], eigvals_only=True)
+    brake = ShiftElement(1, name="H")
+    gear = only(case.replace(shift_elements=[brake], gears=[Gear([1], name="park")]))
+    found = np.concatenate([np.zeros(gear.rigid_modes), omegas(gear)])
+    assert (gear.error, len(found)) == ("", case.links - 1)
+    np.testing.assert_allclose(found**2, squares, rtol=1e-9, atol=1e-9 * squares.max())
 
 
 def test_freewheels_hold_as_they_do_at_mean_speeds() -> None:

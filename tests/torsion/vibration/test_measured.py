@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import pytest
 
 from tests.torsion.vibration.test_decrements import TABLE_2_4, TABLE_P2_1
-from vstatics import CaseError, Spring, Transmission, loads
+from vstatics import CaseError, Gear, ShiftElement, Spring, Transmission, loads
 from vstatics.torsion.vibration.gear_modes import Mode, modes
 from vstatics.torsion.vibration.measured import Identified, damping, identify
 
@@ -180,8 +180,10 @@ def test_a_mode_that_is_not_there() -> None:
 
 
 def test_a_gear_without_modes_is_told() -> None:
-    with pytest.raises(CaseError, match=r"gears\[3\]: tied up"):
-        identify(loads("input: disc\n" + DRIVELINE.replace(", stiffness: 1e5", "")), "both", 15.0)
+    brake = ShiftElement(1, name="B")
+    stuck = Transmission(1, [brake], [], [Gear([]), Gear([1])], inertias={1: 1.0})
+    with pytest.raises(CaseError, match=r"gears\[2\]: tied up"):
+        identify(stuck, 2, 15.0)
     text = "inertias: {1: 1}\nlinks: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
     with pytest.raises(CaseError, match=r"gears\[1\]: nothing elastic joins inertias"):
         identify(loads(text), 1, 15.0)

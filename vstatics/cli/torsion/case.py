@@ -11,8 +11,8 @@ from vstatics.cli.frame import formats
 from vstatics.cli.frame.one_case import OneCase
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import wrong_value
-from vstatics.errors import Problem, Severity
-from vstatics.model.transmission import Transmission
+from vstatics.errors import Problem, Severity, listed
+from vstatics.model.transmission import Gear, Transmission
 from vstatics.readers.reading import Reading
 
 elastic_case = gathered(
@@ -26,10 +26,6 @@ elastic_case = gathered(
 )
 """The case and the options of a command of this group; the command gets `one`."""
 
-one_gear = click.option(
-    "--gear", required=True, metavar="G", help="The gear, by its name or number."
-)
-
 
 def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
     """The gears that are asked for, each once; all where none is.
@@ -40,6 +36,29 @@ def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
         If there is no such gear.
     """
     return [case.gears[index].name for index in arguments.gear_indices(case, asked)]
+
+
+chosen_gear = click.option(
+    "--gear",
+    metavar="G",
+    help="The gear, by its name or number; needed where the case has several.",
+)
+
+
+def gear_of(case: Transmission, asked: str | None) -> Gear:
+    """The gear that is asked for, or the only one.
+
+    Raises
+    ------
+    UsageError
+        If there is none of this name or number, or none of several is asked for.
+    """
+    if asked is not None:
+        return case.gears[arguments.gear_number(case, asked) - 1]
+    if len(case.gears) > 1:
+        names = listed([gear.name for gear in case.gears])
+        raise click.UsageError(f"Missing option '--gear': gears are {names}")
+    return case.gears[0]
 
 
 def link_name(case: Transmission, asked: str, option: str) -> str:

@@ -78,7 +78,7 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
 
     numbers = read_dump(data, name)
     made = numbers.torque(rate)
-    show(one.case, to, name, CaseAnswer(lambda: grids(numbers.given, made), DumpAnswer(made)))
+    show(one.case, to, name, CaseAnswer(lambda: grids(made), DumpAnswer(made)))
     return DONE
 
 

@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping
 
 import click
 
-from vstatics.cli.frame.cases import gear_number
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
-from vstatics.cli.torsion.case import elastic_case, located, one_gear
+from vstatics.cli.torsion.case import chosen_gear, elastic_case, gear_of, located
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
@@ -28,7 +27,7 @@ def _of_one_mode(command: Command) -> Command:
             metavar="K",
             help="Of those that are not rigid, the lowest is 1.",
         ),
-        one_gear,
+        chosen_gear,
     ):
         command = option(command)
     return command
@@ -63,7 +62,9 @@ def _decrements(text: str) -> Mapping[str, float]:
     metavar="D",
     help="Its logarithmic decrement, for the dampings of all devices.",
 )
-def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float | None) -> int:
+def identify(
+    one: OneCase, gear: str | None, mode: int, omega: float, decrement: float | None
+) -> int:
     """Correct the compliances of CASE by a measured frequency; - is standard input.
 
     All elastic devices of the gear get their compliance times (calculated/W)^2, in their
@@ -76,8 +77,8 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
       vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
-    no mode; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
+    2 wrong use.
     """
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
@@ -112,7 +113,7 @@ def identify(one: OneCase, gear: str, mode: int, omega: float, decrement: float 
 )
 def damping(
     one: OneCase,
-    gear: str,
+    gear: str | None,
     mode: int,
     decrements: Mapping[str, float],
     omega: float | None,
@@ -128,8 +129,8 @@ def damping(
       vstatics torsion damping box.yaml --gear 1 --decrements shaft=.1 --omega 83
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear is tied up or has
-    no mode; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
+    2 wrong use.
     """
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
@@ -146,12 +147,14 @@ def damping(
     return _answer(one, gear, calculate)
 
 
-def _answer(one: OneCase, gear: str, of_gear: Callable[[Transmission, str], CaseAnswer]) -> int:
+def _answer(
+    one: OneCase, gear: str | None, of_gear: Callable[[Transmission, str], CaseAnswer]
+) -> int:
     """What is wrong with the gear at its place; a mode or device that is not there: wrong use."""
 
     def calculate(reading: Reading) -> CaseAnswer:
         case = reading.case
-        chosen = case.gears[gear_number(case, gear) - 1].name
+        chosen = gear_of(case, gear).name
         try:
             return of_gear(case, chosen)
         except CaseError as error:

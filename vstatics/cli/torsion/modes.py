@@ -37,7 +37,8 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
       vstatics torsion modes box.yaml -f json | jq '.gears[].modes[].omega'
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error or in a gear nothing can move;
+    2 wrong use.
     """
 
     def calculate(reading: Reading) -> CaseAnswer:

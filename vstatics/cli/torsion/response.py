@@ -10,7 +10,6 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.formats import FULL
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.values import numbers, value
 from vstatics.cli.torsion.case import elastic_case, gear_names, link_name, located
@@ -82,9 +81,9 @@ def response(
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
     A harmonic torque acts on LINK. For each order: amplitudes of links [rad] and torques
-    of devices [N*m] over the speeds, and where an order meets a natural frequency. Text
-    shows the largest values, CSV, XLSX and JSON all. There is no value where an undamped
-    system is hit exactly.
+    of devices [N*m] over the speeds, and where an order meets a natural frequency that
+    LINK takes part in; such speeds are added. Text shows the largest values, CSV (a line
+    for each), XLSX and JSON all. There is no value where an undamped system is hit exactly.
 
     \b
     Examples:
@@ -92,7 +91,8 @@ def response(
       vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
 
     \b
-    Exit status: 0 done; 1 the case is in error or a gear is tied up; 2 wrong use.
+    Exit status: 0 done; 1 the case is in error or a gear has no response;
+    2 wrong use.
     """
     to = one.destination(*([torque] if torque else []))
     if torque is None and orders is None:
@@ -100,7 +100,7 @@ def response(
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ResponseAnswer
-        from vstatics.torsion.forced.grids import largest_grids, speed_grids, sum_grids
+        from vstatics.torsion.forced.grids import largest_grids, row_grids, speed_grids, sum_grids
         from vstatics.torsion.forced.harmonic_torques import response as responses
 
         case = reading.case
@@ -110,9 +110,9 @@ def response(
         if with_sum:
             found = [gear.with_sum() for gear in found]
         faults = located(reading, ((gear.name, gear.error) for gear in found))
-        grids = speed_grids if to.form in (*FULL, "xlsx") else largest_grids
+        grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(
-            lambda: [*grids(found), *sum_grids(found)],
+            lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],
             ResponseAnswer(case.name, link, found),
             faults,
             failed=bool(faults),

@@ -10,13 +10,12 @@ from vstatics import readers
 from vstatics.cli.convert import write as write_case
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import gear_number
 from vstatics.cli.frame.formats import TABLES, OutputOptions, TextStyle
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings_of
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import separated, value
-from vstatics.cli.torsion.case import located, one_gear
+from vstatics.cli.torsion.case import chosen_gear, gear_of, located
 from vstatics.errors import ReadError, spoken
 from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
@@ -46,7 +45,7 @@ def _names(text: str) -> list[str]:
 
 
 @click.command()
-@one_gear
+@chosen_gear
 @click.option(
     "--links",
     "frequencies",
@@ -94,7 +93,7 @@ def _names(text: str) -> list[str]:
 )
 def simplify(
     one: OneCase,
-    gear: str,
+    gear: str | None,
     frequencies: int,
     rule: str | None,
     remove: Sequence[str] | None,
@@ -125,7 +124,7 @@ def simplify(
         from vstatics.torsion.reduction.simplification import simplify as simplified
 
         own = reading.case
-        chosen = own.gears[gear_number(own, gear) - 1]
+        chosen = gear_of(own, gear)
         scheme = gear_scheme(own, chosen)
         if isinstance(scheme, str):
             raise ReadError(located(reading, [(chosen.name, scheme)]))

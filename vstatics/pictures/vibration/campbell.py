@@ -19,6 +19,7 @@ from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.pictures.vibration.shown_modes import modes_of, why_none
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import certain
+from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes
@@ -61,6 +62,12 @@ class _CampbellDiagram(NamedTuple):
     def frequencies(self) -> list[float]:
         """Of all modes [Hz]."""
         return [mode.frequency for mode in self.found.modes]
+
+    @property
+    def excited(self) -> dict[float, float]:
+        """Frequencies of modes [Hz] in which the input moves, its amplitude by the largest."""
+        parts = ((mode.frequency, abs(mode.shape[self.input])) for mode in self.found.modes)
+        return {frequency: part for frequency, part in parts if part > LEAST_PARTICIPATION}
 
     def hertz(self, frequency: float) -> str:
         """A frequency with its unit."""
@@ -126,7 +133,7 @@ def _figure(case: Transmission, diagrams: Sequence[_CampbellDiagram]) -> Figure:
         "собственные частоты и порядки частоты вращения входа",
     )
     note = style.text("scales by square roots", "шкалы квадратных корней")
-    resonates = any(next(crossings(one.shown, one.frequencies), None) for one in diagrams)
+    resonates = any(next(crossings(one.shown, one.excited), None) for one in diagrams)
     resonance = "resonance, at its speed in rpm", "резонанс, при его скорости в об/мин"
     signs = [
         (True, "natural frequency, by mode", "собственная частота, по формам", _mode_look(style)),
@@ -204,16 +211,17 @@ def _draw_scales(pen: Pen, diagram: _CampbellDiagram) -> None:
 def _draw_crossings(pen: Pen, diagram: _CampbellDiagram) -> None:
     """Dots, each with its speed where there is room beside all dots, lines and numbers."""
     (wide, high), style, shown = pen.size, pen.style, diagram.shown
-    found = list(crossings(shown, diagram.frequencies))
+    found, parts = list(crossings(shown, diagram.excited)), diagram.excited
     dots = [(wide * shown.across(one.speed), high * shown.up(one.frequency)) for one in found]
     taken = [(x - 2, y - 2, x + 2, y + 2) for x, y in dots]
     levels = [high * shown.up(one) for one in diagram.frequencies if one <= shown.frequency]
     slopes = [y * high / (x * wide) for x, y in map(shown.end, ORDERS)]
     rpm = style.text("rpm", "об/мин")
+    took_part = style.text("participation", "участие")
     for (x, y), one in zip(dots, found, strict=True):
         text = f"{one.speed:.0f}"
         said = f"{diagram.head}, {_order_name(one.order)}: {text} {rpm}"
-        said = f"{said}, {diagram.hertz(one.frequency)}"
+        said = f"{said}, {diagram.hertz(one.frequency)}, {took_part} {parts[one.frequency]:.2g}"
         pen.line((x, y), title=said, **_dot_look(style))
         long, tall = width(text, SMALL_NUMBER), DIGIT_HEIGHT * SMALL_NUMBER
         for left, low in ((x - long - 3.5, y + 2.5), (x + 3.5, y - tall - 2.5)):

@@ -69,6 +69,12 @@ class DumpTorque(NamedTuple):
     """The same, of `max_torque_simplified`. [N*m]"""
     dynamic_factor: float
     """`max_torque` by the torque of the clutch that slips, as in table 3.16. [-]"""
+    clutch_breaks_away: float
+    """Torque of the spring from which on a clutch that is stuck slips. [N*m]"""
+    wheels_break_away: float
+    """Torque of the spring from which on the tyres slip; infinite where they grip. [N*m]"""
+    grabs_below: float
+    """Speed of the engine below which the clutch grabs. [rad/s]"""
     engagement: Sometimes[Engagement] = None
     """If a rate was given."""
     messages: tuple[Message, ...] = ()
@@ -142,6 +148,9 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         _at_input_shaft(given, case, largest),
         _at_input_shaft(given, case, simplified),
         largest / given.slipping_torque,
+        given.clutch_limit,
+        given.grip_limit,
+        given.boundary_speed,
         None if rate is None else engagement(rate, given.J2 + given.J3, given.E),
     )
     if not all(math.isfinite(one) for one in made[1:6]):

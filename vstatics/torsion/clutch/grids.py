@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from vstatics.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
-from vstatics.torsion.clutch.given import Dump
 
 if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
     from vstatics.torsion.clutch.gear_dump import GearDump
@@ -25,7 +24,7 @@ HAPPENS: Mapping[DumpCase, str] = {
 }
 
 
-def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
+def grids(made: DumpTorque) -> Iterator[Grid]:
     """The largest torques, and what is to be known of them.
 
     Units are those of what is given: it may be in relative ones.
@@ -35,13 +34,13 @@ def grids(given: Dump, made: DumpTorque) -> Iterator[Grid]:
         "largest torque, simplified": made.max_torque_simplified,
         "at the input shaft": made.input_shaft_torque,
         "at the input shaft, simplified": made.input_shaft_torque_simplified,
-        "the clutch breaks away at": given.clutch_limit,
-        "the wheels break away at": given.grip_limit,
+        "the clutch breaks away at": made.clutch_breaks_away,
+        "the wheels break away at": made.wheels_break_away,
     }
     rows = [
         ("case", made.case, ""),
         *((name, torque, "as M_C0") for name, torque in torques.items()),
-        ("the clutch grabs below a speed of", given.boundary_speed, "as omega1"),
+        ("the clutch grabs below a speed of", made.grabs_below, "as omega1"),
         ("dynamic factor", made.dynamic_factor, "-"),
     ]
     if made.engagement is not None:
@@ -66,14 +65,17 @@ _TORQUES = {
     "max_torque_simplified": "largest torque, simplified [N*m]",
     "input_shaft_torque": "at the input shaft [N*m]",
     "input_shaft_torque_simplified": "at the input shaft, simplified [N*m]",
+    "clutch_breaks_away": "the clutch breaks away at [N*m]",
+    "wheels_break_away": "the wheels break away at [N*m]",
+    "grabs_below": "the clutch grabs below a speed of [rad/s]",
     "dynamic_factor": "dynamic factor",
 }
 
 
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
     """As `grids`, then what was reduced; of a gear that failed, why."""
-    if gear.made is not None and gear.given is not None:
-        yield from grids(gear.given, gear.made)
+    if gear.made is not None:
+        yield from grids(gear.made)
     yield from _reduced([gear])
     yield from _failed([gear])
 
@@ -85,6 +87,7 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
     --------
     >>> from vstatics.torsion.clutch.dumped import dump
     >>> from vstatics.torsion.clutch.gear_dump import GearDump
+    >>> from vstatics.torsion.clutch.given import Dump
     >>> given = Dump(1.913, 0.0619, 0.0239, 0.091, 5.68, 429e-5, 532, 335, 156)
     >>> for grid in gears_grids([GearDump("1", "propshaft", given, dump(given))]):
     ...     print(grid.title, grid.texts[0][:2])

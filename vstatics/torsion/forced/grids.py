@@ -50,6 +50,47 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
                 yield made._replace(group=title.partition(" [")[0])
 
 
+_ROW_HEADINGS = ("gear", "order", "mode", "speed", "row", "value")
+
+
+def row_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """All of it in one table of CSV, a line for each value: `speed` is in rpm.
+
+    Examples
+    --------
+    >>> from vstatics.torsion.forced.harmonic_torques import Resonance
+    >>> one = GearResponse("1", np.array([600.0]), resonances=[Resonance(2.0, 1, 610.0, 0.5)])
+    >>> [(grid.key, grid.data) for grid in row_grids([one])]
+    [('resonance', [['1', 2.0, 1, None, None, 610.0]])]
+    """
+    met = [
+        (gear.name, one.order, one.mode, "", "", one.speed)
+        for gear in gears
+        for one in gear.resonances
+    ]
+    yield grid_of("resonance", _ROW_HEADINGS, met, key="resonance")
+    for gear in gears:
+        for order in gear.orders:
+            for key, by_name in (("amplitude", order.amplitudes), ("torque", order.torques)):
+                yield _rows(key, gear, order.order, by_name)
+        for key, sums in zip(("amplitude", "torque"), gear.sum or (), strict=False):
+            for part in ("largest", "rms"):
+                by_name = {name: getattr(one, part) for name, one in sums.items()}
+                yield _rows(f"{key} {part}", gear, "", by_name)
+
+
+def _rows(
+    key: str, gear: GearResponse, order: float | str, by_name: Mapping[str, Floats | Complex]
+) -> Grid:
+    """The values of all links or devices at all speeds."""
+    rows: list[Values] = [
+        (gear.name, order, "", speed, name, size)
+        for name, values in by_name.items()
+        for speed, size in zip(gear.speeds.tolist(), np.abs(values).tolist(), strict=True)
+    ]
+    return grid_of(key, _ROW_HEADINGS, rows, key=key)
+
+
 def _quantities(
     gear: GearResponse,
 ) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
@@ -72,11 +113,12 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
             Cell(f"{one.order:g}", one.order, kind=float),  # as people write it: 2, 4.5
             whole(one.mode),
             exact(one.speed, 1),
+            exact(one.participation),
         ]
         for gear in gears
         for one in gear.resonances
     ]
-    columns = [text("gear"), Column("order"), Column("mode"), Column("speed [rpm]")]
+    columns = [text("gear"), *map(Column, ("order", "mode", "speed [rpm]", "participation"))]
     title = "Resonances" if rows else "Resonances: none at these speeds"
     return Grid(title, columns, rows, key="resonances")
 

@@ -16,6 +16,7 @@ from vstatics.torsion.forced.cycle import Sum, summed
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
+from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
 
@@ -60,13 +61,15 @@ class OrderResponse(NamedTuple):
 
 
 class Resonance(NamedTuple):
-    """A speed at which an order meets a natural frequency."""
+    """A speed at which an order meets a natural frequency that it can excite."""
 
     order: float
     mode: int
     """Its number from 1, as in `modes`."""
     speed: float
     """[rpm]"""
+    participation: float
+    """Amplitude of the link that is excited, by the largest of the mode. [-]"""
 
 
 class SummedResponse(NamedTuple):
@@ -82,7 +85,7 @@ class GearResponse(NamedTuple):
 
     name: str
     speeds: Floats
-    """[rpm]"""
+    """Those that were asked for, and between them resonances of modes that are damped. [rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
     error: Failure = ""
@@ -118,7 +121,7 @@ def response(
         Number or name of the link on which the torque acts.
     harmonics : sequence of Harmonic
     speeds : array_like
-        Of the link `at`. [rpm]
+        Of the link `at`; resonances between them of modes that are damped are added. [rpm]
     gears : sequence of int or str, optional
         Numbers from 1 or names; all gears when not given.
 
@@ -154,19 +157,23 @@ def _gear_response(
         why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
         return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}")
     natural = natural_modes(system, split)
-    undamped = natural.omegas[_are_undamped(system, natural)]
+    undamped = _are_undamped(system, natural)
+    largest = np.abs(natural.shapes[: system.own]).max(axis=0)
+    parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
+    resonances = _resonances(natural.omegas, parts, harmonics, speeds)
+    speeds = _with_peaks(speeds, [one.speed for one in resonances if not undamped[one.mode - 1]])
     found = []
-    nothing = np.zeros(speeds.shape, np.complex128)
     for one in harmonics:
         with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
             excited = one.order * RAD_PER_RPM * speeds
-            amplitudes = _amplitudes(system, split, at, excited, undamped)
+            amplitudes = _amplitudes(system, split, at, excited, natural.omegas[undamped])
             amplitudes *= one.amplitude * np.exp(1j * one.phase)
             by_device = _torques(system, at, excited, amplitudes, one)
+            named = own_torques(case, system, by_device, amplitudes * excited**2)
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.own], amplitudes, strict=False))
-        found.append(OrderResponse(one.order, links, own_torques(case, by_device, nothing)))
-    return GearResponse(gear.name, speeds, found, _resonances(natural.omegas, harmonics, speeds))
+        found.append(OrderResponse(one.order, links, named))
+    return GearResponse(gear.name, speeds, found, resonances)
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
@@ -180,15 +187,32 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
     return resisted <= NO_POWER * stored
 
 
-def _resonances(omegas: Floats, harmonics: Sequence[Harmonic], speeds: Floats) -> list[Resonance]:
-    """Where natural frequencies are met within the range of speeds."""
+def _resonances(
+    omegas: Floats, parts: Floats, harmonics: Sequence[Harmonic], speeds: Floats
+) -> list[Resonance]:
+    """Where natural frequencies that are excited are met within the range of speeds."""
     low, high = speeds.min(initial=math.inf), speeds.max(initial=-math.inf)
     met = [
-        Resonance(one.order, mode, float(omega / one.order / RAD_PER_RPM))
+        Resonance(one.order, mode, float(omega / one.order / RAD_PER_RPM), float(part))
         for one in harmonics
-        for mode, omega in enumerate(omegas, 1)
+        for mode, (omega, part) in enumerate(zip(omegas, parts, strict=True), 1)
+        if part > LEAST_PARTICIPATION
     ]
     return [one for one in met if low * (1 - NO_POWER) <= one.speed <= high * (1 + NO_POWER)]
+
+
+def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
+    """Speeds in their order, and each peak between two of them."""
+    places: list[int] = []
+    met: list[float] = []
+    for speed in set(peaks):
+        if not (np.abs(speeds - speed) <= NO_POWER * speed).any():
+            between = np.flatnonzero((speeds[:-1] < speed) != (speeds[1:] < speed)).tolist()
+            places += between
+            met += [speed] * len(between)
+    rises = np.sign(np.diff(speeds))[places]
+    order = np.lexsort((np.array(met) * rises, np.array(places)))
+    return np.insert(speeds, np.array(places, int)[order] + 1, np.array(met)[order])
 
 
 def _amplitudes(

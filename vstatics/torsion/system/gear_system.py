@@ -20,7 +20,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import Form, free_motions, values_of
 from vstatics.statics.matrix import columns, value
-from vstatics.torsion.system.bodies import Body, planet_bodies
+from vstatics.torsion.system.bodies import Body, Shares, planet_bodies
 
 
 class TorsionalDevice(NamedTuple):
@@ -56,6 +56,8 @@ class TorsionalSystem(NamedTuple):
         Of all links, with the shares that they have of planets; some may be below 0. [kg*m^2]
     ends : tuple of int
         Indices of the input and the output of the gear.
+    planet_shares : sequence of tuple
+        Name of a set, and what its planets add to `link_inertias`.
     """
 
     names: tuple[str, ...]
@@ -64,6 +66,7 @@ class TorsionalSystem(NamedTuple):
     devices: tuple[TorsionalDevice, ...]
     link_inertias: tuple[float, ...]
     ends: tuple[int, int] = (0, 0)
+    planet_shares: tuple[tuple[str, Shares], ...] = ()
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
@@ -133,18 +136,18 @@ def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
         for index in range(case.own_links)
     ]
     inertias = [case.inertias.get(index + 1, 0.0) for index in range(case.links)]
-    planets = []
-    for body, shares in planet_bodies(case):
-        planets.append(body)
+    planets = [*planet_bodies(case)]
+    for _, shares in planets:
         for index, share in shares.items():
             inertias[index] += share
     return TorsionalSystem(
         tuple(case.link_names),
         case.own_links,
-        (*links, *planets),
+        (*links, *(body for body, _ in planets)),
         tuple(_devices(case, gear)),
         tuple(inertias),
         (case.gear_input(gear) - 1, case.gear_output(gear) - 1),
+        tuple((body.name.rpartition(".")[0], shares) for body, shares in planets),
     )
 
 

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from vstatics.errors import spoken
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.elimination import RIGHT, dependencies
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
@@ -15,8 +14,8 @@ from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_syste
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     """The torsional system of a gear, or why it has none.
 
-    Freewheels hold where they do at mean speeds. Springs and elastic devices can't tie a gear
-    up.
+    Freewheels hold where they do at mean speeds. Vibration knows no input, so the input may be
+    held, as long as anything can move.
 
     Examples
     --------
@@ -24,7 +23,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     >>> brake, pair = ShiftElement(2, name="B"), Mechanism(1, 2, 0, -2.0, name="pair")
     >>> case = Transmission(2, [brake], [pair], [Gear([1])])
     >>> vibrating(case, case.gears[0]).partition(";")[0]
-    'tied up: B and pair let the input not turn'
+    'tied up: B and pair let nothing move'
     """
     if case.freewheels:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
@@ -34,17 +33,14 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
             return f"{CONFLICT.english}: {CONFLICT.meaning}"
         gear = state.gear
     system = torsional_system(case, gear)
-    rigid = system.rigid
-    turning = {system.ends[0]: 1.0, RIGHT: 1.0}
-    for involved, agrees in dependencies([*system.rigid_twists, turning]):
-        if not agrees:
-            names = [rigid[index].name for index in involved if index < len(rigid)]
-            let = "lets" if len(names) == 1 else "let"
-            return (
-                f"{TIED_UP.english}: {spoken(names)} {let} the input not turn; release one of the "
-                "engaged elements, or give a device a stiffness"
-            )
-    return system
+    if system.free().shape[1]:
+        return system
+    names = [device.name for device in system.rigid]
+    let = "lets" if len(names) == 1 else "let"
+    return (
+        f"{TIED_UP.english}: {spoken(names)} {let} nothing move; release one of the engaged "
+        "elements, or give a device a stiffness"
+    )
 
 
 def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[Gear]:

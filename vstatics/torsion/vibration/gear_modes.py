@@ -8,20 +8,20 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vstatics.errors import CaseError, plural, spoken
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.motions import Form
-from vstatics.numerics.tolerances import NO_POWER, TIE
+from vstatics.numerics.tolerances import TIE
 from vstatics.tables.answer import Failure, told
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.vibration.damped import DampedModes, damped_modes
 from vstatics.torsion.vibration.natural import NaturalModes, lowest_modes, natural_modes
+from vstatics.torsion.vibration.nodes import count_nodes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
 
 Named = Mapping[str, float]
@@ -211,20 +211,20 @@ def _named(  # noqa: PLR0913, PLR0917
 ) -> Iterator[Mode]:
     """The modes by names, each with its largest amplitude 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.own])
-    by_device = own_torques(
-        case, torques(system, held, shapes, natural.omegas), np.zeros_like(natural.omegas)
-    )
+    found = torques(system, held, shapes, natural.omegas)
+    by_device = own_torques(case, system, found, shapes * natural.omegas**2)
     kinetic = _shares(shapes, [(one.name, one.inertia, one.form) for one in system.bodies])
     elastic = _shares(shapes, [(one.name, one.rate, one.twist) for one in system.elastic])
     nodes = count_nodes(system, split, shapes)
     shapes[split.undetermined] = math.nan
     links = system.names[: system.own]
+    ratios = np.zeros_like(natural.omegas) if damped is None else damped.ratios
+    swings = natural.omegas if damped is None else damped.frequencies
     for index, omega in enumerate(natural.omegas.tolist()):
-        s = complex(0, omega) if damped is None else complex(damped.of_modes[index])
         yield Mode(
             omega=omega,
-            damping_ratio=-s.real / abs(s) + 0.0 if s else 1.0,
-            damped_frequency=s.imag / (2 * math.pi),
+            damping_ratio=float(ratios[index]),
+            damped_frequency=float(swings[index]) / (2 * math.pi),
             shape=_of_mode(dict(zip(links, shapes, strict=False)), index),
             torques=_of_mode(by_device, index),
             kinetic=_of_mode(kinetic, index),
@@ -275,49 +275,3 @@ def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Ite
             f"{what}: {devices} in excess; the speeds agree, the torque of {spoken(unknown)} is "
             "not determined"
         )
-
-
-def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> NDArray[np.intp]:
-    """How many places stand still in each mode.
-
-    An elastic device has a node in it where all terms of its twist pull the same way: of a
-    shaft, where its ends turn against each other. Of a device that a link with the reaction
-    takes part in, such as a casing, the links count that turn when nothing vibrates. Links that
-    stand, though they could move, are one node together with those that devices join to them,
-    if there are links on two sides of them that move.
-
-    Parameters
-    ----------
-    shapes : ndarray, shape (links, modes)
-        The largest amplitude of each is about 1.
-    """
-    nodes = np.zeros(shapes.shape[1], np.intp)
-    stands = np.abs(shapes) <= NO_POWER
-    moving = np.where(stands, 0.0, shapes)
-    turning = np.any(split.rigid != 0, axis=1)
-    for device in system.elastic:
-        own = [link for link in device.twist if turning[link]]
-        links = own if len(own) > 1 else device.twist
-        terms = np.array([device.twist[link] * moving[link] for link in links])
-        same = np.all(terms >= 0, axis=0) | np.all(terms <= 0, axis=0)
-        nodes += same & (np.count_nonzero(terms, axis=0) > 1)
-    movable = np.any(split.free != 0, axis=1)
-    twists = [device.twist for device in system.devices]
-    for mode in np.flatnonzero(stands[movable].any(axis=0)):
-        nodes[mode] += _standing_groups(twists, stands[:, mode] & movable, ~stands[:, mode])
-    return nodes
-
-
-def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
-    """How many groups of links stand, each joined by devices, between links that move."""
-    group = list(range(len(stands)))
-    for twist in twists:
-        joined = {group[link] for link in twist if stands[link]}
-        if len(joined) > 1:
-            group = [min(joined) if one in joined else one for one in group]
-    sides: dict[int, int] = {}
-    for twist in twists:
-        held = {group[link] for link in twist if stands[link]}
-        for one in held if any(moves[link] for link in twist) else ():
-            sides[one] = sides.get(one, 0) + 1
-    return sum(count > 1 for count in sides.values())

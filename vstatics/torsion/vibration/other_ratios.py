@@ -31,8 +31,6 @@ class VariedSystem(NamedTuple):
     Attributes
     ----------
     system : TorsionalSystem
-    turning : int
-        Index of a link that has to turn, the input.
     twists : mapping of int to ndarray, shape (variants, links)
         By places in `TorsionalSystem.devices`.
     stiffnesses, inertias : mapping of int to ndarray, shape (variants,)
@@ -40,7 +38,6 @@ class VariedSystem(NamedTuple):
     """
 
     system: TorsionalSystem
-    turning: int
     twists: Mapping[int, Floats]
     stiffnesses: Varied
     inertias: Varied
@@ -67,7 +64,7 @@ def frequencies_of_ratios(
     >>> case = Transmission(3, [], [pair], [], springs=[shaft], inertias={1: 1.0, 3: 1.0})
     >>> twists = np.array([[0.0, 1.0, 2.0], [0.0, 1.0, 3.0]])
     >>> system = torsional_system(case, case.gears[0])
-    >>> frequencies_of_ratios(VariedSystem(system, 0, {0: twists}, {}, {}), [0], 2)
+    >>> frequencies_of_ratios(VariedSystem(system, {0: twists}, {}, {}), [0], 2)
     (array([[22.36067977],
            [31.6227766 ]]), array([ True,  True]))
     """
@@ -111,7 +108,6 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     moving, others = still.others, together.motions[:, still.free]
     by_heavy = together.motions[:, moving] - still.motions[:, moving] @ others
     safe = free.safe & still.safe & together.safe & _resisted(massless)
-    safe &= (np.abs(free.motions[:, varied.turning]) > RESIDUE).any(axis=1)
     safe &= (heavy == heavy[0]).all(axis=1)
 
     parts = Split(bodies[:, :, moving], twists[:, :, moving], massless, by_heavy)

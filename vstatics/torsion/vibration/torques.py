@@ -108,26 +108,47 @@ def with_rigid(
 
 
 def own_torques(
-    case: Transmission, by_device: Mapping[str, Values], nothing: Any
+    case: Transmission,
+    system: TorsionalSystem,
+    by_device: Mapping[str, Values],
+    accelerations: Values,
 ) -> dict[str, Values]:
     """Torques of devices by the rows of `torques` in results; an open element has 0.
+
+    That of a member of a set is what it gives to the planets, so those of a set do not add up to
+    0: what its planets take from a link, ``J_share w^2 q``, is none of the member's own.
 
     Parameters
     ----------
     by_device : mapping
         On the first link of each engaged element, mechanism and spring, by its name. [N*m]
-    nothing : ndarray
-        That of an open element: zeros.
+    accelerations : ndarray, shape (links, ...)
+        ``w^2 q`` of links. [rad/s^2]
     """
+    nothing = np.zeros_like(accelerations[0])
     named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
     springs = {spring.name: by_device[spring.name] for spring in case.springs}
     if case.drawing is None:
         return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
     for device in case.own_devices:
+        shares = _shares_of(system, device.name)
         for member in device.members:
+            share = shares.pop(member.link - 1, 0.0) if member.link else 0.0
             parts = [
                 column(case.mechanisms[index].ratio)[place] * by_device[case.mechanisms[index].name]
                 for index, place in member.places
             ]
-            named[f"{device.name}.{member.name}"] = np.sum(parts, axis=0)
+            parts += [-share * accelerations[member.link - 1]] * bool(share)
+            total, size = np.sum(parts, axis=0), np.sum(np.abs(parts), axis=0)
+            known = np.where(np.abs(total) <= NO_POWER * size, 0.0, total)
+            named[f"{device.name}.{member.name}"] = known
     return named | springs
+
+
+def _shares_of(system: TorsionalSystem, name: str) -> dict[int, float]:
+    """What the planets of a set add to the inertias of links [kg*m^2]."""
+    total: dict[int, float] = {}
+    for owner, shares in system.planet_shares:
+        for link, share in shares.items() if owner == name else ():
+            total[link] = total.get(link, 0.0) + share
+    return total

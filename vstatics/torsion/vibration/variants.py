@@ -9,7 +9,8 @@ A system without one of its elastic devices, as its secular equation has it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from copy import copy
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.motions import Form
 from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.vibration.crossings import separate_motions
 from vstatics.torsion.vibration.modal_masses import (
     NormedTwists,
     natural_frequencies,
@@ -36,15 +38,18 @@ Varied = Mapping[int, Floats]
 """By the place of a device, or of a body: its numbers, of shape (variants,)."""
 
 
-def variant_frequencies(
+def variant_frequencies(  # noqa: PLR0913
     system: TorsionalSystem,
     modes: Sequence[int],
     *,
     stiffnesses: Varied,
     inertias: Varied,
     variants: int,
+    first: FirstVariant | None = None,
 ) -> Floats:
     """Natural frequencies of a system with other stiffnesses and inertias.
+
+    A mode keeps the number that it has in the first variant where frequencies cross.
 
     Parameters
     ----------
@@ -57,6 +62,8 @@ def variant_frequencies(
         Of bodies, by their places in `TorsionalSystem.bodies`; 0 or more. [kg*m^2]
     variants : int
         Their number.
+    first : FirstVariant, optional
+        That by which modes are numbered; the first of these when not given.
 
     Returns
     -------
@@ -78,11 +85,47 @@ def variant_frequencies(
            [22.36067977,         nan]])
     """
     found = np.full((variants, len(modes)), np.nan)
+    if not variants:
+        return found
+    first = first or first_variant(stiffnesses, inertias)
     for rows in _alike(inertias, variants):
         some = {place: numbers[rows] for place, numbers in inertias.items()}
         others = {place: numbers[rows] for place, numbers in stiffnesses.items()}
-        found[rows] = _of_one_structure(system, modes, others, some, len(rows))
+        found[rows] = _of_one_structure(system, modes, others, some, len(rows), first)
     return found
+
+
+class FirstVariant(NamedTuple):
+    """The numbers of the first variant, by the places of devices and of bodies."""
+
+    stiffnesses: Mapping[int, float]
+    inertias: Mapping[int, float]
+
+    def of(self, system: TorsionalSystem) -> TorsionalSystem:
+        """The system with these numbers."""
+        rates, inertias = system.rates, system.inertias
+        rates[[*self.stiffnesses]] = [*self.stiffnesses.values()]
+        inertias[[*self.inertias]] = [*self.inertias.values()]
+        return _with_numbers(system, rates, inertias)
+
+
+def first_variant(stiffnesses: Varied, inertias: Varied) -> FirstVariant:
+    """The first of some variants."""
+    return FirstVariant(
+        {place: float(numbers[0]) for place, numbers in stiffnesses.items()},
+        {place: float(numbers[0]) for place, numbers in inertias.items()},
+    )
+
+
+def _with_numbers(system: TorsionalSystem, rates: Floats, inertias: Floats) -> TorsionalSystem:
+    """The system with other stiffnesses and inertias."""
+    stiff, heavy = iter(rates.tolist()), iter(inertias.tolist())
+    devices = [
+        one if one.stiffness is None else one._replace(stiffness=next(stiff))
+        for one in system.devices
+    ]
+    bodies = [one._replace(inertia=next(heavy)) for one in system.bodies]
+    return system._replace(devices=tuple(devices), bodies=tuple(bodies))
 
 
 def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
@@ -97,26 +140,24 @@ def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
         yield every[kinds.reshape(-1) == kind]
 
 
-def _of_one_structure(
+def _of_one_structure(  # noqa: PLR0913 PLR0917
     system: TorsionalSystem,
     modes: Sequence[int],
     stiffnesses: Varied,
     inertias: Varied,
     variants: int,
+    first: FirstVariant,
 ) -> Floats:
     """The frequencies of variants in which the same bodies have an inertia."""
     stiff = _VariedNumbers(system.rates, stiffnesses)
     heavy = _VariedNumbers(system.inertias, inertias)
-    bodies = [
-        body._replace(inertia=inertia)
-        for body, inertia in zip(system.bodies, heavy.first.tolist(), strict=True)
-    ]
-    alike = _Alike(system._replace(bodies=tuple(bodies)), stiff, heavy)
-    existing = [mode for mode in modes if mode < alike.split.modes]
+    alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
     found = np.full((variants, len(modes)), np.nan)
-    if existing:
-        places = [index for index, mode in enumerate(modes) if mode in existing]
-        found[:, places] = alike.frequencies(existing, variants)
+    for one, own in alike.parts(first, modes):
+        places = [index for index, mode in enumerate(modes) if mode in own]
+        if places:
+            asked = [own.index(modes[index]) for index in places]
+            found[:, places] = one.frequencies(asked, variants)
     return found
 
 
@@ -135,6 +176,12 @@ class _VariedNumbers:
         self.first: Floats = varied_numbers(own, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
+    def only(self, places: Collection[int]) -> _VariedNumbers:
+        """The same where the others are as in the first variant."""
+        made = copy(self)
+        made.varied = {place: n for place, n in self.varied.items() if place in places}
+        return made
+
     def rows(self, start: int, stop: int) -> Floats:
         """All numbers of some variants: of one, if they are the same for all."""
         if not self.varied:
@@ -150,6 +197,29 @@ class _Alike:
     ) -> None:
         self.system, self.stiff, self.heavy = system, stiff, heavy
         self.split = coordinates(system)
+
+    def parts(
+        self, first: FirstVariant, modes: Sequence[int]
+    ) -> Iterator[tuple[_Alike, Sequence[int]]]:
+        """What stays apart in all variants, with the numbers of its modes in the first one.
+
+        Of many links there is one part, of which the lowest modes alone are found.
+        """
+        system = first.of(self.system)
+        alike = ((system.inertias > 0) == (self.system.inertias > 0)).all()
+        whole = self, range(self.split.modes)
+        if not alike or not self.split.modes or self.split.has_many_more(max(modes) + 1):
+            yield whole
+            return
+        found = separate_motions(system, self.split, first.stiffnesses, first.inertias)
+        if len(found) == 1:
+            yield whole
+            return
+        for part in found:
+            one = copy(self)
+            one.split = part.split
+            one.stiff, one.heavy = self.stiff.only(part.devices), self.heavy.only(part.bodies)
+            yield one, part.modes
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
         """Of shape (variants, modes), or (1, modes) if they are the same in all."""
@@ -174,15 +244,8 @@ class _Alike:
         """Those of one variant of many links, by sparse matrices."""
         from vstatics.torsion.vibration.natural import lowest_modes  # which imports scipy
 
-        system = self.system
-        each = (one.rows(variant, variant + 1)[0].tolist() for one in (self.stiff, self.heavy))
-        stiff, heavy = map(iter, each)
-        devices = [
-            one if one.stiffness is None else one._replace(stiffness=next(stiff))
-            for one in system.devices
-        ]
-        bodies = [one._replace(inertia=next(heavy)) for one in system.bodies]
-        system = system._replace(devices=tuple(devices), bodies=tuple(bodies))
+        numbers = (one.rows(variant, variant + 1)[0] for one in (self.stiff, self.heavy))
+        system = _with_numbers(self.system, *numbers)
         omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
         return omegas
 
