@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
@@ -93,7 +92,7 @@ def simulate(
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
     motion = record.motion(stopped)
-    return motion if stopped else _closed(motion)
+    return motion if stopped else _closed(motion, record.turnover)
 
 
 def _twists(system: MotionSystem, speeds: Floats) -> Floats:
@@ -107,15 +106,13 @@ def _twists(system: MotionSystem, speeds: Floats) -> Floats:
         raise CaseError(message, ("start", "settled")) from None
 
 
-def _closed(motion: Motion) -> Motion:
-    """The motion, marked where its energy does not close."""
-    energy = motion.energy
-    heat = math.fsum(energy.heat.values())
-    largest = max(abs(energy.work), heat, abs(energy.kinetic), abs(energy.elastic), energy.impact)
-    if abs(energy.balance) <= max(CLOSED_ENERGY * largest, NO_ENERGY):
+def _closed(motion: Motion, turnover: float) -> Motion:
+    """The motion, marked where its energy does not close by the energy that was at work."""
+    balance = abs(motion.energy.balance)
+    if balance <= max(CLOSED_ENERGY * turnover, NO_ENERGY):
         return motion
     message = (
-        f"the energy does not close: {energy.balance:.3g} J are left of {largest:.3g} J; a smaller "
+        f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a smaller "
         "--rtol may help"
     )
     return motion._replace(stopped=Problem(message))

@@ -51,6 +51,7 @@ class Record:
         self.kept: list[Kept] = []
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
+        self.worked, self.stored = 0.0, 0.0
         case = system.case
         self.devices = (*case.devices, *(one.name for one in system.converters))
         self.peaks = np.zeros(len(self.devices))
@@ -61,6 +62,14 @@ class Record:
             for speed in speeds
         ]
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
+
+    @property
+    def turnover(self) -> float:
+        """The energy of which a balance is what is left: all that passed, or was stored [J].
+
+        Net work says nothing: what one torque gives another may take.
+        """
+        return max(self.worked, self.stored)
 
     def jumps(self, time: float, jump: Jump) -> None:
         """Twists that changed at once."""
@@ -81,6 +90,7 @@ class Record:
             largest(state[equations.works]),
         )
         self.energy_scale = max(self.energy_scale, scale)
+        self._store(equations, equations.time, state)
         self._peak(np.array([equations.time]), state[:, None])
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
@@ -100,8 +110,16 @@ class Record:
         self.kept += sorted(made, key=lambda one: one.time)
         self.kept.append(Kept(end, margins, state))
         self.time = end
+        works = margins.equations.works.start
+        self.worked += float(np.abs(state - step.first)[works:].sum())
+        self._store(margins.equations, end, state)
         self._peak(np.array([end]), state[:, None])
         self._targets(step, end, state, margins.equations)
+
+    def _store(self, equations: Equations, time: float, state: Floats) -> None:
+        """Note the energy that is stored, if it is larger than before."""
+        kinetic = kinetic_energy(self.system, equations.speeds(time, state))
+        self.stored = max(self.stored, kinetic + equations.elastic_energy(state))
 
     def sample(self, step: TimeStep, times: Floats, states: Floats) -> None:
         """Instants within a step, for peaks."""

@@ -63,8 +63,16 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful about a scenario: vehicles whose mass is not among the inertias."""
+    """What is doubtful: shifts behind the end, vehicles whose mass is not among the inertias."""
     case = scenario.case
+    for number, shift in enumerate(scenario.shifts or (), 1):
+        if shift.at >= scenario.duration:
+            yield Problem(
+                f"begins at {shift.at:g} s, but the scenario ends at {scenario.duration:g} s: it "
+                "never happens",
+                ("shifts", number, "at"),
+                severity="warning",
+            )
     for link, law in scenario.torques:
         if isinstance(law, Road) and 0 < link <= case.links:
             mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
