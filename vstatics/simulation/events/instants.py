@@ -67,10 +67,7 @@ def consistent(
 def state_of(equations: Equations, at: Instant) -> Floats:
     """The state of equations at an instant."""
     state = np.empty(equations.size)
-    structure = equations.structure
-    motions = structure.free.T @ at.speeds
-    motions += structure.projection @ (at.speeds - structure.free @ motions)
-    state[: equations.motions] = motions
+    state[: equations.motions] = equations.structure.motions(at.speeds)
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
     state[equations.works.start :] = at.accounts

@@ -56,14 +56,15 @@ class Margins:
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
         for index, state in enumerate(states.contacts):
-            if state in SIGNS:
+            if state in SIGNS and not _is_over_angle(system.contacts[index]):
                 self.slipping.append((layout.contacts + index, SIGNS[state]))
                 self._watch("slip", index, torque=False)
         for index, (contact, state) in enumerate(
             zip(system.contacts, states.contacts, strict=True)
         ):
             if state == "stick":
-                for side in (1, -1):
+                own = contact.switch.jump.side if contact.switch else "+"
+                for side in (1, -1) if own == "+" else (-1, 1):
                     if (side == 1 and contact.one_way) or math.isfinite(
                         capacity_at(contact, equations.time)
                     ):
@@ -80,6 +81,11 @@ class Margins:
         self.straight_limits = self._straight_limits()
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
+        contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
+        self.slip_speeds = np.array([one.speed for one in contacts])
+        self.jumping = [row for row, one in enumerate(self.holding) if one[0].switch][::2]
+        """First of the two limits of each contact at a jump."""
+        self.by_torques = self._limits_by_torques() if self.jumping else None
 
     def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
         self.watches.append(Watch(kind, index, side))
@@ -125,10 +131,18 @@ class Margins:
             law = one.law
             if not isinstance(law, Points) or law.over == "time":
                 continue
+            if not one.acts(equations.states.contacts):
+                continue
             by_angle = law.over == "angle"
             port = equations.layout.angles.index(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((port, by_angle, corner, side))
+        for index, contact in enumerate(equations.system.contacts):
+            state, switch = equations.states.contacts[index], contact.switch
+            if switch and _is_over_angle(contact) and state in SIGNS:
+                place = equations.layout.angles.index(switch.link)
+                self.corners.append((place, True, switch.jump.at, SIGNS[state]))
+                self._watch("slip", index, torque=False)
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
@@ -160,6 +174,22 @@ class Margins:
             lines.append((factor * value, factor * slope))
         return np.array(lines).reshape(len(lines), 2)
 
+    def _limits_by_torques(self) -> Floats:
+        """Of contacts at jumps: the torques on both sides, between which theirs is.
+
+        While one sticks both sides act, so it takes what is too much of their sum.
+        """
+        outside = self.equations.system.outside
+        made = np.zeros((len(self.holding), self.equations.layout.ports))
+        sticking = [watch.of for watch in self.watches if watch.kind == "hold"]
+        for row, (contact, _, side) in enumerate(self.holding):
+            if contact.switch:
+                beside = sticking[row], "-" if side > 0 else "+"
+                for port, one in enumerate(outside):
+                    if beside in one.when and one.acts(self.equations.states.contacts):
+                        made[row, port] = side
+        return made
+
     def limits(self, times: Floats) -> Floats:
         """Limits of what sticks at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
@@ -182,8 +212,9 @@ class Margins:
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
-        parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
-        slack = self._slack(times, held)
+        slips = rates[self.slip_ports] - self.slip_speeds[:, None]
+        parts = [self.slip_signs[:, None] * slips]
+        slack = self._slack(times, held, torques)
         mine = len(self.holding)
         shown = np.full(slack.shape, np.inf) if self.shared else slack
         parts.append(shown[:mine])
@@ -206,9 +237,15 @@ class Margins:
             parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
         return np.vstack(parts)
 
-    def _slack(self, times: Floats, held: Floats) -> Floats:
+    def _slack(self, times: Floats, held: Floats, torques: Floats) -> Floats:
         """Of contacts that stick, then of meshes, shape (slacks, times)."""
         cones = [self.limits(times) - self.sides[:, None] * held[self.held_rows]]
+        if self.by_torques is not None:
+            cones[0] += self.by_torques @ torques
+            for row in self.jumping:
+                both = cones[0][row : row + 2]
+                width = both.sum(axis=0)
+                both[:, width < 0] = width[width < 0]  # it pushes away, to either side
         for mesh, friction, less, more in self.cones:
             torque, taken = held[mesh], held[friction]
             sign = np.where(torque >= 0, 1.0, -1.0)
@@ -236,18 +273,21 @@ class Margins:
         at = np.array([time])
         _, torques = self.equations.acting_at(at, state[:, None])
         held = (self.equations.structure.torques @ torques)[:, 0]
-        slack = self._slack(at, held[:, None])[:, 0]
+        slack = self._slack(at, held[:, None], torques)[:, 0]
         directions = self._directions(held)
         best = slack + directions @ widest_place(slack, directions)
         near = best <= best.min() + TIGHT_SLACK * largest(slack)
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
         return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
 
-    def split(self, times: Floats, held: Floats) -> Floats:
-        """Torques of what holds, those of least norm within the limits, shape (held, times)."""
+    def split(self, times: Floats, held: Floats, torques: Floats) -> Floats:
+        """Torques of what holds, those of least norm within the limits, shape (held, times).
+
+        All shapes end with the times; `torques` are those of the ports.
+        """
         if not self.shared:
             return held
-        slack = self._slack(times, held)
+        slack = self._slack(times, held, torques)
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
@@ -278,6 +318,10 @@ class Margins:
                 ]
                 made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
         return made
+
+
+def _is_over_angle(contact: Contact) -> bool:
+    return contact.switch is not None and contact.switch.jump.over == "angle"
 
 
 def _limits(contact: Contact, side: int, times: Floats) -> Floats:

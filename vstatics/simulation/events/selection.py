@@ -149,6 +149,8 @@ class ModeSelection:
         """
         tried: set[States] = set()
         failing: list[Watch] = []
+        if self._stick_across(states):
+            return None, []
         while states not in tried:
             tried.add(states)
             equations = self._equations(states, at)
@@ -163,6 +165,14 @@ class ModeSelection:
             only = all(watch.kind in ("flow", "piece") for watch in failing)
             states = turned(states, [one for one in failing if only or one.kind == "flow"])
         return None, failing
+
+    def _stick_across(self, states: States) -> bool:
+        """Whether one law sticks at two jumps, over speed and angle: it has no torque there."""
+        return any(
+            sum(states.contacts[index] == "stick" for index, _ in one.when) > 1
+            for one in self.system.outside
+            if len(one.when) > 1 and one.acts(states.contacts)
+        )
 
     def _caught(
         self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes

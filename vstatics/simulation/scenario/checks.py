@@ -282,7 +282,12 @@ def of_characteristic(
     """Of a converter: speed ratios in order, no negative torque ratio."""
     if not points:
         yield Problem("read no points, expected one at least", path)
-    yield from _ascending([ratio for ratio, _, _ in points], "speed ratios in their order", path)
+    ratios = [ratio for ratio, _, _ in points]
+    yield from _ascending(ratios, "speed ratios in their order", path)
+    for number, (one, other) in enumerate(pairwise(ratios), 2):
+        if one == other:
+            message = f"read {other:g} twice, expected a converter without a jump"
+            yield Problem(message, (*path, number))
     for number, row in enumerate(points, 1):
         yield from of_finite(row, "a number", (*path, number))
         if row[1] < 0:

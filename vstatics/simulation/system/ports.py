@@ -81,6 +81,8 @@ class Ports:
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         for index, one in enumerate(system.outside):
+            if not one.acts(states.contacts):
+                continue
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             self._outside(index, one.law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
@@ -196,7 +198,7 @@ class Ports:
                 self.by_angle.append((port, place, slope))
 
     def _contact(self, port: int, contact: Contact, state: str, time: float) -> None:
-        if state not in SIGNS:
+        if state not in SIGNS or contact.switch:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
