@@ -169,6 +169,13 @@ class EventRun:
                     name = self.system.names[one.link]
                     message = f"at {at:.6g} s the torque on {name} is {torque:g}, expected a number"
                     return Problem(message, ("torques", name))
+        for index in equations.ports.switching:
+            name = self.system.names[self.system.outside[index].link]
+            message = (
+                f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
+                "can slide along what compares speed or angle with a number, not along this"
+            )
+            return Problem(message, ("torques", name))
         return Problem(
             f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
             "without bound; dry friction of a load is a `resistance`"

@@ -25,6 +25,8 @@ AHEAD = 1e-7
 """Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
 LEAST_DURATION = 1e-9
 """Slopes are taken over a part of no shorter one. [s]"""
+NO_PROGRESS = 1e-5
+"""Steps without end, by the duration: what switches to and fro has no longer ones."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Parts of the duration behind a stop at which a torque may be no number."""
 ROOT_PART = 1e-14

@@ -10,6 +10,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.tolerances import NO_PROGRESS
 
 if TYPE_CHECKING:
     from scipy.integrate import DOP853
@@ -48,8 +49,12 @@ class TimeStep(NamedTuple):
     """Which of them are points of integration."""
 
 
+_PATIENCE = 2000
+"""Steps after which it is asked whether they lead anywhere, where a torque may switch."""
+
+
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
-    """A step has become as small as rounding."""
+    """Steps have become as small as rounding, or so small that they lead nowhere."""
 
 
 def steps(
@@ -69,8 +74,14 @@ def steps(
     if first is not None:
         first = min(first, end - begin[0], longest)
     solver = _solver(equations, begin, end, tolerances, first, longest)
+    number, mark = 0, solver.t
     while solver.status == "running":
         start = solver.t, solver.y
+        number += 1
+        if equations.ports.switching and number % _PATIENCE == 0:
+            if solver.t - mark < NO_PROGRESS * equations.system.scenario.duration:
+                raise TooSmall
+            mark = solver.t
         solver.step()
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall

@@ -25,8 +25,8 @@ MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
 
 _COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
-_JUMPS = _COMPARES | {"sign"}
-_MEETS = _JUMPS | {"abs", "min", "max"}
+JUMPS = _COMPARES | {"sign"}
+_MEETS = JUMPS | {"abs", "min", "max"}
 
 
 class Line(NamedTuple):
@@ -95,7 +95,7 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 def _decided(tree: Any, name: str, at: float) -> Any:
     if not isinstance(tree, Applied):
         return tree
-    if tree.name in _JUMPS:
+    if tree.name in JUMPS:
         line = _line(tree, name, at, [])
         if line is not None:
             return Constant(line.at(at))
@@ -110,10 +110,10 @@ def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> Lin
     operands = [_line(one, name, at, met) for one in tree.operands]
     lines = [one for one in operands if one]
     if tree.name in _MEETS:
-        met += ((place, tree.name in _JUMPS) for place in _meetings(lines, len(operands)))
+        met += ((place, tree.name in JUMPS) for place in _meetings(lines, len(operands)))
     if len(lines) < len(operands):
         return None
-    if not any(line.slope for line in lines) or tree.name in _JUMPS:
+    if not any(line.slope for line in lines) or tree.name in JUMPS:
         return Line(_value(tree, [line.at(at) for line in lines]), 0.0)
     if tree.name in ("abs", "min", "max"):
         return _picked(tree.name, lines, at)

@@ -16,7 +16,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import DottedName, TableName
-from vstatics.simulation.scenario.corners import between, corners
+from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
 
 
@@ -76,6 +76,15 @@ class Formula(NamedTuple):
         (-300.0, 300.0)
         """
         return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
+
+    @property
+    def switches(self) -> bool:
+        """Whether it compares a speed or an angle in a way of which no jumps are known.
+
+        >>> Formula("100*(speed < 300 + 10*t)").switches
+        True
+        """
+        return _read(*self).switches
 
     def along(self, times: Floats) -> Floats:
         """Its values at many times, of a formula of t alone."""
@@ -161,6 +170,7 @@ class _Read(NamedTuple):
     function: Callable[[float, float, float], float]
     of_times: Callable[[Floats], Floats]
     breaks: tuple[float, ...]
+    switches: bool
     tree: Tree
 
 
@@ -171,4 +181,10 @@ def _read(text: str, within: tuple[tuple[str, float, float], ...]) -> _Read:
         tree = between(tree, name, low, high)
     names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
     breaks = tuple(corners(tree, "t"))
-    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks, tree)
+    switches = any(
+        isinstance(one, TableName) and one.name != "t"
+        for part in _parts(tree)
+        if isinstance(part, Applied) and part.name in JUMPS
+        for one in _parts(part)
+    )
+    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks, switches, tree)

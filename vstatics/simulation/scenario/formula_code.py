@@ -26,7 +26,7 @@ Function: TypeAlias = Callable[[float, float, float], float]
 
 
 def _sign(value: float) -> float:
-    return float((value > 0) - (value < 0))
+    return float(value > 0) - float(value < 0)
 
 
 def _truth(value: float) -> bool:
