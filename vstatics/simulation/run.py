@@ -22,6 +22,9 @@ from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
+_END = ("duration",)
+"""Where it is told that a run does not come to its end, if nothing else is at fault."""
+
 Method = Literal["events", "tarasik"]
 
 
@@ -70,10 +73,16 @@ def simulate(
     100.0
     """
     check_scenario(scenario)
-    if method == "tarasik":
-        from vstatics.simulation.published.tarasik import tarasik
+    with np.errstate(all="ignore"):  # what is no number is told where it matters
+        if method == "tarasik":
+            from vstatics.simulation.published.tarasik import tarasik
 
-        return tarasik(scenario, step=step, rtol=rtol)
+            return tarasik(scenario, step=step, rtol=rtol)
+        return _by_events(scenario, step, rtol)
+
+
+def _by_events(scenario: Scenario, step: float | None, rtol: float) -> Motion:
+    """The motion by its own equations."""
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
@@ -84,10 +93,10 @@ def simulate(
     record.messages += messages
     stopped: Problem | None = None
     try:
-        with np.errstate(all="ignore"):
-            EventRun(system, record, rtol).run(start)
+        EventRun(system, record, rtol).run(start)
     except CaseError as stop:
-        stopped = stop.problems[0]
+        [first, *_] = stop.problems
+        stopped = first if first.path else first._replace(path=_END)
     if not record.kept:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
@@ -115,4 +124,4 @@ def _closed(motion: Motion, turnover: float) -> Motion:
         f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a smaller "
         "--rtol may help"
     )
-    return motion._replace(stopped=Problem(message))
+    return motion._replace(stopped=Problem(message, _END))

@@ -14,6 +14,14 @@ NO_ENERGY = 1e-12
 CLOSED_BALANCE = 5e-4
 """A balance below it is 0 to three decimals. [J]"""
 
+# numbers that are given
+LARGEST_NUMBER = 1e15
+"""What is larger, in SI, is mistyped: a ship has 1e9 kg, and turns no faster than 1e2 rad/s."""
+LEAST_NUMBER = 1e-15
+"""The same of what is smaller: the balance wheel of a watch has 1e-9 kg*m^2."""
+UNLIKE_INERTIAS = 1e-12
+"""Part of the largest inertia below which another one is rounding."""
+
 # times
 SAME_INSTANT = 1e-11
 """Events as near as this part of the duration come at one instant."""

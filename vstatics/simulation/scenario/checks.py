@@ -21,6 +21,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
 from vstatics.simulation.scenario.programme import largest_control
+from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.tolerances import GIVEN_CAPACITY, MADE_CAPACITY, MISSING_MASS
 
 _TRIED_TIMES = 1001
@@ -53,6 +54,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     duration: read 0, expected a time above 0
     controls.F1: read -30, expected a capacity of 0 or more
     """
+    yield from size_problems(scenario)
     yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
     yield from _of_start(scenario.start, scenario.case)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
@@ -140,7 +142,8 @@ def _tried(
     if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
-    values = law.along(times) * control.scale
+    with np.errstate(all="ignore"):
+        values = law.along(times) * control.scale
     most = math.inf if largest is None else largest * (1 + MADE_CAPACITY)
     least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
     wrong = np.flatnonzero(~((values >= least) & (values <= most)))
