@@ -37,6 +37,8 @@ NO_PROGRESS = 1e-5
 """Steps without end, by the duration: what switches to and fro has no longer ones."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Parts of the duration behind a stop at which a torque may be no number."""
+BEYOND_ALL = 1e6
+"""A torque at a stop that is larger than all others by this factor is the cause. [-]"""
 ROOT_PART = 1e-14
 """A root of a polynomial, by the interval: nearer there is nothing but rounding."""
 ROOT_TIME = 1e-15

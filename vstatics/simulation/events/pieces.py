@@ -70,6 +70,8 @@ def steps(
     ------
     TooSmall
     """
+    if not np.isfinite(equations.derivative(*begin)).all():
+        raise TooSmall  # the solver would look for a first step without end
     longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
         first = min(first, end - begin[0], longest)
