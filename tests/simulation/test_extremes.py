@@ -49,6 +49,7 @@ class Numbers:
         self.rng, self.part = rng, rng.choice([0.02, 0.08, 0.2])
 
     def __call__(self, low: float, high: float) -> str:
+        """One, as it is written."""
         if self.rng.random() > self.part:
             return f"{self.rng.uniform(low, high):.4g}"
         exponent = self.rng.choice([self.rng.randint(-300, 300), self.rng.randint(-20, 20)])

@@ -169,3 +169,13 @@ def test_a_formula_that_jumps_over_both() -> None:
     motion = run(links(1.0), 2.0, {1: 0.0}, laws)
     assert np.interp(1.5, motion.time, motion.speeds[:, 0]) == pytest.approx(20.0)
     assert motion.speeds[-1, 0] == pytest.approx(20 - 50 * 0.3, rel=EXACT)
+
+
+def test_a_jump_on_a_link_without_inertia_behind_a_spring() -> None:
+    """It slides at 60.41 rad/s, while the other link swings about that: its energy closes."""
+    case = links(3.0, 0.0, springs=(Spring(between(1, 2), stiffness=2060.0),))
+    laws: Laws = ((2, Formula("-130.5*sign(speed - 60.41)")),)
+    motion = run(case, 2.0, {1: 100.0, 2: 100.0}, laws)
+    sliding = motion.time > 1
+    assert motion.speeds[sliding, 1] == pytest.approx(np.full(sliding.sum(), 60.41), rel=1e-9)
+    assert np.abs(motion.speeds[sliding, 0] - 60.41).max() <= 130.5 / math.sqrt(2060 * 3) + 1e-9

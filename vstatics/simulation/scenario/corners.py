@@ -29,7 +29,7 @@ JUMPS = _COMPARES | {"sign"}
 _MEETS = JUMPS | {"abs", "min", "max"}
 
 
-class Line(NamedTuple):
+class StraightLine(NamedTuple):
     """``value + slope x``."""
 
     value: float
@@ -102,11 +102,11 @@ def _decided(tree: Any, name: str, at: float) -> Any:
     return tree._replace(operands=tuple(_decided(one, name, at) for one in tree.operands))
 
 
-def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> Line | None:
+def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> StraightLine | None:
     """A part as a straight line near a place, if it is one; where lines in it meet is added."""
     if not isinstance(tree, Applied):
-        known = {name: Line(0.0, 1.0), PI: Line(math.pi, 0.0)}
-        return Line(tree.value, 0.0) if isinstance(tree, Constant) else known.get(tree.name)
+        known = {name: StraightLine(0.0, 1.0), PI: StraightLine(math.pi, 0.0)}
+        return StraightLine(tree.value, 0.0) if isinstance(tree, Constant) else known.get(tree.name)
     operands = [_line(one, name, at, met) for one in tree.operands]
     lines = [one for one in operands if one]
     if tree.name in _MEETS:
@@ -114,7 +114,7 @@ def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> Lin
     if len(lines) < len(operands):
         return None
     if not any(line.slope for line in lines) or tree.name in JUMPS:
-        return Line(_value(tree, [line.at(at) for line in lines]), 0.0)
+        return StraightLine(_value(tree, [line.at(at) for line in lines]), 0.0)
     if tree.name in ("abs", "min", "max"):
         return _picked(tree.name, lines, at)
     return _applied(tree.name, lines)
@@ -126,38 +126,38 @@ def _value(tree: Applied, values: list[float]) -> float:
     return float(evaluate(constants, lambda _: np.zeros((1, 1))).item())
 
 
-def _picked(name: str, lines: list[Line], at: float) -> Line:
+def _picked(name: str, lines: list[StraightLine], at: float) -> StraightLine:
     """Which line `abs`, `min` or `max` is near a place."""
     if name == "abs" or len(lines) == 1:
         [line] = lines
         negative = name == "abs" and line.at(at) < 0
-        return Line(-line.value, -line.slope) if negative else line
+        return StraightLine(-line.value, -line.slope) if negative else line
     return (min if name == "min" else max)(lines, key=lambda line: line.at(at))
 
 
-def _meetings(lines: list[Line], count: int) -> Iterator[float]:
+def _meetings(lines: list[StraightLine], count: int) -> Iterator[float]:
     """Where lines that are compared meet, or one is 0."""
     if count == 1:
-        lines = [*lines, Line(0.0, 0.0)]
+        lines = [*lines, StraightLine(0.0, 0.0)]
     for one, other in combinations(lines, 2):
         if one.slope != other.slope:
             yield (other.value - one.value) / (one.slope - other.slope)
 
 
-def _applied(name: str, operands: list[Line]) -> Line | None:  # noqa: PLR0911 - a table
+def _applied(name: str, operands: list[StraightLine]) -> StraightLine | None:  # noqa: PLR0911 - a table
     """An operation of lines that gives a line."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":
-            return Line(-first.value, -first.slope)
+            return StraightLine(-first.value, -first.slope)
         case "+":
-            return Line(first.value + second.value, first.slope + second.slope)
+            return StraightLine(first.value + second.value, first.slope + second.slope)
         case "-":
-            return Line(first.value - second.value, first.slope - second.slope)
+            return StraightLine(first.value - second.value, first.slope - second.slope)
         case "*" if not second.slope:
-            return Line(first.value * second.value, first.slope * second.value)
+            return StraightLine(first.value * second.value, first.slope * second.value)
         case "*" if not first.slope:
-            return Line(first.value * second.value, first.value * second.slope)
+            return StraightLine(first.value * second.value, first.value * second.slope)
         case "/" if second.value and not second.slope:
-            return Line(first.value / second.value, first.slope / second.value)
+            return StraightLine(first.value / second.value, first.slope / second.value)
     return None
