@@ -25,7 +25,13 @@ from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
 from vstatics.simulation.system.ports import States
-from vstatics.simulation.tolerances import AHEAD_OF_STOP, LEAST_RTOL, SAME_INSTANT, STANDING
+from vstatics.simulation.tolerances import (
+    AHEAD_OF_STOP,
+    BEYOND_ALL,
+    LEAST_RTOL,
+    SAME_INSTANT,
+    STANDING,
+)
 
 _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
@@ -177,10 +183,19 @@ class EventRun:
             at = time + ahead * self.duration
             _, torques = equations.acting(at, state)
             for one, torque in zip(self.system.outside, torques.tolist(), strict=False):
+                name = self.system.names[one.link]
+                what = f"at {at:.6g} s the torque on {name} is {torque:g}"
                 if not math.isfinite(torque):
-                    name = self.system.names[one.link]
-                    message = f"at {at:.6g} s the torque on {name} is {torque:g}, expected a number"
-                    return Problem(message, ("torques", name))
+                    return Problem(f"{what}, expected a number", ("torques", name))
+                if abs(torque) > BEYOND_ALL * self.scales.torque:
+                    return Problem(f"{what} N*m: it grows without bound", ("torques", name))
+        for index in equations.ports.switching:
+            name = self.system.names[self.system.outside[index].link]
+            message = (
+                f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
+                "can slide along what compares speed or angle with a number, not along this"
+            )
+            return Problem(message, ("torques", name))
         return Problem(
             f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
             "without bound; dry friction of a load is a `resistance`"

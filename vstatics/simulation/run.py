@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
@@ -24,6 +23,9 @@ from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 from vstatics.statics.result_arrays import Message
+
+_END = ("duration",)
+"""Where it is told that a run does not come to its end, if nothing else is at fault."""
 
 Method = Literal["events", "tarasik"]
 
@@ -76,10 +78,16 @@ def simulate(
     100.0
     """
     check_scenario(scenario)
-    if method == "tarasik":
-        from vstatics.simulation.published.tarasik import tarasik
+    with np.errstate(all="ignore"):  # what is no number is told where it matters
+        if method == "tarasik":
+            from vstatics.simulation.published.tarasik import tarasik
 
-        return tarasik(scenario, step=step, rtol=rtol)
+            return tarasik(scenario, step=step, rtol=rtol)
+        return _by_events(scenario, step, rtol, watch)
+
+
+def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard | None) -> Motion:
+    """The motion by its own equations."""
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
@@ -91,15 +99,15 @@ def simulate(
     record.messages += [*told, *messages]
     stopped: Problem | None = None
     try:
-        with np.errstate(all="ignore"):
-            EventRun(system, record, rtol, watch).run(start)
+        EventRun(system, record, rtol, watch).run(start)
     except CaseError as stop:
-        stopped = stop.problems[0]
+        [first, *_] = stop.problems
+        stopped = first if first.path else first._replace(path=_END)
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
     motion = record.motion(stopped)
-    return motion if stopped else _closed(motion)
+    return motion if stopped else _closed(motion, record.turnover)
 
 
 def _twists(system: MotionSystem, speeds: Floats) -> Floats:
@@ -113,15 +121,13 @@ def _twists(system: MotionSystem, speeds: Floats) -> Floats:
         raise CaseError(message, ("start", "settled")) from None
 
 
-def _closed(motion: Motion) -> Motion:
-    """The motion, marked where its energy does not close."""
-    energy = motion.energy
-    heat = math.fsum(energy.heat.values())
-    largest = max(abs(energy.work), heat, abs(energy.kinetic), abs(energy.elastic), energy.impact)
-    if abs(energy.balance) <= max(CLOSED_ENERGY * largest, NO_ENERGY):
+def _closed(motion: Motion, turnover: float) -> Motion:
+    """The motion, marked where its energy does not close by the energy that was at work."""
+    balance = abs(motion.energy.balance)
+    if balance <= max(CLOSED_ENERGY * turnover, NO_ENERGY):
         return motion
     message = (
-        f"the energy does not close: {energy.balance:.3g} J are left of {largest:.3g} J; a smaller "
+        f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a smaller "
         "--rtol may help"
     )
-    return motion._replace(stopped=Problem(message))
+    return motion._replace(stopped=Problem(message, _END))

@@ -16,6 +16,14 @@ PRINTED = 1e-9
 CLOSED_BALANCE = 5e-4
 """A balance below it is 0 to three decimals. [J]"""
 
+# numbers that are given
+LARGEST_NUMBER = 1e15
+"""What is larger, in SI, is mistyped: a ship has 1e9 kg, and turns no faster than 1e2 rad/s."""
+LEAST_NUMBER = 1e-15
+"""The same of what is smaller: the balance wheel of a watch has 1e-9 kg*m^2."""
+UNLIKE_INERTIAS = 1e-12
+"""Part of the largest inertia below which another one is rounding."""
+
 # times
 SAME_INSTANT = 1e-11
 """Events as near as this part of the duration come at one instant."""
@@ -27,8 +35,12 @@ AHEAD = 1e-7
 """Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
 LEAST_DURATION = 1e-9
 """Slopes are taken over a part of no shorter one. [s]"""
+NO_PROGRESS = 1e-5
+"""Steps without end, by the duration: what switches to and fro has no longer ones."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Parts of the duration behind a stop at which a torque may be no number."""
+BEYOND_ALL = 1e6
+"""A torque at a stop that is larger than all others by this factor is the cause. [-]"""
 ROOT_PART = 1e-14
 """A root of a polynomial, by the interval: nearer there is nothing but rounding."""
 ROOT_TIME = 1e-15

@@ -58,8 +58,10 @@ class ModeChoices:
         choices: list[Choice] = []
         system = self.system
         contacts = [
-            self._contact(index, at, scales, choices, met=index in met)
-            for index in range(len(system.contacts))
+            self._switch(index, at, scales, choices, met=index in met)
+            if contact.switch
+            else self._contact(index, at, scales, choices, met=index in met)
+            for index, contact in enumerate(system.contacts)
         ]
         meshes = [
             self._mesh(index, at, before, scales, choices) for index in range(len(system.meshes))
@@ -99,6 +101,25 @@ class ModeChoices:
         if contact.one_way and math.isinf(capacity):
             signs = ("+",)
         choices.append(("contacts", index, ("stick", *signs)))
+        return "stick"
+
+    def _switch(
+        self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
+    ) -> str:
+        """On which side of a jump a motion is; right there it may stick."""
+        switch = self.system.contacts[index].switch
+        assert switch is not None  # noqa: S101 - it is asked of these alone
+        over, place, side = switch.jump
+        speed, near = float(at.speeds[switch.link]), STANDING * scales.speed
+        apart = speed - place
+        if over == "angle":
+            apart = float(at.angles[self.layout.angles.index(switch.link)]) - place
+            moves, near = abs(speed) > near, STANDING * max(1.0, abs(place))
+            if moves and (met or abs(apart) <= near):
+                return sign(speed)  # it passes
+        if abs(apart) > near and not (met or (over == "speed" and self.touched[index])):
+            return sign(apart)
+        choices.append(("contacts", index, ("stick", side, "-" if side == "+" else "+")))
         return "stick"
 
     def _mesh(

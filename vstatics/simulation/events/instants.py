@@ -67,8 +67,7 @@ def consistent(
 def state_of(equations: Equations, at: Instant) -> Floats:
     """The state of equations at an instant."""
     state = np.empty(equations.size)
-    structure = equations.structure
-    state[: equations.motions] = structure.of(at.speeds)
+    state[: equations.motions] = equations.structure.motions(at.speeds)
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
     state[equations.works.start :] = at.accounts

@@ -56,14 +56,15 @@ class Margins:
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
         for index, state in enumerate(states.contacts):
-            if state in SIGNS:
+            if state in SIGNS and not _is_over_angle(system.contacts[index]):
                 self.slipping.append((layout.contacts + index, SIGNS[state]))
                 self._watch("slip", index, torque=False)
         for index, (contact, state) in enumerate(
             zip(system.contacts, states.contacts, strict=True)
         ):
             if state == "stick":
-                for side in (1, -1):
+                own = contact.switch.jump.side if contact.switch else "+"
+                for side in (1, -1) if own == "+" else (-1, 1):
                     if (side == 1 and contact.one_way) or math.isfinite(
                         capacity_at(contact, equations.time)
                     ):
@@ -80,6 +81,11 @@ class Margins:
         self.straight_limits = self._straight_limits()
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
+        contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
+        self.slip_speeds = np.array([one.speed for one in contacts])
+        self.jumping = [row for row, one in enumerate(self.holding) if one[0].switch][::2]
+        """First of the two limits of each contact at a jump."""
+        self.by_torques = self._limits_by_torques() if self.jumping else None
 
     def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
         self.watches.append(Watch(kind, index, side))
@@ -125,25 +131,34 @@ class Margins:
             law = one.law
             if not isinstance(law, Points) or law.over == "time":
                 continue
+            if not one.acts(equations.states.contacts):
+                continue
             by_angle = law.over == "angle"
             port = equations.layout.angles.index(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((port, by_angle, corner, side))
-        for index, (contact, state) in enumerate(
-            zip(equations.system.contacts, equations.states.contacts, strict=True)
-        ):
-            if state in SIGNS:
-                place = equations.layout.frictions + index
-                for corner, side in self._ends(place, contact.corners):
-                    way = SIGNS[state]
-                    port = equations.layout.contacts + index
-                    self.corners.append((port, False, way * corner, way * side))
+        self._slipping()
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
+
+    def _slipping(self) -> None:
+        """Corners of the friction of what slips, and jumps over an angle."""
+        equations = self.equations
+        contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
+        for index, (contact, state) in enumerate(contacts):
+            if state not in SIGNS:
+                continue
+            way, port = SIGNS[state], equations.layout.contacts + index
+            for corner, side in self._ends(equations.layout.frictions + index, contact.corners):
+                self.corners.append((port, False, way * corner, way * side))
+            if contact.switch and _is_over_angle(contact):
+                place = equations.layout.angles.index(contact.switch.link)
+                self.corners.append((place, True, contact.switch.jump.at, way))
+                self._watch("slip", index, torque=False)
 
     def _ends(self, index: int, corners: Sequence[float]) -> Iterator[tuple[float, float]]:
         """The corners between which a law is, and on which side of each."""
@@ -169,6 +184,22 @@ class Margins:
             lines.append((factor * value, factor * slope))
         return np.array(lines).reshape(len(lines), 2)
 
+    def _limits_by_torques(self) -> Floats:
+        """Of contacts at jumps: the torques on both sides, between which theirs is.
+
+        While one sticks both sides act, so it takes what is too much of their sum.
+        """
+        outside = self.equations.system.outside
+        made = np.zeros((len(self.holding), self.equations.layout.ports))
+        sticking = [watch.of for watch in self.watches if watch.kind == "hold"]
+        for row, (contact, _, side) in enumerate(self.holding):
+            if contact.switch:
+                beside = sticking[row], "-" if side > 0 else "+"
+                for port, one in enumerate(outside):
+                    if beside in one.when and one.acts(self.equations.states.contacts):
+                        made[row, port] = side
+        return made
+
     def limits(self, times: Floats) -> Floats:
         """Limits of what sticks at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
@@ -191,8 +222,9 @@ class Margins:
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
-        parts = [self.slip_signs[:, None] * rates[self.slip_ports]]
-        slack = self._slack(times, held)
+        slips = rates[self.slip_ports] - self.slip_speeds[:, None]
+        parts = [self.slip_signs[:, None] * slips]
+        slack = self._slack(times, held, torques)
         mine = len(self.holding)
         shown = np.full(slack.shape, np.inf) if self.shared else slack
         parts.append(shown[:mine])
@@ -215,9 +247,15 @@ class Margins:
             parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
         return np.vstack(parts)
 
-    def _slack(self, times: Floats, held: Floats) -> Floats:
+    def _slack(self, times: Floats, held: Floats, torques: Floats) -> Floats:
         """Of contacts that stick, then of meshes, shape (slacks, times)."""
         cones = [self.limits(times) - self.sides[:, None] * held[self.held_rows]]
+        if self.by_torques is not None:
+            cones[0] += self.by_torques @ torques
+            for row in self.jumping:
+                both = cones[0][row : row + 2]
+                width = both.sum(axis=0)
+                both[:, width < 0] = width[width < 0]  # it pushes away, to either side
         for mesh, friction, less, more in self.cones:
             torque, taken = held[mesh], held[friction]
             sign = np.where(torque >= 0, 1.0, -1.0)
@@ -245,7 +283,7 @@ class Margins:
         at = np.array([time])
         _, torques = self.equations.acting_at(at, state[:, None])
         held = (self.equations.structure.torques @ torques)[:, 0]
-        slack = self._slack(at, held[:, None])[:, 0]
+        slack = self._slack(at, held[:, None], torques)[:, 0]
         directions = self._directions(held)
         best = slack + directions @ widest_place(slack, directions)
         near = best <= best.min() + TIGHT_SLACK * largest(slack)
@@ -260,11 +298,14 @@ class Margins:
         held = self.equations.structure.torques[watch.of] @ torques
         return watch._replace(side=watch.side if held >= 0 else -watch.side)
 
-    def split(self, times: Floats, held: Floats) -> Floats:
-        """Torques of what holds, those of least norm within the limits, shape (held, times)."""
+    def split(self, times: Floats, held: Floats, torques: Floats) -> Floats:
+        """Torques of what holds, those of least norm within the limits, shape (held, times).
+
+        All shapes end with the times; `torques` are those of the ports.
+        """
         if not self.shared:
             return held
-        slack = self._slack(times, held)
+        slack = self._slack(times, held, torques)
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
@@ -295,6 +336,10 @@ class Margins:
                 ]
                 made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
         return made
+
+
+def _is_over_angle(contact: Contact) -> bool:
+    return contact.switch is not None and contact.switch.jump.over == "angle"
 
 
 def _limits(contact: Contact, side: int, times: Floats) -> Floats:

@@ -10,6 +10,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.tolerances import NO_PROGRESS
 
 if TYPE_CHECKING:
     from scipy.integrate import DOP853
@@ -48,8 +49,12 @@ class TimeStep(NamedTuple):
     """Where they are in each of its equal parts, by the length of a part; the last is 1."""
 
 
+_PATIENCE = 2000
+"""Steps after which it is asked whether they lead anywhere, where a torque may switch."""
+
+
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
-    """A step has become as small as rounding."""
+    """Steps have become as small as rounding, or so small that they lead nowhere."""
 
 
 def steps(
@@ -65,12 +70,20 @@ def steps(
     ------
     TooSmall
     """
+    if not np.isfinite(equations.derivative(*begin)).all():
+        raise TooSmall  # the solver would look for a first step without end
     longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
         first = min(first, end - begin[0], longest)
     solver = _solver(equations, begin, end, tolerances, first, longest)
+    number, mark = 0, solver.t
     while solver.status == "running":
         start = solver.t, solver.y
+        number += 1
+        if equations.ports.switching and number % _PATIENCE == 0:
+            if solver.t - mark < NO_PROGRESS * equations.system.scenario.duration:
+                raise TooSmall
+            mark = solver.t
         solver.step()
         if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
             raise TooSmall

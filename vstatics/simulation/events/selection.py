@@ -115,7 +115,7 @@ class ModeSelection:
             motions = self.structure(states.held, ("",) * len(meshes))
         except np.linalg.LinAlgError:
             return states
-        speeds = motions.free @ motions.of(at.speeds)
+        speeds = motions.free @ motions.motions(at.speeds)
         for index, (_, *moving) in options.items():
             slip = self.system.meshes[index].slip
             speed = float(slip @ speeds)
@@ -177,6 +177,8 @@ class ModeSelection:
         """
         tried: set[States] = set()
         failing: list[Watch] = []
+        if self._stick_across(states):
+            return None, []
         while states not in tried:
             tried.add(states)
             equations = self._equations(states, at)
@@ -191,6 +193,14 @@ class ModeSelection:
             only = all(watch.kind in ("flow", "piece") for watch in failing)
             states = turned(states, [one for one in failing if only or one.kind == "flow"])
         return None, failing
+
+    def _stick_across(self, states: States) -> bool:
+        """Whether one law sticks at two jumps, over speed and angle: it has no torque there."""
+        return any(
+            sum(states.contacts[index] == "stick" for index, _ in one.when) > 1
+            for one in self.system.outside
+            if len(one.when) > 1 and one.acts(states.contacts)
+        )
 
     def _jumps(
         self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes

@@ -97,7 +97,8 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     equations = selected.margins.equations
     structure = equations.structure
     _, torques = equations.acting(0.0, selected.state)
-    held = selected.margins.split(np.zeros(1), (structure.torques @ torques)[:, None])[:, 0]
+    held = (structure.torques @ torques)[:, None]
+    held = selected.margins.split(np.zeros(1), held, torques[:, None])[:, 0]
     twists = np.zeros(len(system.springs))
     first = len(system.contacts)
     for row, multiplier in enumerate(structure.multipliers):

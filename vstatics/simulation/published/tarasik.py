@@ -272,7 +272,10 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
 
 
 def _of_contact(contact: Contact) -> Iterator[Problem]:
-    if contact.element is None and not contact.is_drag:
+    if contact.switch:
+        text = f"a torque on {contact.name} jumps, which (12) does not know: {_INSTEAD}"
+        yield Problem(text, ("torques", contact.name))
+    elif contact.element is None and not contact.is_drag:
         text = (
             f"the load of {contact.name} holds at rest, which (12) does not know: "
             "take a formula such as -300*tanh(speed/0.05)"

@@ -46,7 +46,13 @@ def energy_account(
     """
     system = equations.system
     heat, losses = _heat_and_losses(equations, state)
-    work = float(state[equations.works][: equations.layout.outside].sum())
+    works, layout = state[equations.works], equations.layout
+    work = float(works[: layout.outside].sum())
+    work -= sum(
+        float(works[layout.contacts + index])
+        for index, contact in enumerate(system.contacts)
+        if contact.switch
+    )
     kinetic = kinetic_energy(system, equations.speeds(end, state)) - kinetic_energy(
         system, start.speeds
     )
@@ -72,6 +78,8 @@ def _heat_and_losses(
     heat: dict[str, float] = {}
     losses: dict[str, float] = {}
     for index, contact in enumerate(system.contacts):
+        if contact.switch:
+            continue
         of = losses if contact.is_drag or contact.overrun_drag else heat
         _add(of, contact.name, works[layout.contacts + index])
     for index, spring in enumerate(system.springs):

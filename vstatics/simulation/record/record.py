@@ -36,12 +36,21 @@ class Record:
         self.pieces: list[Piece] = []
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
+        self.worked, self.stored = 0.0, 0.0
         self.targets = [
             (link - 1, speed)
             for link, speeds in system.scenario.targets.items()
             for speed in speeds
         ]
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
+
+    @property
+    def turnover(self) -> float:
+        """The energy of which a balance is what is left: all that passed, or was stored [J].
+
+        Net work says nothing: what one torque gives another may take.
+        """
+        return max(self.worked, self.stored)
 
     def jumps(self, time: float, jump: Jump) -> None:
         """Twists that changed at once."""
@@ -62,6 +71,7 @@ class Record:
             largest(state[equations.works]),
         )
         self.energy_scale = max(self.energy_scale, scale)
+        self._store(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
         """A step, or the part of it up to an event."""
@@ -77,7 +87,15 @@ class Record:
         piece.add(end, state)
         piece.steps.append((step, end))
         self.time = end
-        self._targets(step, end, state, piece.margins.equations)
+        equations = piece.margins.equations
+        self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
+        self._store(equations, end, state)
+        self._targets(step, end, state, equations)
+
+    def _store(self, equations: Equations, time: float, state: Floats) -> None:
+        """Note the energy that is stored, if it is larger than before."""
+        kinetic = kinetic_energy(self.system, equations.speeds(time, state))
+        self.stored = max(self.stored, kinetic + equations.elastic_energy(state))
 
     def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
         """Note when links reach speeds that are asked for."""

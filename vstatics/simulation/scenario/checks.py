@@ -21,6 +21,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, largest_control
+from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.tolerances import GIVEN_CAPACITY, MADE_CAPACITY, MISSING_MASS
 
 _TRIED_TIMES = 1001
@@ -53,6 +54,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     duration: read 0, expected a time above 0
     controls.F1: read -30, expected a capacity of 0 or more
     """
+    yield from size_problems(scenario)
     yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
     yield from _of_start(scenario.start, scenario.case)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
@@ -63,9 +65,17 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful: capacities without a unit, vehicles whose mass is no inertia."""
+    """What is doubtful: capacities without a unit, shifts behind the end, masses of vehicles."""
     case = scenario.case
     yield from bare_capacities(case)
+    for number, shift in enumerate(scenario.shifts or (), 1):
+        if shift.at >= scenario.duration:
+            yield Problem(
+                f"begins at {shift.at:g} s, but the scenario ends at {scenario.duration:g} s: it "
+                "never happens",
+                ("shifts", number, "at"),
+                severity="warning",
+            )
     for link, law in scenario.torques:
         if isinstance(law, Road) and 0 < link <= case.links:
             mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
@@ -133,7 +143,8 @@ def _tried(
     if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
-    values = law.along(times) * control.scale
+    with np.errstate(all="ignore"):
+        values = law.along(times) * control.scale
     most = math.inf if largest is None else largest * (1 + MADE_CAPACITY)
     least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
     wrong = np.flatnonzero(~((values >= least) & (values <= most)))
@@ -275,7 +286,12 @@ def of_characteristic(
     """Of a converter: speed ratios in order, no negative torque ratio."""
     if not points:
         yield Problem("read no points, expected one at least", path)
-    yield from _ascending([ratio for ratio, _, _ in points], "speed ratios in their order", path)
+    ratios = [ratio for ratio, _, _ in points]
+    yield from _ascending(ratios, "speed ratios in their order", path)
+    for number, (one, other) in enumerate(pairwise(ratios), 2):
+        if one == other:
+            message = f"read {other:g} twice, expected a converter without a jump"
+            yield Problem(message, (*path, number))
     for number, row in enumerate(points, 1):
         yield from of_finite(row, "a number", (*path, number))
         if row[1] < 0:

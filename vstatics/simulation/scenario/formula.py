@@ -1,24 +1,22 @@
-"""A formula of the time, and of the speed and angle of a link; where it bends or jumps.
+"""A formula of the time, and of the speed and angle of a link.
 
 The language is that of a sweep (`readers.expressions`), with ``^`` beside ``**``, and with
-functions of a number. A text becomes a tree, and the tree a function (`formula_code`).
-
-``min(t/0.3, 1)`` bends at 0.3, ``100*(1 < t <= 2)`` jumps at 1 and 2.
+functions of a number. A text becomes a tree, and the tree a function (`formula_code`); where it
+bends or jumps is told by `corners`.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Iterator
 from functools import lru_cache
-from itertools import combinations
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vstatics.errors import nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
-from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
 
 
@@ -35,6 +33,8 @@ class Formula(NamedTuple):
     """
 
     text: str
+    within: tuple[tuple[str, float, float], ...] = ()
+    """Variables, and the jumps between which each stays: so what is decided there is decided."""
 
     @property
     def variables(self) -> frozenset[str]:
@@ -45,7 +45,7 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _read(self.text).variables
+        return _read(*self).variables
 
     @property
     def function(self) -> Callable[[float, float, float], float]:
@@ -56,7 +56,7 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _read(self.text).function
+        return _read(*self).function
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -67,11 +67,28 @@ class Formula(NamedTuple):
         ReadError
             If the text is no formula.
         """
-        return _read(self.text).breaks
+        return _read(*self).breaks
+
+    def jumps(self, name: str) -> tuple[float, ...]:
+        """Where it jumps along `speed` or `angle`, as far as it compares straight lines in it.
+
+        >>> Formula("100*(abs(speed) < 300)").jumps("speed")
+        (-300.0, 300.0)
+        """
+        return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
+
+    @property
+    def switches(self) -> bool:
+        """Whether it compares a speed or an angle in a way of which no jumps are known.
+
+        >>> Formula("100*(speed < 300 + 10*t)").switches
+        True
+        """
+        return _read(*self).switches
 
     def along(self, times: Floats) -> Floats:
         """Its values at many times, of a formula of t alone."""
-        return _read(self.text).of_times(times)
+        return _read(*self).of_times(times)
 
 
 def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
@@ -91,7 +108,7 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     Examples
     --------
     >>> read_formula(Excerpt("3000*min(t/0.3, 1)", "FH"), ["t"])
-    Formula(text='3000*min(t/0.3, 1)')
+    Formula(text='3000*min(t/0.3, 1)', within=())
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
@@ -153,93 +170,21 @@ class _Read(NamedTuple):
     function: Callable[[float, float, float], float]
     of_times: Callable[[Floats], Floats]
     breaks: tuple[float, ...]
+    switches: bool
+    tree: Tree
 
 
 @lru_cache(maxsize=256)
-def _read(text: str) -> _Read:
+def _read(text: str, within: tuple[tuple[str, float, float], ...]) -> _Read:
     tree = _tree(Excerpt(text, "formula"), VARIABLES)
+    for name, low, high in within:
+        tree = between(tree, name, low, high)
     names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
-    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks(tree))
-
-
-MOST_BREAKS = 1000
-"""Of a formula with more of them none are told: a run that stops at each would take for ever."""
-
-_BENDS = frozenset(("abs", "sign"))
-_COMPARES = frozenset(("min", "max", "<", "<=", ">", ">=", "==", "!="))
-
-
-class _Straight(NamedTuple):
-    """``value + slope t``."""
-
-    value: float
-    slope: float
-
-
-_LINES = {"t": _Straight(0.0, 1.0), PI: _Straight(math.pi, 0.0)}
-"""Names that stand for one."""
-
-
-def breaks(tree: Tree) -> tuple[float, ...]:
-    """The times, in order; those of what is no straight line are not found.
-
-    Examples
-    --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
-    >>> text = "max(0, 3*t - 6) + abs(2*(t - 5)/4)*(1 < t)"
-    >>> breaks(parse(Excerpt(text, ""), Language(["max", "abs"], "t", "t")))
-    (1.0, 2.0, 5.0)
-    """
-    found: set[float] = set()
-    _straight(tree, found, {})
-    times = sorted(time for time in found if math.isfinite(time))
-    return tuple(times) if len(times) <= MOST_BREAKS else ()
-
-
-def _straight(tree: Any, found: set[float], known: dict[int, Any]) -> _Straight | None:
-    """A part as a straight line in time, if it is one; breaks within it are added."""
-    if id(tree) not in known:
-        known[id(tree)] = None
-        if isinstance(tree, Constant):
-            known[id(tree)] = _Straight(tree.value, 0.0)
-        elif isinstance(tree, TableName):
-            known[id(tree)] = _LINES.get(tree.name)
-        elif isinstance(tree, Applied):
-            operands = [_straight(one, found, known) for one in tree.operands]
-            found.update(_meetings(tree.name, operands))
-            if None not in operands:
-                known[id(tree)] = _applied(tree.name, [one for one in operands if one])
-    straight: _Straight | None = known[id(tree)]
-    return straight
-
-
-def _meetings(name: str, operands: list[_Straight | None]) -> Iterator[float]:
-    """Where lines that are compared meet, or one is 0."""
-    lines = [one for one in operands if one]
-    if name in _BENDS and len(operands) == 1:
-        lines.append(_Straight(0.0, 0.0))
-    elif name not in _COMPARES:
-        return
-    for one, other in combinations(lines, 2):
-        if one.slope != other.slope:
-            yield (other.value - one.value) / (one.slope - other.slope)
-
-
-def _applied(name: str, operands: list[_Straight]) -> _Straight | None:  # noqa: PLR0911 - a table
-    """An operation of lines that gives a line."""
-    first, second = operands[0], operands[-1]
-    match name:
-        case "-x":
-            return _Straight(-first.value, -first.slope)
-        case "+":
-            return _Straight(first.value + second.value, first.slope + second.slope)
-        case "-":
-            return _Straight(first.value - second.value, first.slope - second.slope)
-        case "*" if not second.slope:
-            return _Straight(first.value * second.value, first.slope * second.value)
-        case "*" if not first.slope:
-            return _Straight(first.value * second.value, first.value * second.slope)
-        case "/" if second.value and not second.slope:
-            return _Straight(first.value / second.value, first.slope / second.value)
-    return None
+    breaks = tuple(corners(tree, "t"))
+    switches = any(
+        isinstance(one, TableName) and one.name != "t"
+        for part in _parts(tree)
+        if isinstance(part, Applied) and part.name in JUMPS
+        for one in _parts(part)
+    )
+    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks, switches, tree)

@@ -26,7 +26,7 @@ Function: TypeAlias = Callable[[float, float, float], float]
 
 
 def _sign(value: float) -> float:
-    return float((value > 0) - (value < 0))
+    return float(value > 0) - float(value < 0)
 
 
 def _truth(value: float) -> bool:
@@ -118,7 +118,12 @@ def of_times(tree: Tree) -> Callable[[Floats], Floats]:
 
     def function(times: Floats) -> Floats:
         with np.errstate(all="ignore"):
-            return np.broadcast_to(broad(times, 0.0, 0.0), times.shape).astype(float)
+            try:
+                values = broad(times, 0.0, 0.0)
+            except (ArithmeticError, ValueError):  # of numbers alone, as 1/0
+                known = {"t": times[:, None, None], PI: np.array([[math.pi]])}
+                values = evaluate(tree, lambda name: known[name.name]).reshape(-1)
+            return np.broadcast_to(values, times.shape).astype(float)
 
     return function
 

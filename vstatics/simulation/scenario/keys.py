@@ -214,7 +214,7 @@ SCENARIO = ByKey(
             "controls",
             Numbers("shift element", CONTROL),
             "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
-            "have `friction`.",
+            "have `friction`; what has none, and no shift moves, stays as the start has it.",
         ),
         KeyShape(
             "torques",
@@ -225,7 +225,7 @@ SCENARIO = ByKey(
         KeyShape(
             "shifts",
             ListOf(SHIFT, "shifts", unique=False),
-            "Shifts by names of gears, in their order.",
+            "Shifts by names of gears, in their order; of several at one time the last holds.",
         ),
         KeyShape(
             "targets",

@@ -37,6 +37,8 @@ HOLDS = Programme(constant(math.inf), is_dog=True)
 def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     """The programme of each shift element; that of a freewheel is its capacity.
 
+    What no control moves stays as the start has it, or goes by the shifts.
+
     Parameters
     ----------
     scenario : Scenario
@@ -49,9 +51,6 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
         Of a shift whose elements have no capacity to be moved, of an unknown gear.
     """
     controls = scenario.controls or {}
-    by_gear = scenario.shifts is not None or (
-        scenario.controls is None and scenario.start.gear is not None
-    )
     found = []
     problems: list[Problem] = []
     for number, element in enumerate(scenario.case.shift_elements, 1):
@@ -62,13 +61,11 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
             found.append(Programme(constant(math.inf if held is None else held), factor))
         elif control is not None:
             found.append(_controlled(control, element, scenario.case))
-        elif by_gear:
+        else:
             try:
                 found.append(_shifted(number, element, scenario, engaged=number in engaged))
             except CaseError as error:
                 problems += error.problems
-        else:
-            found.append(OPEN)
     if problems:
         raise CaseError(problems)
     return found
@@ -150,7 +147,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
     anything = held is None or element.kind == "dog_clutch"
     capacity = math.inf if held is None or anything else held
     points = [(0.0, capacity if engaged else 0.0)]
-    for index, (at, name, overlap) in enumerate(sorted(scenario.shifts or ()), 1):
+    for index, (at, name, overlap) in enumerate(scenario.shifts or (), 1):
         gear = _gear(scenario.case, name, index)
         target = capacity if number in gear.engaged else 0.0
         now = _at(points, at)

@@ -13,9 +13,11 @@ from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.jumps import split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import (
+    OPEN,
     Programme,
     friction_at,
     load_torque,
@@ -27,6 +29,7 @@ from vstatics.simulation.system.matrices import (
     MotionSystem,
     OutsideTorque,
     RigidMechanism,
+    Switch,
     between,
     combination,
     unit,
@@ -63,9 +66,10 @@ def motion_system(
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
         raise CaseError(f"{message} in kg*m^2", ("case",))
-    contacts, outside = _loads(scenario)
     dragging = list(drags(case, gear))
     rows = np.ascontiguousarray(distribution_matrix(case).T)
+    elements = _elements(case, capacities, dragging, rows)
+    contacts, outside = _loads(scenario, len(elements))
     return MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
@@ -73,7 +77,7 @@ def motion_system(
         inertias=np.array([inertia for _, inertia in bodies]),
         meshes=tuple(_meshes(case, rows)),
         contacts=(
-            *_elements(case, capacities, dragging, rows),
+            *elements,
             *contacts,
             *_drag_contacts(case, dragging, rows),
         ),
@@ -182,21 +186,30 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 
-def _loads(scenario: Scenario) -> tuple[list[Contact], list[OutsideTorque]]:
-    """Outside torques: what of them is dry friction, and what is not."""
-    contacts, outside = [], []
+def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
+    """Outside torques: what of them is dry friction or jumps, from a contact on, and their laws."""
+    contacts: list[Contact] = []
+    outside = []
     for link, law in scenario.torques:
         friction = 0.0
+        name = scenario.case.link_name(link)
+        row = unit(link - 1, scenario.case.links)
         if isinstance(law, Resistance):
             friction = law.torque
         elif isinstance(law, Road):
             friction = law.rolling_torque
-        if friction:
-            name = scenario.case.link_name(link)
-            row = unit(link - 1, scenario.case.links)
-            contacts.append(Contact(name, row, Programme(constant(friction))))
-        if not isinstance(law, Resistance):
             outside.append(OutsideTorque(link - 1, law))
+        else:
+            jumps, pieces = split_at_jumps(law)
+            number = first + len(contacts)
+            for one in jumps:
+                switch = Switch(link - 1, one)
+                contacts.append(Contact(name, row, OPEN, is_drag=True, switch=switch))
+            for piece in pieces:
+                beside = tuple((number + jump, side) for jump, side in piece.when)
+                outside.append(OutsideTorque(link - 1, piece.law, beside))
+        if friction:
+            contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
 
 

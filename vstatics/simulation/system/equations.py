@@ -64,6 +64,13 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
+        contacts = [(one.kind == "contact", one.of) for one in structure.multipliers]
+        self.driving = [
+            (layout.contacts + index, row)
+            for row, (is_contact, index) in enumerate(contacts)
+            if is_contact and system.contacts[index].speed
+        ]
+        """Contacts that stick at a speed other than 0: port, multiplier."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
@@ -174,7 +181,7 @@ class Equations:
         structure = self.structure
         rates, torques = self.acting_at(times, states)
         made = np.zeros((self.size - self.works.start, len(times)))
-        made[: self.layout.ports] = torques * rates
+        made[: self.layout.ports] = self._with_driving(torques) * rates
         if self.springs:
             at = self.layout.spring_ports
             sprung, twisting = torques[at], rates[at]
@@ -192,6 +199,15 @@ class Equations:
             made[self.meshed.start - self.works.start :] = (structure.torques @ torques)[
                 : len(lost)
             ] * lost
+        return made
+
+    def _with_driving(self, torques: Floats) -> Floats:
+        """Torques of ports, those of contacts that stick at a speed too; times may follow."""
+        if not self.driving:
+            return torques
+        made = torques.copy()
+        for port, row in self.driving:
+            made[port] = self.structure.torques[row] @ torques
         return made
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
@@ -240,7 +256,7 @@ class Equations:
         torques = self.torques(time, state, rates)
         change = np.empty(self.size)
         change[: self.motions] = structure.accelerations @ torques
-        change[self.works] = torques * rates
+        change[self.works] = self._with_driving(torques) * rates
         if self.springs:
             at = self.layout.spring_ports
             sprung, twisting = torques[at], rates[at]

@@ -8,7 +8,7 @@ gives its rate, and a torque along the same row.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -19,9 +19,18 @@ from vstatics.model.parts import HOUSING, Friction
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Converter, Scenario
 from vstatics.simulation.scenario.programme import Programme
+
+
+class Switch(NamedTuple):
+    """A jump of an outside torque over the speed or the angle of its link."""
+
+    link: int
+    """Index."""
+    jump: LawJump
 
 
 class Contact(NamedTuple):
@@ -42,6 +51,15 @@ class Contact(NamedTuple):
     """Its heat is a loss, and it has no events."""
     while_open: int | None = None
     """Index of the element while whose capacity is 0 it acts."""
+    switch: Switch | None = None
+    """Where a torque jumps: its side is that of the jump, and it sticks where the motion slides
+    along the jump, with a torque between both (Filippov); none of it is friction."""
+
+    @property
+    def speed(self) -> float:
+        """At which it sticks [rad/s]."""
+        jump = self.switch.jump if self.switch else None
+        return jump.at if jump and jump.over == "speed" else 0.0
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -95,6 +113,12 @@ class OutsideTorque(NamedTuple):
     link: int
     """Index."""
     law: Points | Formula | Road
+    when: tuple[tuple[int, str], ...] = ()
+    """Indices of the contacts at its jumps, and on which side of each it acts."""
+
+    def acts(self, contacts: Sequence[str]) -> bool:
+        """Whether it does by the states of the contacts; with one that sticks both sides do."""
+        return all(contacts[index] in (side, "stick") for index, side in self.when)
 
     @property
     def needs_angle(self) -> bool:
@@ -127,6 +151,7 @@ class PortLayout:
         self.frictions = self.outside + self.converters
         """Of the pieces on which curves are, the first of a contact; before them converters."""
         angles = {one.link for one in system.outside if one.needs_angle}
+        angles |= {one.switch.link for one in system.contacts if one.switch}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
         """Indices of the links whose angles are followed."""
 

@@ -72,6 +72,8 @@ class Ports:
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
+        self.switching: list[int] = []
+        """Outside torques that may switch where no jump is known."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
         self.stiffness = np.array([one.stiffness for one in system.springs])
@@ -81,6 +83,8 @@ class Ports:
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         for index, one in enumerate(system.outside):
+            if not one.acts(states.contacts):
+                continue
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             self._outside(index, one.law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
@@ -117,7 +121,7 @@ class Ports:
         for port, on_road in self.roads:
             torques[port] = on_road(rates[port])
         for port, place, function in self.special:
-            angle = angles[place] if place >= 0 else 0.0
+            angle = float(angles[place]) if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
@@ -167,7 +171,7 @@ class Ports:
         for port, formula, factor in self.timed:
             slopes[port] = factor * slope_of(formula.function, time, within)
         for port, place, function in self.special:
-            angle = angles[place] if place >= 0 else 0.0
+            angle = float(angles[place]) if place >= 0 else 0.0
             slopes[port] = slope_of(function, time, within, float(rates[port]), angle)
         return slopes
 
@@ -185,6 +189,8 @@ class Ports:
         elif isinstance(law, Formula):
             self.special.append((port, place, law.function))
             self.senses_rate[port] = "speed" in law.variables
+            if law.switches:
+                self.switching.append(port)
         elif law.over == "time":
             self.c0[port], self.c1[port] = law.piece(law.piece_at(time))
         else:
@@ -197,7 +203,7 @@ class Ports:
                 self.by_angle.append((port, place, slope))
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
-        if state not in SIGNS:
+        if state not in SIGNS or contact.switch:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag

@@ -8,6 +8,7 @@ along these the torques balance, ``L0' F = 0``.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from vstatics.simulation.tolerances import (
     INDEPENDENT_MOTION,
     NOT_ZERO,
     ROUNDED_MOTION,
+    STANDING,
 )
 
 Held = tuple[bool, ...]
@@ -50,6 +52,8 @@ class MotionStructure:
         Speeds of links by those of the motions with inertia, ``N``.
     light : ndarray, shape (links, massless motions)
         Speeds of links by those of the motions without.
+        The last motion is that in which contacts stick at speeds other than 0, if there are such:
+        it has the size 1 and never changes.
     projection : ndarray, shape (motions, links)
         Motions of the same momentum by speeds of links that do not fit, as those of links without
         inertia.
@@ -86,11 +90,15 @@ class MotionStructure:
             left, left_light = _motions(system.heavy, columns)
         momenta = self.free.T @ mass
         self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
-        self.rates = ports @ self.free
         self.light_rates = ports @ self.light
         self.balances = left_light.T @ forces
         reduced = left.T @ mass @ self.free
         self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
+        self.driven = _driven(system, self.multipliers, rows)
+        if self.driven is not None:
+            self.free = np.column_stack([self.free, self.driven])
+            self.accelerations = np.vstack([self.accelerations, np.zeros(len(ports))])
+        self.rates = ports @ self.free
         residual = forces - mass @ self.free @ self.accelerations
         weights = np.array([_weight(system, one) for one in self.multipliers])
         fixed = np.vstack([columns, conditions.T])
@@ -100,10 +108,27 @@ class MotionStructure:
         self.mesh_light_rates: Floats = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
 
-    def of(self, speeds: Floats) -> Floats:
-        """The motions with inertia by the speeds of links; of the same momentum if none fit."""
-        motions: Floats = self.free.T @ speeds
-        return motions + self.projection @ (speeds - self.free @ motions)
+    def motions(self, speeds: Floats) -> Floats:
+        """The motions with inertia that fit speeds of links, by their momentum where none do."""
+        free = self.free if self.driven is None else self.free[:, :-1]
+        moved = speeds if self.driven is None else speeds - self.driven
+        made: Floats = free.T @ moved
+        made += self.projection @ (moved - free @ made)
+        return made if self.driven is None else np.append(made, 1.0)
+
+
+def _driven(system: MotionSystem, multipliers: Sequence[Multiplier], rows: Floats) -> Floats | None:
+    """Speeds of links with which contacts stick at speeds other than 0; None: all stick at 0."""
+    speeds = [
+        system.contacts[one.of].speed if one.kind == "contact" else 0.0 for one in multipliers
+    ]
+    if not any(speeds):
+        return None
+    made = solved(rows.T, np.array(speeds))
+    if largest(rows.T @ made - speeds) > STANDING * largest(np.array(speeds)):
+        message = "speeds at which contacts stick contradict each other"
+        raise np.linalg.LinAlgError(message)
+    return made
 
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:

@@ -1,0 +1,112 @@
+"""A law of a torque that jumps over the speed or the angle of its link: its pieces between jumps.
+
+Points do where an abscissa repeats, formulas by comparisons and `sign` (`corners`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import groupby, pairwise
+from typing import NamedTuple
+
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Over, Points, constant
+
+_MOST_JUMPS = 100
+"""Of a formula; with more of them it is taken as it stands."""
+
+
+class LawJump(NamedTuple):
+    """Where a law jumps."""
+
+    over: Over
+    at: float
+    """[rad/s or rad]"""
+    side: str = "+"
+    """On which side its own value is: that of the points, or the formula, right there."""
+
+
+class LawPiece(NamedTuple):
+    """A law between jumps."""
+
+    law: Points | Formula
+    when: tuple[tuple[int, str], ...] = ()
+    """Numbers of the jumps beside it, and on which side of each it holds."""
+
+
+def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]]:
+    """Where a law jumps over a speed or an angle, and what it is between.
+
+    Examples
+    --------
+    >>> limiter = Points((0.0, 300.0, 300.0), (100.0, 100.0, 0.0), "speed")
+    >>> jumps, pieces = split_at_jumps(limiter)
+    >>> jumps
+    [LawJump(over='speed', at=300.0, side='+')]
+    >>> [(piece.law.y, piece.when) for piece in pieces]
+    [((100.0, 100.0), ((0, '-'),)), ((0.0,), ((0, '+'),))]
+    """
+    if isinstance(law, Formula):
+        return _of_formula(law)
+    return ([], [LawPiece(law)]) if law.over == "time" else _of_points(law)
+
+
+def _of_points(law: Points) -> tuple[list[LawJump], list[LawPiece]]:
+    jumps: list[LawJump] = []
+    begins, ends = [0], []
+    for at, group in groupby(range(len(law.x)), key=law.x.__getitem__):
+        first, *others = group
+        if others and law.over != "time":
+            jumps.append(LawJump(law.over, at))
+            ends.append(first + 1)
+            begins.append(others[-1])
+    parts = [slice(*ends) for ends in zip(begins, [*ends, len(law.x)], strict=True)]
+    pieces = [
+        LawPiece(Points(law.x[part], law.y[part], law.over), beside)
+        for part, beside in zip(parts, _beside(0, len(jumps)), strict=True)
+    ]
+    return jumps, pieces
+
+
+def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
+    speeds, angles = law.jumps("speed"), law.jumps("angle")
+    if not 0 < len(speeds) + len(angles) <= _MOST_JUMPS:
+        return [], [LawPiece(law)]
+    pieces = []
+    by_speed = zip(_intervals(speeds), _beside(0, len(speeds)), strict=True)
+    by_angle = [*zip(_intervals(angles), _beside(len(speeds), len(angles)), strict=True)]
+    for speed, beside in by_speed:
+        for angle, others in by_angle:
+            inner = law._replace(within=(("speed", *speed), ("angle", *angle)))
+            pieces.append(LawPiece(_plain(inner), (*beside, *others)))
+    return [*_jumps(law, "speed", speeds), *_jumps(law, "angle", angles)], pieces
+
+
+def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJump]:
+    for at, before in zip(places, _intervals(places), strict=False):
+        below = law._replace(within=((over, *before),))
+        right_there = (0.0, at, 0.0) if over == "speed" else (0.0, 0.0, at)
+        own = below.function(*right_there) == law.function(*right_there)
+        yield LawJump(over, at, "-" if own else "+")
+
+
+def _plain(formula: Formula) -> Points | Formula:
+    """A number where nothing else is left."""
+    return formula if formula.variables else constant(formula.function(0.0, 0.0, 0.0))
+
+
+def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
+    return [*pairwise([-math.inf, *places, math.inf])]
+
+
+def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
+    """Of each interval between jumps, the jumps at its ends."""
+    return [
+        tuple(
+            (first + number, side)
+            for number, side in ((place - 1, "+"), (place, "-"))
+            if 0 <= number < count
+        )
+        for place in range(count + 1)
+    ]

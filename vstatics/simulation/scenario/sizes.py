@@ -1,0 +1,95 @@
+"""Numbers of a size that nothing has: what a motion would make of them is rounding.
+
+A mistyped exponent is refused where it stands, instead of speeds of 1e90 rad/s.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vstatics.errors import Path, Problem
+from vstatics.model.parts import OfLoad
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Road
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_INERTIAS
+
+
+def size_problems(scenario: Scenario) -> Iterator[Problem]:
+    """Numbers of a scenario, or of what its case needs in motion, that are too large or too small.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Transmission
+    >>> case = Transmission(1, [], [], [Gear()], inertias={1: 1e-98})
+    >>> for problem in size_problems(Scenario(case, 1e90)):
+    ...     print(problem)
+    case.inertias[1]: read 1e-98, expected 0 or a number from 1e-15 to 1e+15
+    duration: read 1e+90, expected a number from 1e-15 to 1e+15
+    """
+    case = scenario.case
+    names = case.link_names
+    for key, part in (
+        ("inertias", case.inertias),
+        ("springs", case.springs),
+        ("shift_elements", case.shift_elements),
+        ("mechanisms", case.mechanisms),
+    ):
+        yield from _of_numbers(part, ("case", key))
+    yield from _of_unlike(case.inertias)
+    start = scenario.start
+    yield from _of_numbers(scenario.duration, ("duration",))
+    yield from _of_numbers(start.speed, ("start", "speed"))
+    of_links = {
+        names[link - 1]: speed for link, speed in start.speeds.items() if link <= len(names)
+    }
+    yield from _of_numbers(of_links, ("start", "speeds"))
+    elements = case.shift_elements
+    for number, control in (scenario.controls or {}).items():
+        if 0 < number <= len(elements):
+            path = "controls", elements[number - 1].name
+            yield from _of_numbers(getattr(control, "law", control), path)
+            yield from _of_numbers(getattr(control, "scale", 0.0), (*path, "scale"))
+    for link, law in scenario.torques:
+        if 0 < link <= len(names):
+            path = "torques", names[link - 1]
+            yield from _of_numbers(law, (*path, "road") if isinstance(law, Road) else path)
+    yield from _of_numbers(scenario.converters, ("converters",))
+    yield from _of_numbers(scenario.shifts or (), ("shifts",))
+
+
+def _of_numbers(part: Any, path: Path) -> Iterator[Problem]:
+    """All numbers of a part."""
+    if isinstance(part, float):
+        read = part.given if isinstance(part, OfLoad) else part
+        size = abs(read)
+        if LARGEST_NUMBER < size < math.inf or 0 < size < LEAST_NUMBER:
+            none = "0 or " if size < 1 else ""
+            expected = f"{none}a number from {LEAST_NUMBER:g} to {LARGEST_NUMBER:g}"
+            yield Problem(f"read {read:g}, expected {expected}", path)
+    elif isinstance(part, Points):
+        for number, point in enumerate(zip(part.x, part.y, strict=False), 1):
+            places = ((*path, number, 1), (*path, number, 2)) if len(part.x) > 1 else (path, path)
+            for value, place in zip(point, places, strict=True):
+                yield from _of_numbers(value, place)
+    elif isinstance(part, Mapping):
+        for name, value in part.items():
+            yield from _of_numbers(value, (*path, name))
+    elif isinstance(part, tuple) and not isinstance(part, Formula):
+        names = getattr(part, "_fields", range(1, len(part) + 1))
+        for name, value in zip(names, part, strict=True):
+            yield from _of_numbers(value, (*path, name))
+
+
+def _of_unlike(inertias: Mapping[int, float]) -> Iterator[Problem]:
+    """Inertias beside which others are rounding."""
+    largest = max(inertias.values(), default=0.0)
+    for link, inertia in inertias.items():
+        if 0 < inertia < largest * UNLIKE_INERTIAS:
+            yield Problem(
+                f"read {inertia:g} beside {largest:g}, expected at least {UNLIKE_INERTIAS:g} of "
+                "the largest: leave it out, a link without inertia turns as its torques balance",
+                ("case", "inertias", link),
+            )
