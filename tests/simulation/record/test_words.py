@@ -10,7 +10,7 @@ from vstatics.model.parts import ShiftElement
 from vstatics.simulation.record.grids import motion_grids
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Dog
+from vstatics.simulation.scenario.parts import Capacity, Control, Dog
 
 
 def words(motion: Motion) -> list[tuple[str, str]]:
@@ -19,7 +19,7 @@ def words(motion: Motion) -> list[tuple[str, str]]:
 
 def test_a_dog_clutch_closes_and_opens() -> None:
     case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "D", "dog_clutch"),))
-    dog = {1: Dog(((0.2, True), (0.5, False)))}
+    dog: dict[int, Control] = {1: Dog(((0.2, True), (0.5, False)))}
     motion = run(case, 1.0, {1: 5.0, 2: 3.0}, (), dog)
     assert words(motion) == [("impact", "closes"), ("slips", "opens")]
     assert motion.events[0].energy == pytest.approx(1.0)  # 1/2 (1/2 kg*m^2) (2 rad/s)^2
@@ -31,7 +31,7 @@ def test_a_dog_clutch_closes_and_opens() -> None:
 def test_what_the_end_of_a_control_lets_go_opens() -> None:
     """A clutch that would hold 10 times the torque on it is let go, not overcome."""
     case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "C"),))
-    ends = {1: Capacity(points((0, 100), (0.5, 100), (0.5, 0)))}
+    ends: dict[int, Control] = {1: Capacity(points((0, 100), (0.5, 100), (0.5, 0)))}
     drive = ((1, constant(20.0)),)
     motion = run(case, 1.0, {1: 5.0, 2: 5.0}, drive, ends, engaged=(1,))
     assert words(motion) == [("slips", "opens")]
