@@ -29,11 +29,18 @@ class IdealGear(NamedTuple):
     drag: Drag
     torques_with_drag: Torques
     """Drag alone loads some mechanisms; the same where nothing drags."""
+    overcome: bool = False
+    """Whether drag may take more than the input gives, so that the output gives the rest."""
 
     @property
     def case(self) -> Transmission:
         """The transmission."""
         return self.variant.case
+
+    @property
+    def without_drag(self) -> IdealGear:
+        """The same gear where nothing drags."""
+        return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:

@@ -59,7 +59,7 @@ def check_signs(
 
     A set of signs is admissible when the sign of every mechanism with losses is that of its
     flow, or one of the two is 0; and when the efficiency is above 0 (where there is one
-    without losses).
+    without losses, and drag is not overcome from the output).
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -71,7 +71,7 @@ def check_signs(
     for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
         if not (x == 0 or own.lossless):
             agrees = agrees & (x * direction >= 0)
-    passes = (efficiency > 0) & (efficiency < math.inf)
+    passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     if passes is False:  # of one variant; those of a plan all pass power, or none of them does
         passes = not _passes_power(ideal)
     return LossyTorques(

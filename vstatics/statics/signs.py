@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual, Untraceable
-from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.tolerances import NO_POWER, TIE
 from vstatics.numerics.traced import (
     Number,
     absolute,
@@ -29,6 +29,7 @@ from vstatics.numerics.traced import (
 from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
+from vstatics.statics.matrix import external_torques
 from vstatics.statics.power import power
 from vstatics.statics.torques import Torques
 
@@ -44,6 +45,7 @@ class SignSearch(NamedTuple):
     lossy: LossyTorques
     idle: list[bool]
     """By mechanism, like `turned`."""
+    dragged: bool
     locked: bool
     undecided: bool
     turned: list[Condition]
@@ -63,7 +65,8 @@ class Admissible(NamedTuple):
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """Find the signs that agree with the flow they lead to.
 
-    The signs without losses are tried first, then all sets of signs.
+    The signs without losses are tried first, then all sets of signs, then both where the output
+    may overcome drag.
 
     Parameters
     ----------
@@ -75,13 +78,14 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     if moving and _open(ideal, start):
         found = Admissible(_common(ideal, start))
     elif moving:
-        first = _follow_unloaded(ideal, start)
-        found = (
-            Admissible(first._replace(admissible=True), 1)
-            if first.admissible
-            else _search(ideal, start)
-        )
+        found = _admissible(ideal, start)
+        if found.lossy is None and not found.cut_short and ideal.drag.losses:
+            ideal = ideal._replace(overcome=True)
+            found = _overcome(ideal, start)
     lossy = found.lossy or no_solution(ideal, start.signs)
+    dragged = lossy.admissible is True and _is_dragged(ideal, lossy)
+    if dragged:
+        lossy = lossy._replace(efficiency=math.nan)
     idle = start.idle
     # of an idle one the sign is a convention; one object stands for what no search has changed
     turned = [
@@ -95,7 +99,34 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
         )
     ]
     locked = found.lossy is None and not found.cut_short
-    return SignSearch(lossy, idle, locked, found.cut_short, turned, found.choices)
+    return SignSearch(lossy, idle, dragged, locked, found.cut_short, turned, found.choices)
+
+
+def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """The signs without losses if they agree with their flow, else the best that do."""
+    first = _follow_unloaded(ideal, start)
+    if first.admissible:
+        return Admissible(first._replace(admissible=True), 1)
+    return _search(ideal, start)
+
+
+def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Signs of a gear whose drag the output may overcome; none if friction alone locks it."""
+    bare = ideal.without_drag._replace(overcome=False)
+    alone = _admissible(bare, ideal_signs(bare, moving=True))
+    return _admissible(ideal, start) if alone.lossy else alone
+
+
+def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
+    """Whether power enters at the output to overcome drag, and none leaves at the input."""
+    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
+        return False
+    case, gear, direction = ideal.case, ideal.gear, ideal.variant.direction
+    at_input = external_torques(case, gear)[case.gear_input(gear)]
+    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
+    entering = -power(lossy.torques.on_first_link[-1], output_speed)
+    taken = lossy.drag_losses * direction
+    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
 
 
 def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:

@@ -149,6 +149,7 @@ class GearState(NamedTuple):
             conflict=self.conflict,
             output_speed=self.output_speed,
             balanced=self.balanced,
+            dragged=self.search.dragged,
             locked=self.search.locked,
             undecided=self.search.undecided,
         )
@@ -247,6 +248,7 @@ def values_of(state: GearState) -> Values:
         "drag_losses": lossy.drag_losses,
         "consistent": state.consistent,
         "locked": search.locked,
+        "dragged": search.dragged,
         "undecided": search.undecided,
         "turned": search.turned,
         "choices": search.choices,

@@ -16,6 +16,7 @@ from vstatics.statics.solve import solve
 from vstatics.sweep.block_tables import BlockTables, block_tables, possible_numbers
 from vstatics.sweep.chunk import (
     CONFLICT,
+    DRAGGED,
     INVALID,
     LOCKED,
     OPEN,
@@ -94,6 +95,7 @@ def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
         return status
     unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
     for code, said in (
+        (DRAGGED, results.dragged),
         *((OPEN, wrong) for wrong in unlike),
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),
