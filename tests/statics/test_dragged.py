@@ -67,7 +67,7 @@ def test_more_drag_than_reaches_the_output() -> None:
 
     assert of(3.7).efficiency == pytest.approx([0.025])
     assert of(3.9).lossy_output_torque == pytest.approx([-0.1])
-    assert (of(3.7).dragged, of(3.9).dragged) == ([False], [True])
+    assert [*of(3.7).dragged, *of(3.9).dragged] == [False, True]
 
 
 def test_a_train_that_friction_locks_is_not_dragged() -> None:

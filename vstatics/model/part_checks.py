@@ -211,8 +211,11 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
             message = f"read {value!r}, expected a number, in rpm and N*m"
             yield Problem(message, (*path, "load", quantity))
             return
-        if value is not None and (value == 0 or not math.isfinite(value)):
-            message = f"read {value:g}, expected a finite number other than 0"
+        if value is not None and not math.isfinite(value):
+            message = f"read {value:g}, expected a finite number"
+            yield Problem(message, (*path, "load", quantity))
+        elif value == 0 and quantity == "speed":
+            message = "read 0, expected a speed other than 0, as of an input that turns"
             yield Problem(message, (*path, "load", quantity))
     if (load.speed or 0) * (load.torque or 0) < 0:
         message = (

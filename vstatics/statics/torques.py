@@ -67,8 +67,8 @@ def drag_torques(
     elements: dict[int, Number] = {}
     external: dict[int, Number] = {}
     losses: list[Number] = []
-    for link, torque in gear.drag.items():
-        speed = speeds[link - 1]
+    for link, given in gear.drag.items():
+        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
         against = torque * direction * _direction(speed)
         if against:
             links[link] = -against
@@ -94,7 +94,11 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
         for number, element in enumerate(case.shift_elements, 1)
         if number not in gear.engaged
     }
-    return {number: torque for number, torque in torques.items() if torque}
+    return {
+        number: matrix.given_torque(case, gear, torque)
+        for number, torque in torques.items()
+        if torque
+    }
 
 
 def unknown_drag(

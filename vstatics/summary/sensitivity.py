@@ -39,9 +39,10 @@ def sensitivities(results: Results) -> Floats:
            [0.    ]])
     """
     alone, case = results, results.case
-    if any(gear.torques for gear in case.gears):  # each freewheel stays as it is
-        case = results.with_freewheels_engaged
-        case = replace(case, gears=[gear._replace(torques={}) for gear in case.gears])
+    if case.unloaded or any(gear.torques for gear in case.gears):
+        case = results.with_freewheels_engaged  # each freewheel stays as it is
+        gears = [gear._replace(torques={}, load=None) for gear in case.gears]
+        case = replace(case, gears=gears, load=None)
         alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
     states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
