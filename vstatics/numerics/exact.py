@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
-from vstatics.numerics.elimination import Arithmetic, Entry, large_enough
+from vstatics.numerics.elimination import Arithmetic, Entry
 from vstatics.numerics.traced import Number, plain
 
 
@@ -24,5 +27,30 @@ def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, flo
     return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
 
 
-EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less, large_enough)  # type: ignore[arg-type]
-"""Fractions of the decimals that numbers show, without rounding; of one case only."""
+def _any_pivot(pivot: Number, other: Number) -> bool:  # noqa: ARG001
+    return True
+
+
+EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less, _any_pivot)  # type: ignore[arg-type]
+"""Fractions, of floats those of the decimals that they show; of one case only."""
+
+
+def rounded(value: Any) -> Any:
+    """The same with floats in place of fractions, in records, lists and mappings too.
+
+    >>> rounded((Fraction(1, 4), [Fraction(10) ** 400], {"a": "b"}))
+    (0.25, [inf], {'a': 'b'})
+    """
+    if isinstance(value, Fraction):
+        try:
+            return float(value)
+        except OverflowError:
+            return math.inf if value > 0 else -math.inf
+    if isinstance(value, tuple):
+        made = map(rounded, value)
+        return type(value)(*made) if hasattr(value, "_fields") else tuple(made)
+    if isinstance(value, list):
+        return list(map(rounded, value))
+    if isinstance(value, Mapping):
+        return {key: rounded(own) for key, own in value.items()}
+    return value

@@ -16,7 +16,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.elimination import Equation
 from vstatics.numerics.tolerances import NEAR_ONE, NO_POWER, UNCERTAIN
-from vstatics.numerics.traced import Number, plain
+from vstatics.numerics.traced import Number, absolute, may_lie, plain
 from vstatics.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import Torques
@@ -44,8 +44,20 @@ def is_near_singular(case: Transmission) -> bool:
     ...  for ratio in (-2.0, 1.0, 1.00000001)]
     [False, False, True]
     """
-    near = any(0 < abs(one.ratio - 1) < NEAR_ONE for one in case.mechanisms)
+    near = is_nearly_one(case, [one.ratio for one in case.mechanisms])
     return near and len(case.devices) + case.links <= MOST_EXACT_UNKNOWNS
+
+
+def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
+    """Whether the ratio of a mechanism with three links is nearly 1, but is not.
+
+    Then rounding may leave no digit. Of traced numbers the answer holds for all variants.
+    """
+    return any(
+        may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE) and bool(0 < absolute(ratio - 1) < NEAR_ONE)
+        for one, ratio in zip(case.mechanisms, ratios, strict=True)
+        if one.third
+    )
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
@@ -91,16 +103,9 @@ def _torque_parts(
 
 def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
-    from vstatics.numerics.exact import EXACT  # fractions cost start-up time
+    from vstatics.numerics.exact import EXACT, rounded  # fractions cost start-up time
 
-    return [_rounded(value) for value in elimination.solve(rows, unknowns, arithmetic=EXACT).values]
-
-
-def _rounded(value: Number) -> float:
-    try:
-        return float(plain(value))
-    except OverflowError:
-        return math.inf
+    return list(map(rounded, elimination.solve(rows, unknowns, arithmetic=EXACT).values))
 
 
 def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:

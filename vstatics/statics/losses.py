@@ -108,7 +108,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Power lost in each mechanism, from the power by its first link: equation (2)."""
     for entering, own, x in zip(by_first_link, ideal.variant.efficiencies, signs, strict=True):
-        yield power(entering, 1 - lossy_ratio(1.0, own, x))
+        yield power(entering, 1 - lossy_ratio(1, own, x))  # a whole 1 keeps fractions exact
 
 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:

@@ -142,6 +142,13 @@ class GearState(NamedTuple):
         return bool(self.search.lossy.admissible)
 
     @property
+    def certain(self) -> bool:
+        """Rounding leaves digits of what speeds and torques are made from."""
+        ideal = self.ideal
+        torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
+        return ideal.speeds.certain and all(one.certain for one in torques)
+
+    @property
     def statuses(self) -> list[Status]:
         """All that is to be said of the gear as a whole, what explains the others first."""
         return statuses(

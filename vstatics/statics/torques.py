@@ -158,6 +158,8 @@ class Torques(NamedTuple):
     """Link -> external torque that holds its given speed. [-]"""
     consistent: bool
     """There is an equilibrium."""
+    certain: bool = True
+    """Rounding leaves digits of what they are made from."""
 
 
 def solve_torques(
@@ -175,7 +177,7 @@ def solve_torques(
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
     rows = matrix.torque_rows(case, gear, columns, drag.external)
-    solution = elimination.solve(rows, len(devices) + 1 + len(held))
+    solution, certain = elimination.solve_told(rows, len(devices) + 1 + len(held))
     on_first_link: list[Number] = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
     for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
         on_first_link[device] = torque
@@ -183,7 +185,7 @@ def solve_torques(
         for device, torque in drag.elements.items():
             on_first_link[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
-    return Torques(on_first_link, holding, solution.consistent)
+    return Torques(on_first_link, holding, solution.consistent, certain)
 
 
 def solve_sums(
