@@ -120,11 +120,11 @@ def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
+                if term.__class__ is float or term.__class__ is int:
+                    continue
                 if is_traced(term):
                     return SIGNED if isinstance(term, Signed) else TRACED
                 if is_exact(term):
-                    from vstatics.numerics.exact import EXACT  # fractions cost start-up time
-
                     return EXACT
     return FLOATS
 
@@ -479,3 +479,29 @@ def _signed_enough(pivot: Number, other: Number) -> bool:
 
 
 SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+
+
+def _exact(number: Any) -> Any:
+    """A number as a fraction, of a float that of the decimals that it shows."""
+    if is_exact(number):
+        return number
+    from fractions import Fraction  # they cost start-up time
+
+    return Fraction(repr(float(plain(number))))
+
+
+def _exact_quotient(entry: Entry, pivot: Entry) -> Entry:
+    return _exact(entry[0]) / _exact(pivot[0]), 0.0
+
+
+def _exact_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
+
+
+EXACT = Arithmetic(
+    entry=lambda number: (_exact(number), 0.0),
+    quotient=_exact_quotient,
+    less=_exact_less,
+    enough=lambda pivot, other: True,  # noqa: ARG005
+)
+"""Fractions, without rounding: for few and small systems, as it is slow."""

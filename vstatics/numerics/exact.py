@@ -1,4 +1,4 @@
-"""Elimination without rounding, in fractions: for few and small systems, as it is slow."""
+"""Fractions, in which `elimination` does not round, made floats again."""
 
 from __future__ import annotations
 
@@ -6,33 +6,6 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
-
-from vstatics.numerics.elimination import Arithmetic, Entry
-from vstatics.numerics.traced import Number, plain
-
-
-def _exact(number: Number | Fraction) -> Fraction:
-    return number if isinstance(number, Fraction) else Fraction(repr(float(plain(number))))
-
-
-def _exact_entry(number: Number) -> tuple[Fraction, float]:
-    return _exact(number), 0.0
-
-
-def _exact_quotient(entry: Entry, pivot: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) / _exact(pivot[0]), 0.0
-
-
-def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
-
-
-def _any_pivot(pivot: Number, other: Number) -> bool:  # noqa: ARG001
-    return True
-
-
-EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less, _any_pivot)  # type: ignore[arg-type]
-"""Fractions, of floats those of the decimals that they show; of one case only."""
 
 
 def rounded(value: Any) -> Any:

@@ -120,7 +120,10 @@ def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
 
 def is_exact(number: object) -> bool:
     """Whether it is a fraction, of one variant: what is 0 then is exactly 0."""
-    return not isinstance(number, float | int | Traced | Signed)
+    return number.__class__ is not float and not isinstance(number, _ROUNDED)
+
+
+_ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:

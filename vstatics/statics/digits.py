@@ -1,9 +1,9 @@
 """How many digits rounding leaves of a gear whose ratios are nearly those of a singular train.
 
 A mechanism of ratio u near 1 has differences u - 1 in its equations; where several meet,
-their product is soon as small as rounding. So the systems are solved again in exact
-fractions, of the decimals that the numbers show: what then differs is lost, by the
-rounding of the calculation or by that of the numbers themselves.
+their product is soon as small as rounding. So such a gear is calculated in exact fractions,
+in which a ratio is what its float is. Here its systems are solved once more, with the decimals
+that the numbers show: what then differs is lost by the rounding of the numbers themselves.
 """
 
 from __future__ import annotations
@@ -54,9 +54,10 @@ def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     Then rounding may leave no digit. Of traced numbers the answer holds for all variants.
     """
     return any(
-        may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE) and bool(0 < absolute(ratio - 1) < NEAR_ONE)
+        one.third
+        and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
+        and bool(0 < absolute(ratio - 1) < NEAR_ONE)
         for one, ratio in zip(case.mechanisms, ratios, strict=True)
-        if one.third
     )
 
 
@@ -103,9 +104,10 @@ def _torque_parts(
 
 def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
-    from vstatics.numerics.exact import EXACT, rounded  # fractions cost start-up time
+    from vstatics.numerics.exact import rounded  # fractions cost start-up time
 
-    return list(map(rounded, elimination.solve(rows, unknowns, arithmetic=EXACT).values))
+    solution = elimination.solve(rows, unknowns, arithmetic=elimination.EXACT)
+    return list(map(rounded, solution.values))
 
 
 def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:

@@ -20,6 +20,7 @@ from vstatics.numerics.traced import (
     absolute,
     chosen,
     counted,
+    is_exact,
     is_nan,
     is_traced,
     opposite,
@@ -225,13 +226,35 @@ def _better(one: LossyTorques, other: LossyTorques) -> LossyTorques:
 
 
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """The torques for all possible sets of signs of the `free` mechanisms."""
+    """The torques for all possible sets of signs of the `free` mechanisms.
+
+    Of those in fractions, which take long, not such as floats refuse for certain.
+    """
+    rough = _in_floats(ideal)
     for own in product((1.0, -1.0), repeat=len(free)):
         signs: list[Number] = list(start.signs)
         for place, x in zip(free, own, strict=True):
             signs[place] = x
-        if is_possible(ideal.variant.efficiencies, tuple(signs)):
+        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
+        if possible and not (rough and _is_refused(rough, tuple(signs))):
             yield torques_for_signs(ideal, tuple(signs))
+
+
+def _in_floats(ideal: IdealGear) -> IdealGear | None:
+    """A gear that is calculated in fractions, rounded; nothing for another one."""
+    if not any(map(is_exact, ideal.variant.ratios)):
+        return None
+    from vstatics.numerics.exact import rounded  # fractions cost start-up time
+
+    made: IdealGear = rounded(ideal)
+    return made
+
+
+def _is_refused(rough: IdealGear, signs: Signs) -> bool:
+    """Whether signs do not agree with their flow, and rounding leaves no doubt of it."""
+    lossy = torques_for_signs(rough, signs)
+    known = not any(map(is_nan, lossy.torques.on_first_link))
+    return known and lossy.torques.certain and not lossy.admissible
 
 
 def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:

@@ -46,13 +46,11 @@ def sensitivities(results: Results) -> Floats:
         alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
     states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
-    speeds = np.array([[0.0, *state.speeds] for state in states])
+    speeds = np.array([state.speeds for state in states])
     torques = np.array([state.torques.on_first_link for state in states])
-    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs]
-    first = np.array([mechanism.first for mechanism in case.mechanisms], dtype=int)
-    third = np.array([mechanism.third for mechanism in case.mechanisms], dtype=int)
+    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs - 1]
+    motion = np.array([state.relative_speeds for state in states])
     with np.errstate(all="ignore"):
-        motion = speeds[:, first] - speeds[:, third]
         relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
     idle = np.array([state.search.idle for state in states], dtype=bool)
