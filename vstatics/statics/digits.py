@@ -70,7 +70,7 @@ def lost_digits(state: GearState) -> LostDigits | None:
     speeds = _exactly(speed_rows(case, state.gear, ideal.variant.columns), case.links)
     by_link = _parts(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
-    if state.consistent:
+    if state.consistent and all(abs(plain(u)) < math.inf for u in state.lossy_ratios):
         lossy = _torque_parts(state, state.lossy_torques, columns(case, state.lossy_ratios))
         by_device = list(map(max, by_device, lossy))
     worst = max(*by_link, *by_device)
