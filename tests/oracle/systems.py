@@ -6,8 +6,9 @@ as multibody system. Kinematics and quasistatics".
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from types import MappingProxyType
 
 from tests.oracle.linear import ONE, ZERO, Linear, Row, exact, times
 from vstatics.model.transmission import Gear, Mechanism, SpeedOf, Transmission
@@ -76,11 +77,17 @@ class Speeds:
 class Torques:
     """Torques of all devices, Mx, and the torques that hold the given speeds."""
 
-    def __init__(self, case: Transmission, gear: Gear, ratio: Sequence[Fraction]) -> None:
+    def __init__(
+        self,
+        case: Transmission,
+        gear: Gear,
+        ratio: Sequence[Fraction],
+        drag: Mapping[int, Fraction] = MappingProxyType({}),
+    ) -> None:
         """Equilibrium of each link with these internal ratios, then M = 0 where not engaged.
 
         Unknowns: elements, mechanisms, Mx, one holding torque for each given
-        speed that is not the output's.
+        speed that is not the output's. Drag acts on links like other external torques.
         """
         self.case, self.gear = case, gear
         self.elements, self.mechanisms = len(case.shift_elements), len(case.mechanisms)
@@ -90,6 +97,7 @@ class Torques:
         self.external = {case.gear_input(gear): ONE}
         for link, torque in gear.torques.items():
             self.external[link] = self.external.get(link, ZERO) + exact(torque)
+        self.drag = dict(drag)
         self.system = self._solved(self._matrix(ratio), self._right())
 
     def _solved(self, matrix: list[Row], right: Row) -> Linear:
@@ -113,7 +121,8 @@ class Torques:
     def _right(self) -> Row:
         open_elements = self.elements - len(self.gear.engaged)
         links = range(1, self.case.links + 1)
-        return [self.external.get(link, ZERO) for link in links] + [ZERO] * open_elements
+        on_links = [self.external.get(link, ZERO) + self.drag.get(link, ZERO) for link in links]
+        return on_links + [ZERO] * open_elements
 
     def element(self, number: int) -> Fraction | None:
         """Torque on the first link of shift element `number`, from 1."""

@@ -140,11 +140,6 @@ def test_a_mechanism_that_carries_drag_alone_is_not_idle(loose: Mechanism, x: in
     assert list(coasting.power_sign[0]) == [-1, x]
 
 
-def test_more_drag_than_there_is_torque_locks_the_gear() -> None:
-    assert only(solved(pair({2: 3.7})).efficiency) == pytest.approx(0.025)
-    assert solved(pair({2: 3.9})).locked
-
-
 def test_drag_at_a_speed_that_is_not_determined_is_left_out() -> None:
     """A direct clutch with a set that hangs on the input."""
     case = Transmission(

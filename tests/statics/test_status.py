@@ -25,6 +25,7 @@ FAULTY = {
     "neutral": (train([(2, 0)], Gear()), 1),
     "torques do not balance": (train([(2, 0)], Gear(speeds={3: 0.25})), 1),
     "locked by friction": (vstatics.load(CASES / "self-locking.yaml"), 2),
+    "dragged": (train([(2, 0)], Gear([1], drag={1: 1.5})), 1),
 }
 
 

@@ -132,6 +132,20 @@ class TransmissionFields:
         """The load of a gear: its own, filled up with that of the case."""
         return (gear.load or Load()).or_else(self.load or Load())
 
+    def input_torque(self, gear: Gear) -> float:
+        """The torque of the input in the unit of all torques: 1, or 0 where the load gives none."""
+        if gear.load is None and self.load is None:
+            return 1.0
+        return 0.0 if self.gear_load(gear).torque == 0 else 1.0
+
+    @property
+    def unloaded(self) -> list[int]:
+        """Indices of the gears whose load gives no torque: theirs are relative to 1 N*m."""
+        loads = [self.load, *(gear.load for gear in self.gears)]
+        if not any(load is not None and load.torque == 0 for load in loads):
+            return []
+        return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
+
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
         """The way in which the input of a gear turns, as it says itself or its load does."""
         if gear.input_turns or (gear.load is None and self.load is None):

@@ -261,8 +261,12 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
             message = f"read {value!r}, expected a number, in rpm and N*m"
             yield Problem(message, (*path, "load", quantity))
             return
-        if value is not None:
-            yield from not_0(value, "a finite number", (*path, "load", quantity))
+        if value is not None and not math.isfinite(value):
+            message = f"read {value:g}, expected a finite number"
+            yield Problem(message, (*path, "load", quantity))
+        elif value == 0 and quantity == "speed":
+            message = "read 0, expected a speed other than 0, as of an input that turns"
+            yield Problem(message, (*path, "load", quantity))
     if (load.speed or 0) * (load.torque or 0) < 0:
         message = (
             f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "

@@ -252,6 +252,15 @@ class Load(NamedTuple):
     speed: float | None = None
     torque: float | None = None
 
+    @property
+    def torque_unit(self) -> float:
+        """What torques are related to: that of the input, 1 N*m beside none, 0 if it is not told.
+
+        >>> Load(torque=300).torque_unit, Load(torque=0).torque_unit, Load().torque_unit
+        (300, 1.0, 0.0)
+        """
+        return 0.0 if self.torque is None else self.torque or 1.0
+
     def or_else(self, other: Load) -> Load:
         """The load with what it leaves open as in another."""
         return Load(
@@ -316,7 +325,7 @@ class OfLoad(float):
     given : float
         [rpm] or [N*m]
     whole : float
-        Of the load, in the same unit; other than 0.
+        Of the load, in the same unit; other than 0, which stands for 1 N*m.
 
     Examples
     --------

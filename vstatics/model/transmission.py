@@ -222,7 +222,7 @@ def _completed(case: Transmission) -> dict[str, object]:
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
     """A gear with its numbers as parts of its load's, where they were given with a unit."""
     load = case.gear_load(gear) if case.load or gear.load else Load()
-    torque = load.torque or 0.0
+    torque = load.torque_unit
     return gear._replace(
         engaged=tuple(gear.engaged),
         speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
@@ -243,7 +243,7 @@ def _related(number: float, whole: float | None) -> float:
 
 
 def _by_torque(number: float, load: Load | None) -> float:
-    return _related(number, abs(load.torque or 0.0) if load else None)
+    return _related(number, abs(load.torque_unit) if load else None)
 
 
 def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:

@@ -27,12 +27,14 @@ from typing import Any, NamedTuple
 from vstatics.numerics.signed import Either, Signed, guard_equal, guarded_sum, size_of, value_of
 from vstatics.numerics.tape import Untraceable
 from vstatics.numerics.tolerances import (
+    EPSILON,
     PIVOT,
     SIGNED_LEAST,
     SIGNED_PIVOT,
     SIGNED_SAME,
     TRACED_DIFFERENCE,
     TRACED_REAL,
+    UNCERTAIN,
     ZERO,
 )
 from vstatics.numerics.traced import (
@@ -42,6 +44,7 @@ from vstatics.numerics.traced import (
     difference,
     first,
     guard_same,
+    is_exact,
     is_traced,
     of_any_sign,
     plain,
@@ -89,13 +92,27 @@ def solve(
     >>> solve(equations, 3, sums=[{0: 1.0, 1: -1.0}])
     Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
     """
+    return solve_told(equations, unknowns, sums, arithmetic)[0]
+
+
+def solve_told(
+    equations: Sequence[Equation],
+    unknowns: int,
+    sums: Sequence[Mapping[int, Number]] = (),
+    arithmetic: Arithmetic | None = None,
+) -> tuple[Solution, bool]:
+    """What `solve` gives, and whether rounding leaves digits of each pivot and each value."""
     arithmetic = arithmetic or arithmetic_of(equations)
     run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
     values: list[Number] = [math.nan] * (unknowns + len(sums))
+    decisive = [pivot for _, pivot, _ in run.pivots]
     if consistent:
-        values = run.values(unknowns, sums)
-    return Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
+        entries = run.values(unknowns, sums)
+        values = [value for value, _ in entries]
+        decisive += entries
+    solution = Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
+    return solution, arithmetic is not FLOATS or all(map(_has_digits, decisive))
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
@@ -103,8 +120,12 @@ def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
+                if term.__class__ is float or term.__class__ is int:
+                    continue
                 if is_traced(term):
                     return SIGNED if isinstance(term, Signed) else TRACED
+                if is_exact(term):
+                    return EXACT
     return FLOATS
 
 
@@ -188,7 +209,7 @@ class _Elimination:
             known[column] = {c: self.arithmetic.quotient(e, pivot) for c, e in total.items()}
         return known
 
-    def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Number]:
+    def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Entry]:
         """Each unknown and sum, NaN where it hangs on a free unknown."""
         known = self.by_free_unknowns(unknowns)
         wanted = [known[column] for column in range(unknowns)]
@@ -203,11 +224,17 @@ class _Elimination:
 NOTHING: Entry = (0.0, 0.0)
 
 
-def _value_of_sum(row: Row) -> Number:
+def _value_of_sum(row: Row) -> Entry:
     """The value of what depends on no free unknown."""
     if max(row, default=RIGHT) >= 0:
-        return math.nan
-    return row.get(RIGHT, NOTHING)[0]
+        return math.nan, 0.0
+    return row.get(RIGHT, NOTHING)
+
+
+def _has_digits(entry: Entry) -> bool:
+    """Whether rounding leaves digits of a float, by its size; of what does not exist, too."""
+    value, size = entry
+    return not EPSILON * size > UNCERTAIN * abs(plain(value))
 
 
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
@@ -452,3 +479,29 @@ def _signed_enough(pivot: Number, other: Number) -> bool:
 
 
 SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+
+
+def _exact(number: Any) -> Any:
+    """A number as a fraction, of a float that of the decimals that it shows."""
+    if is_exact(number):
+        return number
+    from fractions import Fraction  # they cost start-up time
+
+    return Fraction(repr(float(plain(number))))
+
+
+def _exact_quotient(entry: Entry, pivot: Entry) -> Entry:
+    return _exact(entry[0]) / _exact(pivot[0]), 0.0
+
+
+def _exact_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
+    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
+
+
+EXACT = Arithmetic(
+    entry=lambda number: (_exact(number), 0.0),
+    quotient=_exact_quotient,
+    less=_exact_less,
+    enough=lambda pivot, other: True,  # noqa: ARG005
+)
+"""Fractions, without rounding: for few and small systems, as it is slow."""

@@ -1,28 +1,29 @@
-"""Elimination without rounding, in fractions: for few and small systems, as it is slow."""
+"""Fractions, in which `elimination` does not round, made floats again."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from fractions import Fraction
-
-from vstatics.numerics.elimination import Arithmetic, Entry, large_enough
-from vstatics.numerics.traced import Number, plain
+from typing import Any
 
 
-def _exact(number: Number | Fraction) -> Fraction:
-    return number if isinstance(number, Fraction) else Fraction(repr(float(plain(number))))
+def rounded(value: Any) -> Any:
+    """The same with floats in place of fractions, in records, lists and mappings too.
 
-
-def _exact_entry(number: Number) -> tuple[Fraction, float]:
-    return _exact(number), 0.0
-
-
-def _exact_quotient(entry: Entry, pivot: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) / _exact(pivot[0]), 0.0
-
-
-def _exact_less(entry: Entry, factor: Entry, term: Entry) -> tuple[Fraction, float]:
-    return _exact(entry[0]) - _exact(factor[0]) * _exact(term[0]), 0.0
-
-
-EXACT = Arithmetic(_exact_entry, _exact_quotient, _exact_less, large_enough)  # type: ignore[arg-type]
-"""Fractions of the decimals that numbers show, without rounding; of one case only."""
+    >>> rounded((Fraction(1, 4), [Fraction(10) ** 400], {"a": "b"}))
+    (0.25, [inf], {'a': 'b'})
+    """
+    if isinstance(value, Fraction):
+        try:
+            return float(value)
+        except OverflowError:
+            return math.inf if value > 0 else -math.inf
+    if isinstance(value, tuple):
+        made = map(rounded, value)
+        return type(value)(*made) if hasattr(value, "_fields") else tuple(made)
+    if isinstance(value, list):
+        return list(map(rounded, value))
+    if isinstance(value, Mapping):
+        return {key: rounded(own) for key, own in value.items()}
+    return value

@@ -125,6 +125,39 @@ def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
     return number.__class__ is Traced or number.__class__ is Signed
 
 
+def is_exact(number: object) -> bool:
+    """Whether it is a fraction, of one variant: what is 0 then is exactly 0."""
+    return number.__class__ is not float and not isinstance(number, _ROUNDED)
+
+
+_ROUNDED = float, int, Traced, Signed
+
+
+def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
+    """Whether a magnitude is no more than a part of another one; of fractions: whether it is 0.
+
+    >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
+    (True, False)
+    """
+    return number == 0 if is_exact(number) else bool(number <= part * other)
+
+
+def may_lie(number: Number, low: float, high: float) -> bool:
+    """Whether a number lies between two others, in one of the variants as far as bounds tell.
+
+    >>> may_lie(0.5, 0.0, 1.0), may_lie(0.5, 0.0, 0.25)
+    (True, False)
+    """
+    if isinstance(number, Signed):
+        least, most = bounds_of(number)
+    elif isinstance(number, Traced):
+        ends = number.sign * number.magnitude.low, number.sign * number.magnitude.high
+        least, most = min(ends), max(ends)
+    else:
+        least = most = number
+    return least < high and most > low
+
+
 def absolute(number: Number) -> Number:
     """Its magnitude; `abs`, whose type is lost on a union."""
     return abs(number)  # type: ignore[return-value]
@@ -363,6 +396,9 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
     >>> residual([1.0, 0.5, -1.5])
     0.0
     """
+    exact: Any = [term for term in terms if is_exact(term)]
+    if exact:  # the large ones; they cancel without rounding
+        return sum(exact) + sum(term for term in terms if not is_exact(term))  # type: ignore[no-any-return]
     plain, value = 0.0, 0.0
     total: Operand | None = None
     tape: Tape | None = None

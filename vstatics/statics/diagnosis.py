@@ -22,7 +22,7 @@ from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
-from vstatics.statics.status import CONFLICT, LOCKED, NEUTRAL, TIED_UP
+from vstatics.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
 
 Said = tuple[Severity, str]
 NOTHING_HOLDS = "nothing holds the torque of the input"
@@ -342,6 +342,8 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     if results.locked[number]:
         way = " when coasting" if case.coast else ""
         yield _warning(f"{LOCKED.english}{way}: no directions of power agree with the losses")
+    elif results.dragged[number]:
+        yield _warning(f"{DRAGGED.english}: {DRAGGED.meaning}")
     elif results.undecided[number]:
         yield _warning(
             "the search for directions of power that agree with the losses was cut short: "
@@ -383,6 +385,7 @@ REGULAR = {
     "excess": 0,
     "balanced": True,
     "consistent": True,
+    "dragged": False,
     "locked": False,
     "undecided": False,
     "choices": 1,

@@ -1,9 +1,9 @@
 """How many digits rounding leaves of a gear whose ratios are nearly those of a singular train.
 
 A mechanism of ratio u near 1 has differences u - 1 in its equations; where several meet,
-their product is soon as small as rounding. So the systems are solved again in exact
-fractions, of the decimals that the numbers show: what then differs is lost, by the
-rounding of the calculation or by that of the numbers themselves.
+their product is soon as small as rounding. So such a gear is calculated in exact fractions,
+in which a ratio is what its float is. Here its systems are solved once more, with the decimals
+that the numbers show: what then differs is lost by the rounding of the numbers themselves.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.elimination import Equation
 from vstatics.numerics.tolerances import NEAR_ONE, NO_POWER, UNCERTAIN
-from vstatics.numerics.traced import Number, plain
+from vstatics.numerics.traced import Number, absolute, may_lie, plain
 from vstatics.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import Torques
@@ -44,8 +44,21 @@ def is_near_singular(case: Transmission) -> bool:
     ...  for ratio in (-2.0, 1.0, 1.00000001)]
     [False, False, True]
     """
-    near = any(0 < abs(one.ratio - 1) < NEAR_ONE for one in case.mechanisms)
+    near = is_nearly_one(case, [one.ratio for one in case.mechanisms])
     return near and len(case.devices) + case.links <= MOST_EXACT_UNKNOWNS
+
+
+def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
+    """Whether the ratio of a mechanism with three links is nearly 1, but is not.
+
+    Then rounding may leave no digit. Of traced numbers the answer holds for all variants.
+    """
+    return any(
+        one.third
+        and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
+        and bool(0 < absolute(ratio - 1) < NEAR_ONE)
+        for one, ratio in zip(case.mechanisms, ratios, strict=True)
+    )
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
@@ -57,7 +70,7 @@ def lost_digits(state: GearState) -> LostDigits | None:
     speeds = _exactly(speed_rows(case, state.gear, ideal.variant.columns), case.links)
     by_link = _parts(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
-    if state.consistent:
+    if state.consistent and all(abs(plain(u)) < math.inf for u in state.lossy_ratios):
         lossy = _torque_parts(state, state.lossy_torques, columns(case, state.lossy_ratios))
         by_device = list(map(max, by_device, lossy))
     worst = max(*by_link, *by_device)
@@ -91,16 +104,10 @@ def _torque_parts(
 
 def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
-    from vstatics.numerics.exact import EXACT  # fractions cost start-up time
+    from vstatics.numerics.exact import rounded  # fractions cost start-up time
 
-    return [_rounded(value) for value in elimination.solve(rows, unknowns, arithmetic=EXACT).values]
-
-
-def _rounded(value: Number) -> float:
-    try:
-        return float(plain(value))
-    except OverflowError:
-        return math.inf
+    solution = elimination.solve(rows, unknowns, arithmetic=elimination.EXACT)
+    return list(map(rounded, solution.values))
 
 
 def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:

@@ -12,10 +12,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from typing import Any
 
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.traced import Number, absolute, is_nan, sign
+from vstatics.numerics.tape import Untraceable
+from vstatics.numerics.traced import Number, absolute, is_nan, is_traced, plain, sign
 from vstatics.statics import matrix
+from vstatics.statics.digits import is_nearly_one
 from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
 from vstatics.statics.matrix import Variant, variant_of
 from vstatics.statics.signs import find_signs
@@ -40,6 +43,38 @@ def find_state(
     ratios, efficiencies : sequence of Number
         Of each mechanism: floats, or traced numbers. [-]
     """
+    if not is_nearly_one(case, ratios):
+        state = _find_state(case, gear, ratios, efficiencies)
+        if state.certain:
+            return state
+    elif any(map(is_traced, (*ratios, *efficiencies))):
+        raise Untraceable
+    return _exact_state(case, gear, ratios, efficiencies)
+
+
+def _exact_state(
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+) -> GearState:
+    """The state of a gear of which rounding leaves too few digits, calculated in fractions.
+
+    A ratio and an efficiency are what the float is, to its last bit.
+    """
+    from fractions import Fraction  # they cost start-up time
+
+    from vstatics.numerics.exact import rounded
+
+    exact: Any = [[Fraction(plain(one)) for one in numbers] for numbers in (ratios, efficiencies)]
+    try:
+        state: GearState = rounded(_find_state(case, gear, *exact))
+    except OverflowError:  # beyond any float, where the search asks for one
+        return _find_state(case, gear, ratios, efficiencies)
+    return state
+
+
+def _find_state(
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+) -> GearState:
+    """The state in the arithmetic of the given numbers."""
     variant = variant_of(case, ratios, efficiencies)
     nobody = solve_speeds(case, gear, variant.columns)
     if not case.freewheels or not nobody.consistent:  # tied up, whatever the freewheels do

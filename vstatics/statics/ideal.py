@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.tolerances import TIE
-from vstatics.numerics.traced import Number, absolute
+from vstatics.numerics.traced import Number, absolute, is_nothing_beside
 from vstatics.statics import matrix
 from vstatics.statics.matrix import Column, Variant
 from vstatics.statics.speeds import Speeds
@@ -29,11 +29,18 @@ class IdealGear(NamedTuple):
     drag: Drag
     torques_with_drag: Torques
     """Drag alone loads some mechanisms; the same where nothing drags."""
+    overcome: bool = False
+    """Whether drag may take more than the input gives, so that the output gives the rest."""
 
     @property
     def case(self) -> Transmission:
         """The transmission."""
         return self.variant.case
+
+    @property
+    def without_drag(self) -> IdealGear:
+        """The same gear where nothing drags."""
+        return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
@@ -79,7 +86,7 @@ def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequen
     def on(link: int) -> bool:
         own = next(torque for other, torque in by_link[link] if other == device)
         others = [torque for other, torque in by_link[link] if other != device]
-        return bool(own == 0 or any(own <= TIE * torque for torque in others))
+        return bool(own == 0 or any(is_nothing_beside(own, torque, TIE) for torque in others))
 
     return all(on(link) for link in links if link != HOUSING)
 

@@ -59,7 +59,7 @@ def check_signs(
 
     A set of signs is admissible when the sign of every mechanism with losses is that of its
     flow, or one of the two is 0; and when the efficiency is above 0 (where there is one
-    without losses).
+    without losses, and drag is not overcome from the output).
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -71,7 +71,7 @@ def check_signs(
     for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
         if not (x == 0 or own.lossless):
             agrees = agrees & (x * direction >= 0)
-    passes = (efficiency > 0) & (efficiency < math.inf)
+    passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     if passes is False:  # of one variant; those of a plan all pass power, or none of them does
         passes = not _passes_power(ideal)
     return LossyTorques(
@@ -108,7 +108,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Power lost in each mechanism, from the power by its first link: equation (2)."""
     for entering, own, x in zip(by_first_link, ideal.variant.efficiencies, signs, strict=True):
-        yield power(entering, 1 - lossy_ratio(1.0, own, x))
+        yield power(entering, 1 - lossy_ratio(1, own, x))  # a whole 1 keeps fractions exact
 
 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import RIGHT, Coefficient, Equation
@@ -225,11 +226,19 @@ def torque_rows(
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Known external torques by link [-]: 1 on the input, and the gear's further ones."""
-    torques = {case.gear_input(gear): 1.0}
+    """Known external torques by link [-]: 1 on the input, and the gear's further ones.
+
+    Where the load gives no torque that on the input is 0, and the others are in N*m.
+    """
+    torques = {case.gear_input(gear): case.input_torque(gear)}
     for link, torque in gear.torques.items():
-        torques[link] = torques.get(link, 0.0) + torque
+        torques[link] = torques.get(link, 0.0) + given_torque(case, gear, torque)
     return torques
+
+
+def given_torque(case: Transmission, gear: Gear, torque: float) -> float:
+    """A given torque [-]: where the load gives none, 0 if it is a part of that."""
+    return torque if isinstance(torque, OfLoad) else torque * case.input_torque(gear)
 
 
 class Variant(NamedTuple):

@@ -26,7 +26,8 @@ _NEEDED = {
 def scales(case: Transmission) -> dict[str, Floats]:
     """By unit (rpm, Nm, kW): what a relative number of each gear is multiplied by.
 
-    Arrays of shape (gears,), NaN where no load tells.
+    Arrays of shape (gears,), NaN where no load tells. Where it gives no torque the unit of
+    torque is 1 N*m.
 
     They are for arrays of `Results`, which are relative to an input that drives, coasting
     too. Then really it is driven: the torque on it is against its speed, so the scales of
@@ -39,7 +40,7 @@ def scales(case: Transmission) -> dict[str, Floats]:
     """
     loads = [case.gear_load(gear) for gear in case.gears]
     rpm = np.array([math.nan if load.speed is None else float(load.speed) for load in loads])
-    torque = np.array([math.nan if load.torque is None else float(load.torque) for load in loads])
+    torque = np.array([float(load.torque_unit) or math.nan for load in loads])
     if case.coast:
         torque = -torque
     with np.errstate(over="ignore"):
@@ -83,7 +84,7 @@ class _PhysicalArray:
         self.array, _, self.unit = name.rpartition("_")
 
     def __get__(self, results: PhysicalResults, owner: type) -> Floats:
-        return results.in_unit(self.unit, getattr(results, self.array), self.array)
+        return results.in_unit(self.unit, results.in_own_unit(self.array), self.array)
 
 
 class PhysicalResults(ResultFields):
@@ -162,16 +163,23 @@ class PhysicalResults(ResultFields):
             values = relative * scale
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
+    def in_own_unit(self, name: str) -> Floats:
+        """An array as it was calculated: of gears whose load gives no torque relative to 1 N*m."""
+        if name.endswith("output_torque"):
+            return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
+        array: Floats = ResultFields.__dict__[name].__get__(self)
+        return array
+
     def _port_powers(self, name: str) -> Floats:
         """(..., gears, links): what enters at each link by all external torque on it [kW]."""
         case = self.case
         power = np.zeros((*self.speeds.shape[:-1], case.links))
         for number, gear in enumerate(case.gears):
             held: dict[int, Any] = {
-                link: self.lossy_holding_torques[..., number, link - 1]
+                link: self.in_own_unit("lossy_holding_torques")[..., number, link - 1]
                 for link in held_links(case, gear)
             }
-            output: Any = self.lossy_output_torque[..., number]
+            output: Any = self.in_own_unit("lossy_output_torque")[..., number]
             torques: Any = port_torques(case, gear, held, output)
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]
@@ -179,3 +187,28 @@ class PhysicalResults(ResultFields):
                 with np.errstate(over="ignore", invalid="ignore"):
                     power[..., number, link - 1] = np.where(at_rest, 0.0, torque * speed)
         return self.in_unit("kW", power, name)
+
+
+RELATIVE_TO_INPUT = (
+    *("torques", "holding_torques", "lossy_torques", "lossy_holding_torques", "efficiency"),
+    *("losses", "power_balance", "drag_losses"),
+    *("mesh_torques", "lossy_mesh_torques", "mesh_losses"),
+)
+"""Arrays of torques and powers: they do not exist in gears whose load gives no torque."""
+
+
+def _relative(name: str) -> property:
+    """An array of them, with NaN for such gears."""
+
+    def by_input(results: PhysicalResults) -> Floats:
+        array, case = results.in_own_unit(name), results.case
+        if not case.unloaded:
+            return array
+        known = np.array([case.input_torque(gear) != 0 for gear in case.gears])
+        return np.where(known.reshape(-1, *[1] * (array.ndim - results.ratio.ndim)), array, np.nan)
+
+    return property(by_input, doc=getattr(ResultFields, name).__doc__)
+
+
+for _name in RELATIVE_TO_INPUT:
+    setattr(PhysicalResults, _name, _relative(_name))

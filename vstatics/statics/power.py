@@ -42,7 +42,7 @@ def port_torques(
     """Link -> all external torque on it [-], also that of the load and of what holds a speed."""
     external: dict[int, Number] = {**external_torques(case, gear), **holding}
     output = case.gear_output(gear)
-    external[output] = external.get(output, 0.0) - output_torque
+    external[output] = external[output] - output_torque if output in external else -output_torque
     return external
 
 

@@ -77,6 +77,8 @@ class ResultFields(NamedTuple):
     """(..., gears): the lossy torques stand, with signs that agree with their flow."""
     locked: Booleans
     """(..., gears): locked by friction."""
+    dragged: Booleans
+    """(..., gears): drag takes more than the input gives, so power enters at the output."""
     undecided: Booleans
     """(..., gears): the search for signs was cut short, so `locked` is unknown."""
     turned: Booleans
@@ -153,6 +155,7 @@ ARRAYS: Mapping[str, GearArray] = {
     "drag_losses": GearArray("one"),
     "consistent": GearArray("one", np.bool_),
     "locked": GearArray("one", np.bool_),
+    "dragged": GearArray("one", np.bool_),
     "undecided": GearArray("one", np.bool_),
     "turned": GearArray("mechanisms", np.bool_),
     "choices": GearArray("one", np.int16),

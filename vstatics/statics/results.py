@@ -68,9 +68,9 @@ class Results(PhysicalResults):
         array([ 0., nan])
         """
         array: Floats = getattr(self, name)
-        if name not in ("idle", "consistent", "locked"):
+        if name not in ("idle", "consistent", "locked", "dragged"):
             return array
-        exists = self.calculable & ~self.undecided if name == "locked" else self.calculable
+        exists = self.calculable & ~(self.undecided & (name in ("locked", "dragged")))
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:
@@ -107,6 +107,7 @@ class Results(PhysicalResults):
             conflict=bool(self.conflict[index]),
             output_speed=float(self.speeds[index, output - 1]),
             balanced=bool(self.balanced[index]),
+            dragged=bool(self.dragged[index]),
             locked=bool(self.locked[index]),
             undecided=bool(self.undecided[index]),
         )

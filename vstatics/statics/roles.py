@@ -55,9 +55,10 @@ def roles(results: Results, number: int) -> list[Role]:
     if not results.calculable[number]:
         return [""] * len(case.own_devices)
     speeds = results.speeds[number].tolist()
-    sides = [device_torques(case, results.torques[number].tolist())]
+    sides = [device_torques(case, results.in_own_unit("torques")[number].tolist())]
     if results.consistent[number]:
-        sides.append(device_torques(case, results.lossy_torques[number].tolist()))
+        lossy = results.in_own_unit("lossy_torques")[number].tolist()
+        sides.append(device_torques(case, lossy))
     found = []
     for device, idle, *torques in zip(case.own_devices, results.idle[number], *sides, strict=True):
         links = [member.link for member in device.members]

@@ -14,12 +14,13 @@ from typing import NamedTuple
 
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual, Untraceable
-from vstatics.numerics.tolerances import TIE
+from vstatics.numerics.tolerances import NO_POWER, TIE
 from vstatics.numerics.traced import (
     Number,
     absolute,
     chosen,
     counted,
+    is_exact,
     is_nan,
     is_traced,
     opposite,
@@ -29,6 +30,7 @@ from vstatics.numerics.traced import (
 from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear, mechanism_torques
 from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
+from vstatics.statics.matrix import external_torques
 from vstatics.statics.power import power
 from vstatics.statics.torques import Torques
 
@@ -44,6 +46,7 @@ class SignSearch(NamedTuple):
     lossy: LossyTorques
     idle: list[bool]
     """By mechanism, like `turned`."""
+    dragged: bool
     locked: bool
     undecided: bool
     turned: list[Condition]
@@ -63,7 +66,8 @@ class Admissible(NamedTuple):
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """Find the signs that agree with the flow they lead to.
 
-    The signs without losses are tried first, then all sets of signs.
+    The signs without losses are tried first, then all sets of signs, then both where the output
+    may overcome drag.
 
     Parameters
     ----------
@@ -75,13 +79,14 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     if moving and _open(ideal, start):
         found = Admissible(_common(ideal, start))
     elif moving:
-        first = _follow_unloaded(ideal, start)
-        found = (
-            Admissible(first._replace(admissible=True), 1)
-            if first.admissible
-            else _search(ideal, start)
-        )
+        found = _admissible(ideal, start)
+        if found.lossy is None and not found.cut_short and ideal.drag.losses:
+            ideal = ideal._replace(overcome=True)
+            found = _overcome(ideal, start)
     lossy = found.lossy or no_solution(ideal, start.signs)
+    dragged = lossy.admissible is True and _is_dragged(ideal, lossy)
+    if dragged:
+        lossy = lossy._replace(efficiency=math.nan)
     idle = start.idle
     # of an idle one the sign is a convention; one object stands for what no search has changed
     turned = [
@@ -95,7 +100,34 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
         )
     ]
     locked = found.lossy is None and not found.cut_short
-    return SignSearch(lossy, idle, locked, found.cut_short, turned, found.choices)
+    return SignSearch(lossy, idle, dragged, locked, found.cut_short, turned, found.choices)
+
+
+def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """The signs without losses if they agree with their flow, else the best that do."""
+    first = _follow_unloaded(ideal, start)
+    if first.admissible:
+        return Admissible(first._replace(admissible=True), 1)
+    return _search(ideal, start)
+
+
+def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
+    """Signs of a gear whose drag the output may overcome; none if friction alone locks it."""
+    bare = ideal.without_drag._replace(overcome=False)
+    alone = _admissible(bare, ideal_signs(bare, moving=True))
+    return _admissible(ideal, start) if alone.lossy else alone
+
+
+def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
+    """Whether power enters at the output to overcome drag, and none leaves at the input."""
+    if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
+        return False
+    case, gear, direction = ideal.case, ideal.gear, ideal.variant.direction
+    at_input = external_torques(case, gear)[case.gear_input(gear)]
+    output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
+    entering = -power(lossy.torques.on_first_link[-1], output_speed)
+    taken = lossy.drag_losses * direction
+    return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
 
 
 def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
@@ -194,13 +226,35 @@ def _better(one: LossyTorques, other: LossyTorques) -> LossyTorques:
 
 
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """The torques for all possible sets of signs of the `free` mechanisms."""
+    """The torques for all possible sets of signs of the `free` mechanisms.
+
+    Of those in fractions, which take long, not such as floats refuse for certain.
+    """
+    rough = _in_floats(ideal)
     for own in product((1.0, -1.0), repeat=len(free)):
         signs: list[Number] = list(start.signs)
         for place, x in zip(free, own, strict=True):
             signs[place] = x
-        if is_possible(ideal.variant.efficiencies, tuple(signs)):
+        possible = is_possible(ideal.variant.efficiencies, tuple(signs))
+        if possible and not (rough and _is_refused(rough, tuple(signs))):
             yield torques_for_signs(ideal, tuple(signs))
+
+
+def _in_floats(ideal: IdealGear) -> IdealGear | None:
+    """A gear that is calculated in fractions, rounded; nothing for another one."""
+    if not any(map(is_exact, ideal.variant.ratios)):
+        return None
+    from vstatics.numerics.exact import rounded  # fractions cost start-up time
+
+    made: IdealGear = rounded(ideal)
+    return made
+
+
+def _is_refused(rough: IdealGear, signs: Signs) -> bool:
+    """Whether signs do not agree with their flow, and rounding leaves no doubt of it."""
+    lossy = torques_for_signs(rough, signs)
+    known = not any(map(is_nan, lossy.torques.on_first_link))
+    return known and lossy.torques.certain and not lossy.admissible
 
 
 def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:

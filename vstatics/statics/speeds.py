@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import TIE
-from vstatics.numerics.traced import Number, absolute
+from vstatics.numerics.traced import Number, absolute, is_nothing_beside
 from vstatics.statics.matrix import Column, speed_rows
 
 
@@ -24,6 +24,8 @@ class Speeds(NamedTuple):
     consistent: bool
     missing: int
     excess: int
+    certain: bool
+    """Rounding leaves digits of what they are made from."""
 
 
 def solve_speeds(case: Transmission, gear: Gear, columns: Sequence[Column]) -> Speeds:
@@ -38,7 +40,7 @@ def solve_speeds(case: Transmission, gear: Gear, columns: Sequence[Column]) -> S
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
     rows = speed_rows(case, gear, columns)
-    solution = elimination.solve(rows, case.links, sums)
+    solution, certain = elimination.solve_told(rows, case.links, sums)
     links = solution.values[: case.links]
     relative = solution.values[case.links : case.links + len(differences)]
     by_link = [0.0, *map(absolute, links)]
@@ -52,6 +54,7 @@ def solve_speeds(case: Transmission, gear: Gear, columns: Sequence[Column]) -> S
         solution.consistent,
         solution.missing,
         solution.excess,
+        certain,
     )
 
 
@@ -64,4 +67,4 @@ def _difference(first: int, second: int) -> dict[int, float]:
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:
     """Whether a difference of speeds is nothing beside the speeds themselves; magnitudes all."""
-    return bool(difference <= TIE * first or difference <= TIE * third)
+    return is_nothing_beside(difference, first, TIE) or is_nothing_beside(difference, third, TIE)

@@ -142,6 +142,13 @@ class GearState(NamedTuple):
         return bool(self.search.lossy.admissible)
 
     @property
+    def certain(self) -> bool:
+        """Rounding leaves digits of what speeds and torques are made from."""
+        ideal = self.ideal
+        torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
+        return ideal.speeds.certain and all(one.certain for one in torques)
+
+    @property
     def statuses(self) -> list[Status]:
         """All that is to be said of the gear as a whole, what explains the others first."""
         return statuses(
@@ -149,6 +156,7 @@ class GearState(NamedTuple):
             conflict=self.conflict,
             output_speed=self.output_speed,
             balanced=self.balanced,
+            dragged=self.search.dragged,
             locked=self.search.locked,
             undecided=self.search.undecided,
         )
@@ -247,6 +255,7 @@ def values_of(state: GearState) -> Values:
         "drag_losses": lossy.drag_losses,
         "consistent": state.consistent,
         "locked": search.locked,
+        "dragged": search.dragged,
         "undecided": search.undecided,
         "turned": search.turned,
         "choices": search.choices,

@@ -65,6 +65,13 @@ LOCKED = Status(
     "friction holds the train, whatever the input torque",
     is_fault=True,
 )
+DRAGGED = Status(
+    "dragged",
+    "dragged",
+    "движется от выхода",
+    "drag takes more than the input gives, so power enters at the output",
+    has_power=True,
+)
 UNDECIDED = Status(
     "undecided",
     "signs of losses not found",
@@ -72,7 +79,7 @@ UNDECIDED = Status(
     "the search for directions of power was cut short",
 )
 
-STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, UNDECIDED)
+STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, DRAGGED, UNDECIDED)
 """All of them, faults first."""
 
 
@@ -84,6 +91,7 @@ def statuses(  # noqa: PLR0913
     balanced: bool,
     locked: bool,
     undecided: bool,
+    dragged: bool = False,
 ) -> list[Status]:
     """All that is to be said of a gear, what explains the others first; names as in `Results`.
 
@@ -105,6 +113,7 @@ def statuses(  # noqa: PLR0913
         NEUTRAL: not absolute(output_speed) >= 0,
         NO_TORQUES: not balanced,
         LOCKED: locked,
+        DRAGGED: dragged,
         UNDECIDED: undecided,
     }
     return [status for status, holds in marks.items() if holds]

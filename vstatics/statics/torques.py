@@ -67,8 +67,8 @@ def drag_torques(
     elements: dict[int, Number] = {}
     external: dict[int, Number] = {}
     losses: list[Number] = []
-    for link, torque in gear.drag.items():
-        speed = speeds[link - 1]
+    for link, given in gear.drag.items():
+        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
         against = torque * direction * _direction(speed)
         if against:
             links[link] = -against
@@ -94,7 +94,11 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
         for number, element in enumerate(case.shift_elements, 1)
         if number not in gear.engaged
     }
-    return {number: torque for number, torque in torques.items() if torque}
+    return {
+        number: matrix.given_torque(case, gear, torque)
+        for number, torque in torques.items()
+        if torque
+    }
 
 
 def unknown_drag(
@@ -154,6 +158,8 @@ class Torques(NamedTuple):
     """Link -> external torque that holds its given speed. [-]"""
     consistent: bool
     """There is an equilibrium."""
+    certain: bool = True
+    """Rounding leaves digits of what they are made from."""
 
 
 def solve_torques(
@@ -171,7 +177,7 @@ def solve_torques(
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
     rows = matrix.torque_rows(case, gear, columns, drag.external)
-    solution = elimination.solve(rows, len(devices) + 1 + len(held))
+    solution, certain = elimination.solve_told(rows, len(devices) + 1 + len(held))
     on_first_link: list[Number] = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
     for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
         on_first_link[device] = torque
@@ -179,7 +185,7 @@ def solve_torques(
         for device, torque in drag.elements.items():
             on_first_link[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
-    return Torques(on_first_link, holding, solution.consistent)
+    return Torques(on_first_link, holding, solution.consistent, certain)
 
 
 def solve_sums(

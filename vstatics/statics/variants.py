@@ -20,6 +20,7 @@ from vstatics.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
 from vstatics.numerics.traced import Number
+from vstatics.statics import matrix
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.result_arrays import ARRAYS, row_counts
 from vstatics.statics.state import flat, guard_power, values_of
@@ -168,7 +169,18 @@ def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """What a gear has of its own."""
     own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
-    return (*own, case.gear_input(gear), case.gear_output(gear), turned)
+    ends = case.gear_input(gear), case.gear_output(gear)
+    return (*own, *ends, turned, *_loads(case, gear))
+
+
+def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """Which given torques act where the input has none; nothing where it has one."""
+    if case.input_torque(gear):
+        return ()
+    by_part = gear.torques, gear.drag, gear.open_drag
+    given = [torque for torques in by_part for torque in torques.values()]
+    given += [element.drag for element in case.shift_elements]
+    return tuple(matrix.given_torque(case, gear, torque) for torque in given)
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:

@@ -116,7 +116,8 @@ def margins(results: Results) -> list[Margin]:
     """
     case = results.case
     count = len(case.shift_elements)
-    both = np.abs(results.torques[:, :count]), np.abs(results.lossy_torques[:, :count])
+    names = "torques", "lossy_torques"
+    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
     torques = np.fmax(*both) * _loads(results)[:, np.newaxis]
     carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
     return [
@@ -140,8 +141,8 @@ def _margin(
 
 
 def _loads(results: Results) -> Floats:
-    """The input torque of each gear by that of the case; 1 where one of them is not told."""
+    """The unit of torque of each gear by that of the case; 1 where one of them is not told."""
     case = results.case
-    common = None if case.load is None else case.load.torque
-    own = (case.gear_load(gear).torque for gear in case.gears)
+    common = 0.0 if case.load is None else case.load.torque_unit
+    own = (case.gear_load(gear).torque_unit for gear in case.gears)
     return np.array([abs(torque / common) if torque and common else 1.0 for torque in own])

@@ -10,6 +10,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.model.parts import Gear, SpeedOf
 from vstatics.model.transmission import Transmission
+from vstatics.statics.matrix import external_torques
 from vstatics.statics.physical import scales
 from vstatics.statics.results import Results
 
@@ -80,8 +81,8 @@ def _power(
     """Of all outside torques, by the speed of the input; NaN where one is unknown; in N*m."""
     if any(isinstance(speed, SpeedOf) or speed for speed in gear.speeds.values()):
         return math.nan
-    power = torque
-    for link, part in gear.torques.items():
+    power = 0.0
+    for link, part in external_torques(case, gear).items():
         power += part * torque * speeds[link - 1]
     if output_torque:
         power += output_torque * speeds[case.gear_output(gear) - 1]

@@ -39,19 +39,18 @@ def sensitivities(results: Results) -> Floats:
            [0.    ]])
     """
     alone, case = results, results.case
-    if any(gear.torques for gear in case.gears):  # each freewheel stays as it is
-        case = results.with_freewheels_engaged
-        case = replace(case, gears=[gear._replace(torques={}) for gear in case.gears])
+    if case.unloaded or any(gear.torques for gear in case.gears):
+        case = results.with_freewheels_engaged  # each freewheel stays as it is
+        gears = [gear._replace(torques={}, load=None) for gear in case.gears]
+        case = replace(case, gears=gears, load=None)
         alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
     states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
-    speeds = np.array([[0.0, *state.speeds] for state in states])
+    speeds = np.array([state.speeds for state in states])
     torques = np.array([state.torques.on_first_link for state in states])
-    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs]
-    links = np.array([mechanism.links for mechanism in case.mechanisms], dtype=int)
-    first, _, third = links.reshape(-1, 3).T
+    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs - 1]
+    motion = np.array([state.relative_speeds for state in states])
     with np.errstate(all="ignore"):
-        motion = speeds[:, first] - speeds[:, third]
         relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]
     # an idle one turns as one piece or carries nothing, which no internal ratio changes
     idle = np.array([state.search.idle for state in states], dtype=bool)

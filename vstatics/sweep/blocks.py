@@ -17,6 +17,7 @@ from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.sweep.chunk import (
     CONFLICT,
+    DRAGGED,
     INVALID,
     LOCKED,
     OPEN,
@@ -174,6 +175,7 @@ def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
         return status
     unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
     for code, said in (
+        (DRAGGED, results.dragged),
         *((OPEN, wrong) for wrong in unlike),
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),

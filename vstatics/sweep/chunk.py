@@ -25,10 +25,13 @@ if TYPE_CHECKING:
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
-_OF_GEARS = (status.NEUTRAL, status.UNDECIDED, status.LOCKED, status.TIED_UP, status.CONFLICT)
+_OF_GEARS = (
+    *(status.DRAGGED, status.NEUTRAL, status.UNDECIDED),
+    *(status.LOCKED, status.TIED_UP, status.CONFLICT),
+)
 STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid", "stopped")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
-OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
+DRAGGED, OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
 
 
 OF_ROWS = ("variants", "values", "status", "columns", "objectives")

@@ -51,22 +51,33 @@ class PortTable(NamedTuple):
     """What power is lost in: meshes, drag if there is any, and both together. [-]"""
     scales: dict[str, float]
     """Its own of `gear_scales`."""
+    input_torque: float
+    """What relative torques are relative to: 1, or 0 where the load gives none."""
 
     @property
     def ports(self) -> list[NamedPort]:
         """The ports, as they are answered."""
         return [
-            NamedPort(name, port.way or None, port.is_output, *own, *self._with_units(own))
+            NamedPort(
+                name,
+                *(port.way or None, port.is_output, port.speed),
+                *map(self.relative, (port.torque, port.power)),
+                *self._with_units((port.speed, port.torque, port.power)),
+            )
             for name, port in self.rows
-            for own in [(port.speed, port.torque, port.power)]
         ]
 
     @property
     def lost(self) -> list[LostPower]:
         """The losses, as they are answered."""
         return [
-            LostPower(name, lost, self._with_units((0, 0, lost))[-1]) for name, lost in self.losses
+            LostPower(name, self.relative(lost), self._with_units((0, 0, lost))[-1])
+            for name, lost in self.losses
         ]
+
+    def relative(self, number: float) -> float:
+        """A torque or power relative to the input's [-]; NaN beside none."""
+        return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
         """Numbers of `MEASURES` in their units; None where no load tells them."""
@@ -85,7 +96,8 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
     """The ports of a gear, with its own of `gear_scales`."""
     case, found = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in found.ports]
-    return PortTable(state.gear.name, rows, _losses(found, drag=case.has_drag), by_unit)
+    losses, name = _losses(found, drag=case.has_drag), state.gear.name
+    return PortTable(name, rows, losses, by_unit, case.input_torque(state.gear))
 
 
 def _losses(of_gear: GearPorts, *, drag: bool) -> list[tuple[str, float]]:
@@ -133,7 +145,7 @@ def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
     def cell(value: float, unit: str) -> Cell:
         if unit in physical:
             return exact(value * gear.scales[unit], UNITS[unit].decimals)
-        return exact(value)
+        return exact(value if unit == "rpm" else gear.relative(value))
 
     for name, port in gear.rows:
         numbers = (cell(getattr(port, what), unit) for what, unit in MEASURES)

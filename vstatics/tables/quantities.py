@@ -239,6 +239,10 @@ RELATIVE = (
     Quantity("locked", "locked", "LOCKED", Phrase(
         LOCKED.english.capitalize(),
         "Самоторможение")),
+    Quantity("dragged", "dragged", "DRAGGED", Phrase(
+        "Drag takes more than the input gives",
+        "Сопротивления больше подводимого момента"),
+        exists=lambda results: results.case.has_drag),
     Quantity("holding_torques", "AMWZ", "AMWZ", Phrase(
         "Torques that hold the given speeds, without losses",
         "Моменты, удерживающие заданные скорости, без потерь"),

@@ -137,7 +137,7 @@ def _is_drag(torque: float, element: ShiftElement | None, path: Path, spots: Spo
 
 def _whole(common: Common) -> float:
     """What capacities are related to: infinite where only their own unit counts."""
-    return abs(common.load.torque or 0.0) or (math.inf if common.moves else 0.0)
+    return abs(common.load.torque_unit) or (math.inf if common.moves else 0.0)
 
 
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
@@ -158,7 +158,7 @@ def _gear(
     gear: Gear, number: int, common: Common, by_part: tuple[_ByPart, _ByPart], spots: Spots
 ) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
-    torque, (of_links, of_elements) = load.torque or 0.0, by_part
+    torque, (of_links, of_elements) = load.torque_unit, by_part
     drags = abs(torque) or _whole(common)
 
     def related(
