@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import click
 
@@ -12,7 +12,7 @@ from vstatics import readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.options import Command
+from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import LIMIT
 from vstatics.cli.frame.sharing import Sharing, shared
@@ -50,6 +50,23 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
     return click.option(*names, metavar=option.metavar, help=option.help, **more)
 
 
+class Effort(NamedTuple):
+    """Whether a sweep is carried out, how long a run may take, and whether no row fails."""
+
+    fail_empty: bool
+    dry_run: bool
+    limit: float | None
+
+
+effort = gathered(
+    "effort",
+    Effort,
+    click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3."),
+    click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
+    LIMIT,
+)
+
+
 @click.command()
 @click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
 @click.option("--file", "sweep_file", type=click.Path(), help="Read the sweep from this YAML file.")
@@ -61,9 +78,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "-j", "--jobs", type=click.IntRange(1), default=1, show_default=True, help="Processes."
     ),
 )
-@click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3.")
-@click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
-@LIMIT
+@effort
 @arguments.input_format
 @arguments.coast
 @arguments.idle
@@ -72,8 +87,7 @@ def sweep(
     sweep_file: str | None,
     sharing: Sharing,
     raw: bool,
-    fail_empty: bool,
-    dry_run: bool,
+    effort: Effort,
     input_format: readers.Format | None,
     telling: Telling,
     **said: Any,
@@ -110,7 +124,6 @@ def sweep(
     --strict also if there is a warning on the case;
     2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or SIGTERM.
     """
-    limit = said.pop("limit")
     own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:
         of_file = read_sweep_file(*files.read_input(sweep_file))
@@ -130,16 +143,17 @@ def sweep(
         subject, warnings = read_subject(options.case or "", input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
-        subject = limited(subject, limit)
+        subject = limited(subject, effort.limit)
         plan = build.plan(subject, options)
         if most_rows(plan) > MOST_ROWS.get(form, math.inf):
             message = f"{form} is for {MOST_ROWS[form]} rows at most, not for {most_rows(plan)}"
             raise click.UsageError(f"{message}: expected another format, or --best")
-        if dry_run:
+        if effort.dry_run:
             files.write_output(estimate(plan, form, sharing.processes), None)
             status = DONE
         else:
-            run = SweepRun(plan, form, options.output, sharing, raw, telling.quiet, fail_empty)
+            quiet, fails = telling.quiet, effort.fail_empty
+            run = SweepRun(plan, form, options.output, sharing, raw, quiet, fails)
             status = carry_out(run)
         return status or (FAILED if telling.fails(warnings) else DONE)
     except CaseError as error:  # is shown as what ends a reading

@@ -82,6 +82,20 @@ class Ports:
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
+        self._laws(system, states, time)
+        self.senses_rate[layout.pumps :] = True
+        self.bending = sorted(
+            {port for port, _, _ in self.special}
+            | {port for port, _ in self.roads}
+            | set(range(layout.pumps, layout.ports))
+        )
+        """Ports whose torques are not straight in rates, twists and angles."""
+        self.is_affine = not self.bending
+        """Whether all torques are straight in rates, twists and angles."""
+
+    def _laws(self, system: MotionSystem, states: States, time: float) -> None:
+        """Take the torques of all ports but those of converters."""
+        layout = self.layout
         for index, one in enumerate(system.outside):
             if not one.acts(states.contacts):
                 continue
@@ -97,15 +111,6 @@ class Ports:
                 self.senses_rate[port] = spring.viscous != 0
             elif state != "open":
                 self._programme(port, spring.programme, SIGNS[state], time)
-        self.senses_rate[layout.pumps :] = True
-        self.bending = sorted(
-            {port for port, _, _ in self.special}
-            | {port for port, _ in self.roads}
-            | set(range(layout.pumps, layout.ports))
-        )
-        """Ports whose torques are not straight in rates, twists and angles."""
-        self.is_affine = not self.bending
-        """Whether all torques are straight in rates, twists and angles."""
 
     def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Of all ports [N*m]."""
