@@ -230,7 +230,7 @@ def _tried(scenario: Scenario) -> list[Problem]:
         return []
     needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
     message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
-    return [Problem(message, ("duration",), severity="note")]
+    return [Problem("N001", message, ("duration",))]
 
 
 def _scenario_summary(file: str, scenario: Scenario) -> Grid:

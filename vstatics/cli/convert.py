@@ -91,7 +91,7 @@ def convert(
     try:
         text, lost = write(reading.case, wanted)
     except CaseError as error:
-        raise ReadError([of_file(source, str(error))]) from error
+        raise ReadError([of_file("E001", source, str(error))]) from error
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")

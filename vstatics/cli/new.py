@@ -74,7 +74,9 @@ def new(target: str, name: str) -> None:
     kind = format_of_name(target)
     if kind not in (None, "yaml"):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
-        raise ReadError([of_file(target, message)])
+        raise ReadError([of_file("E015", target, message)])
     if target != STDOUT and os.path.lexists(target):
-        raise ReadError([of_file(target, "is there already; expected the name of a new file")])
+        raise ReadError(
+            [of_file("E016", target, "is there already; expected the name of a new file")]
+        )
     files.write_output(template(name), target)

@@ -45,7 +45,7 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
             for wheel in element.shape.wheels:
                 if wheel in element.teeth and wheel not in element.members:
                     message = f"the wheel is left out, as no link is given for it (`{wheel}: ...`)"
-                    yield Problem(message, ("elements", number, "teeth", wheel), severity="warning")
+                    yield Problem("W301", message, ("elements", number, "teeth", wheel))
             group = group_of(element)
             yield from _alike(group, ("elements", number))
             if group.is_shared and not at_meshes(element, group, drawing):
@@ -53,7 +53,7 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
                     "several wheels share planets, and the losses of the reduced form are not "
                     "exact then; `losses: meshes` calculates them at each mesh"
                 )
-                yield Problem(message, ("elements", number), severity="note")
+                yield Problem("N301", message, ("elements", number))
     yield from _side_by_side(drawing)
 
 
@@ -68,7 +68,7 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
                     f"{first} and {wheel.member} turn alike whatever the carrier does (ratio 1): "
                     "between them it takes torque by losses only"
                 )
-                yield Problem(message, path, severity="note")
+                yield Problem("N302", message, path)
 
 
 def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
@@ -84,13 +84,13 @@ def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
             "draw them as one element, such as `ravigneaux` or `planet_group`; losses are not "
             "exact otherwise"
         )
-        yield Problem(message, ("elements", number), severity="note")
+        yield Problem("N303", message, ("elements", number))
 
 
 def _problems(element: Element, path: Path) -> Iterator[Problem]:
     if element.kind not in KINDS:
         known = f"expected one of {', '.join(KINDS)}{nearest(element.kind, KINDS)}"
-        yield Problem(f"read {element.kind!r}, {known}", (*path, "kind"))
+        yield Problem("E301", f"read {element.kind!r}, {known}", (*path, "kind"))
         return
     kind = element.shape
     yield from _apart(element, kind, path)
@@ -108,10 +108,10 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.efficiency is not None and element.mesh_efficiency:
         message = "`efficiency` is that of the whole element; give one of the two"
-        yield Problem(message, (*path, "mesh_efficiency"))
+        yield Problem("E302", message, (*path, "mesh_efficiency"))
     if element.planets is not None and element.planets < 1:
         message = f"read {element.planets}, expected the number of planets around the axis"
-        yield Problem(message, (*path, "planets"))
+        yield Problem("E303", message, (*path, "planets"))
     if _is_torsional(element):
         yield from of_torsion(element, path)
 
@@ -134,7 +134,7 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
     if not missing and len(wheels) < 2:
         names = ", ".join(kind.wheels)
         yield Problem(
-            f"there are {len(wheels)} central wheels, expected two or more of {names}", path
+            "E304", f"there are {len(wheels)} central wheels, expected two or more of {names}", path
         )
     used = {kind.wheels[wheel].rim for wheel in wheels}
     several = {
@@ -148,13 +148,13 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
         is_around = around.rim == within.rim and around.internal and not within.internal
         if is_around and outer <= inner:
             message = f"read {outer:g}, expected more teeth than the {inner:g} of {sun}"
-            yield Problem(message, (*path, "teeth", ring))
+            yield Problem("E305", message, (*path, "teeth", ring))
 
 
 def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
     for member in kind.members:
         if member not in element.members and member not in kind.optional:
-            yield Problem(f"`{member}` is missing: the link that it belongs to", path)
+            yield Problem("E306", f"`{member}` is missing: the link that it belongs to", path)
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
@@ -168,21 +168,21 @@ def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
             continue
         if link in seen:
             message = f"{seen[link]} and {member} are the same link, expected different ones"
-            yield Problem(message, (*path, member))
+            yield Problem("E307", message, (*path, member))
         seen.setdefault(link, member)
 
 
 def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
     yield from _missing(element, kind, path)
     if element.kind == "shaft" and element.efficiency is None:
-        yield Problem("`efficiency` is missing: a shaft is here for its loss", path)
+        yield Problem("E308", "`efficiency` is missing: a shaft is here for its loss", path)
     needed = [kind.toothed[0], kind.toothed[-1]] if kind.toothed else []
     if not (kind.optional_teeth and not element.teeth):
         yield from _teeth(element, needed, kind.toothed, path, kind.size)
     first, second = (element.teeth.get(wheel) for wheel in ("first", "second"))
     if element.kind == "internal_pair" and first and first == second:
         message = "the ring has as many teeth as the wheel in it, expected other numbers"
-        yield Problem(message, (*path, "teeth"))
+        yield Problem("E309", message, (*path, "teeth"))
 
 
 def _teeth(
@@ -191,14 +191,16 @@ def _teeth(
     missing = [name for name in needed if name not in element.teeth]
     if missing:
         names = " and ".join(f"`{name}`" for name in missing)
-        yield Problem(f"{size} of {names} missing", (*path, size) if element.teeth else path)
+        yield Problem(
+            "E310", f"{size} of {names} missing", (*path, size) if element.teeth else path
+        )
     for name, count in element.teeth.items():
         if name not in known:
             message = f"unknown: expected {', '.join(known)}{nearest(name, known)}"
-            yield Problem(message, (*path, size, name))
+            yield Problem("E311", message, (*path, size, name))
         elif not 1 / LARGEST_WHEEL < count < LARGEST_WHEEL:
             message = f"read {count:g}, expected a number above 0 and below {LARGEST_WHEEL:g}"
-            yield Problem(message, (*path, size, name))
+            yield Problem("E312", message, (*path, size, name))
 
 
 def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
@@ -208,9 +210,10 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
         return
     place = (*path, "planet")
     if element.planets is None:
-        yield Problem("`planets` is missing: how many of them stand around the axis", place)
+        yield Problem("E313", "`planets` is missing: how many of them stand around the axis", place)
     if element.stiffness is not None:
         yield Problem(
+            "E314",
             "an elastic element can't have masses of planets: list the planet as a link with its "
             "inertia, and each mesh as a mechanism",
             place,
@@ -224,7 +227,7 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
             known = spoken(map(quoted, element.planet_names), "or")
             expected = f"expected {known}" if known else f"a {element.kind} has none"
             hint = nearest(name, element.planet_names)
-            yield Problem(f"there is no planet `{name}`, {expected}{hint}", here)
+            yield Problem("E315", f"there is no planet `{name}`, {expected}{hint}", here)
 
 
 def _of_mass(mass: PlanetMass, path: Path) -> Iterator[Problem]:
@@ -233,7 +236,7 @@ def _of_mass(mass: PlanetMass, path: Path) -> Iterator[Problem]:
     yield from not_negative(mass.radius, "a radius", (*path, "radius"))
     if mass.mass and not mass.radius:
         message = "`radius` is missing: how far the pin is from the axis of the set, as there is"
-        yield Problem(f"{message} a mass", path)
+        yield Problem("E316", f"{message} a mass", path)
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
@@ -251,12 +254,12 @@ def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Prob
                 f"the element has {rows} rows (mechanisms), expected a stiffness of what has one: "
                 "leave it out, and put springs beside the element"
             )
-            yield Problem(message, (*path, "stiffness"))
+            yield Problem("E317", message, (*path, "stiffness"))
     known = _known_planets(element)
     for name, mass in element.planet_masses.items():
         if mass.inertia and name not in known:
             message = f"the speed of planet {name} is not known, expected its teeth"
-            yield Problem(message, (*path, "planet"))
+            yield Problem("E318", message, (*path, "planet"))
 
 
 def _known_planets(element: Element) -> set[str]:

@@ -24,14 +24,16 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
     for planet, own in element.rims.items():
         place = (*path, "rims", planet)
         if not own:
-            yield Problem("there is no rim, expected its name and teeth", place)
+            yield Problem("E319", "there is no rim, expected its name and teeth", place)
         for rim, count in own.items():
             yield from _count(count, (*place, rim))
             if rim in seen:
-                yield Problem(f"rim `{rim}` is there already; expected a name of its own", place)
+                yield Problem(
+                    "E320", f"rim `{rim}` is there already; expected a name of its own", place
+                )
             seen[rim] = planet
     if len(element.wheels) < 2:
-        yield Problem(f"{len(element.wheels)} suns and rings, expected two or more", path)
+        yield Problem("E321", f"{len(element.wheels)} suns and rings, expected two or more", path)
     yield from _wheels(element, seen, path)
 
 
@@ -44,16 +46,18 @@ def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Pro
     for wheel in element.wheels:
         yield from _count(wheel.teeth, (*path, *wheel_path(element, wheel), "teeth"))
         if wheel.member in {"carrier", *element.rims}:
-            yield Problem(f"wheel `{wheel.member}` has the name of another member", path)
+            yield Problem("E322", f"wheel `{wheel.member}` has the name of another member", path)
     for place, rim in named:
         if rim not in rims:
             known = nearest(rim, rims) or ": " + ", ".join(rims)
-            yield Problem(f"read `{rim}`, expected the name of a rim{known}", (*path, *place))
+            yield Problem(
+                "E323", f"read `{rim}`, expected the name of a rim{known}", (*path, *place)
+            )
 
 
 def _count(teeth: int, path: Path) -> Iterator[Problem]:
     if teeth >= LARGEST_WHEEL:
-        yield Problem(f"read {teeth}, expected fewer than {LARGEST_WHEEL} teeth", path)
+        yield Problem("E324", f"read {teeth}, expected fewer than {LARGEST_WHEEL} teeth", path)
 
 
 def wheel_path(element: Element, wheel: CentralWheel) -> Path:
@@ -67,26 +71,28 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
     group = group_of(element)
     if len(group.planets) > MOST_PLANET_KINDS:
         message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
-        yield Problem(message, (*path, "rims"))
+        yield Problem("E325", message, (*path, "rims"))
         return
     for one, other in group.meshes:
         if group.planet_of[one] == group.planet_of[other]:
-            yield Problem(f"rims `{one}` and `{other}` are on one planet", (*path, "meshes"))
+            yield Problem(
+                "E326", f"rims `{one}` and `{other}` are on one planet", (*path, "meshes")
+            )
             return
     try:
         trains = group.trains
     except ValueError as error:
-        yield Problem(f"{error}: their teeth don't agree", (*path, "meshes"))
+        yield Problem("E327", f"{error}: their teeth don't agree", (*path, "meshes"))
         return
     counts = [len(group.wheels_of(train)) for train in trains]
     for train, count in zip(trains, counts, strict=True):
         if count < 2:
             names = " and ".join(train)
             message = f"{count} central wheel meshes with planet {names}, expected two or more"
-            yield Problem(f"{message}; is a mesh between planets missing?", path)
+            yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
     if element.efficiency is not None and (max(counts) > 2 or len(counts) > 1):
         message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
-        yield Problem(message, (*path, "efficiency"))
+        yield Problem("E329", message, (*path, "efficiency"))
     if element.kind == GROUP:
         yield from _group_wheels(element, group, path)
 
@@ -96,16 +102,18 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:
-            yield Problem("is on the link of the carrier, expected another one", (*place, "link"))
+            yield Problem(
+                "E330", "is on the link of the carrier, expected another one", (*place, "link")
+            )
         for other in group.wheels:
             around = wheel.internal and not other.internal and wheel.rim == other.rim
             if around and wheel.teeth <= other.teeth:
                 message = f"read {wheel.teeth}, expected more teeth than the {other.teeth} of"
-                yield Problem(f"{message} {other.member}", (*place, "teeth"))
+                yield Problem("E331", f"{message} {other.member}", (*place, "teeth"))
     for train in group.trains:
         speeds: dict[int, Fraction] = {}
         for wheel in group.wheels_of(train):
             speed = group.relative(wheel, train)
             if speeds.setdefault(wheel.link, speed) != speed:
                 message = "has another wheel on these planets, of another speed: they would lock"
-                yield Problem(message, (*path, *wheel_path(element, wheel), "link"))
+                yield Problem("E332", message, (*path, *wheel_path(element, wheel), "link"))

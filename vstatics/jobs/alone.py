@@ -91,7 +91,7 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
     """The error that an item could not be done."""
-    return CaseError(f"{describe(item)}: {type(error).__name__}: {error}")
+    return CaseError("E027", f"{describe(item)}: {type(error).__name__}: {error}")
 
 
 class Alone(Workers):

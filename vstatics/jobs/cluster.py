@@ -71,7 +71,7 @@ class Cluster(Workers):
             client.close(timeout=SCHEDULER_SECONDS)
 
     def _problem(self, message: str) -> ReadError:
-        return ReadError([of_file(self.address, message)])
+        return ReadError([of_file("E028", self.address, message)])
 
     def _check_builds(self) -> None:
         """Refuse workers without this package, or with another build of it."""
@@ -153,7 +153,7 @@ class Cluster(Workers):
             self._check_builds()
             if type(error).__name__ == "KilledWorker":
                 message = "the workers that were at it died, one after the other"
-                raise CaseError(f"{self.describe(item)}: {message}") from None
+                raise CaseError("E029", f"{self.describe(item)}: {message}") from None
             raise failure(self.describe, item, error) from error
 
 

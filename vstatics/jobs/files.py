@@ -41,7 +41,7 @@ def is_stream(output: str | None) -> bool:
 def unwritable(output: str | None, error: OSError) -> Problem:
     """The problem that an output, or stdout, cannot be written."""
     name = "<stdout>" if output is None or output == STDOUT else output
-    return of_file(name, f"can't be written: {error.strerror or error}")
+    return of_file("E030", name, f"can't be written: {error.strerror or error}")
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:

@@ -132,7 +132,7 @@ class FinishedCases:
                 f"the run to go on with was another one ({changed}): use the same options, "
                 "or calculate all cases again without --resume"
             )
-            raise ReadError([of_file(self.path, message)])
+            raise ReadError([of_file("E031", self.path, message)])
         if first != self._description:
             return OTHER_BUILD
         for line in lines:

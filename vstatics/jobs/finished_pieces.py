@@ -118,7 +118,7 @@ class FinishedPieces:
         if all(name == LOCK or is_temporary(name) for name in self._names()):
             return None
         message = f"holds no {self.what} that can be taken up; move it away"
-        raise ReadError([of_file(self.directory, message)])
+        raise ReadError([of_file("E032", self.directory, message)])
 
     def _names(self) -> list[str]:
         """What is in the directory."""
@@ -148,7 +148,7 @@ class FinishedPieces:
             return OTHER_BUILD if other_build else ""
         held = f"holds {finished} of {known.get('pieces')} finished pieces"
         message = f"{held} {whose}, or remove the directory to begin anew"
-        raise ReadError([of_file(self.directory, message)])
+        raise ReadError([of_file("E033", self.directory, message)])
 
     def lock(self) -> None:
         """Take the directory for this process; see `vstatics.jobs.lock.lock`."""

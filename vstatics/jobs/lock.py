@@ -62,7 +62,7 @@ def lock(directory: str, name: str, what: str) -> int | None:
                 return file
         os.close(file)
     process = f" (process {holder})" if holder else ""
-    raise ReadError([of_file(directory, f"another {what}{process} is writing this output")])
+    raise ReadError([of_file("E034", directory, f"another {what}{process} is writing this output")])
 
 
 def unlock(file: int | None, path: str = "") -> None:

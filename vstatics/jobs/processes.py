@@ -94,7 +94,7 @@ class Processes(Workers):
                 process = _Process(self.state, self.describe, self._processes)
             except OSError as error:
                 message = f"processes (--jobs) can't be started: {error.strerror or error}"
-                raise ReadError(message) from None
+                raise ReadError("E035", message) from None
             self._processes.append(process)
             return process
         return min(self._processes, key=lambda process: len(process.items))
@@ -121,7 +121,7 @@ class Processes(Workers):
             number, item = entries.pop(0)
             if self.rules.lost is None:
                 died = f"the process died {self.rules.tries} times (out of memory, or killed)"
-                raise CaseError(f"{self.describe(item)}: {died}")
+                raise CaseError("E036", f"{self.describe(item)}: {died}")
             done[number] = item, self.rules.lost(item)
         coming.back(entries)
 

@@ -55,7 +55,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         if gear.load:
             yield from of_load(case.gear_load(gear), path)
     if case.idle not in ("exact", "published"):
-        yield Problem(f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+        yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 
 
 def _moves(case: TransmissionFields) -> bool:
@@ -83,7 +83,7 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
                 f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
                 "forward, on which freewheels depend; say `input_turns: forward` or `backward`"
             )
-            yield Problem(message, ("gears", number), severity="note")
+            yield Problem("N201", message, ("gears", number))
 
 
 def _sharing(case: TransmissionFields) -> Iterator[Problem]:
@@ -102,7 +102,7 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
             "losses of this form are not exact; give the set as an element, or each mesh as a "
             "mechanism (docs/elements.md)"
         )
-        yield Problem(message, ("mechanisms", number), severity="note")
+        yield Problem("N202", message, ("mechanisms", number))
 
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
@@ -118,17 +118,18 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     moves = _moves(case)
     if case.links < (1 if moves else 2):
         expected = "at least 1 link" if moves else "at least 2 links (input and output)"
-        yield Problem(f"read {case.links}, expected {expected}", ("links",))
+        yield Problem("E202", f"read {case.links}, expected {expected}", ("links",))
     elif case.links > max(joined, 2):
         yield Problem(
+            "E203",
             f"read {case.links} links, but {_counted(case)} can join {joined} at most",
             ("links",),
         )
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
-        yield Problem(message, ("link_names",))
+        yield Problem("E204", message, ("link_names",))
     if not case.gears and not moves:
-        yield Problem("there is no gear, expected at least one", ("gears",))
+        yield Problem("E205", "there is no gear, expected at least one", ("gears",))
 
 
 def _counted(case: TransmissionFields) -> str:
@@ -152,9 +153,9 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
     for number, name in enumerate(case.link_names, 1):
         if name in ("0", "housing"):
             message = f"`{name}` is the housing, expected another name for link {number}"
-            yield Problem(message, ("link_names", number))
+            yield Problem("E206", message, ("link_names", number))
     if case.name and not _is_name(case.name):
-        yield Problem(f"read {case.name!r}, expected one line of text", ("name",))
+        yield Problem("E207", f"read {case.name!r}, expected one line of text", ("name",))
 
 
 def _drawn(case: TransmissionFields) -> Iterator[Problem]:
@@ -164,7 +165,7 @@ def _drawn(case: TransmissionFields) -> Iterator[Problem]:
     count = sum(len(device.mechanisms) for device in case.drawing.devices)
     if len(case.mechanisms) != count:
         message = f"read {len(case.mechanisms)}, but the drawing has {count}; change the drawing"
-        yield Problem(message, ("mechanisms",))
+        yield Problem("E208", message, ("mechanisms",))
 
 
 def _outputs(case: TransmissionFields) -> Iterator[Problem]:
@@ -173,13 +174,13 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
         path = ("outputs", number)
         yield from of_link(link, path, case.own_links, lowest=1)
         if link in case.outputs[: number - 1]:
-            yield Problem(f"link {called(case, link)} is an output twice", path)
+            yield Problem("E209", f"link {called(case, link)} is an output twice", path)
         if link == case.input and number > 1:
-            yield Problem(f"link {called(case, link)} is the input, expected another", path)
+            yield Problem("E210", f"link {called(case, link)} is the input, expected another", path)
     if case.outputs and case.output not in (0, case.outputs[0]):
         first, given = (called(case, link) for link in (case.outputs[0], case.output))
         message = f"the first output is {first}, but `output` is {given}; leave one of them out"
-        yield Problem(message, ("outputs",))
+        yield Problem("E211", message, ("outputs",))
 
 
 def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
@@ -189,10 +190,10 @@ def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
     for number, name in enumerate(names, 1):
         if not _is_name(name):
             message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
-            yield Problem(message, (part, number))
+            yield Problem("E212", message, (part, number))
         elif name in seen:
             message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
-            yield Problem(message, (part, number))
+            yield Problem("E213", message, (part, number))
         seen.setdefault(name, number)
 
 
@@ -205,7 +206,9 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):
-        yield Problem(f"input and output are both link {called(case, case.input)}", ("output",))
+        yield Problem(
+            "E214", f"input and output are both link {called(case, case.input)}", ("output",)
+        )
 
 
 def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
@@ -213,4 +216,4 @@ def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
     numbers = case.freewheels
     if len(numbers) > MOST_FREEWHEELS:
         message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
-        yield Problem(message, ("shift_elements", numbers[MOST_FREEWHEELS]))
+        yield Problem("E215", message, ("shift_elements", numbers[MOST_FREEWHEELS]))

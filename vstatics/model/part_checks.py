@@ -37,7 +37,7 @@ def is_number(number: object, last: int, first: int = HOUSING) -> bool:
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
     """A number that is right; else what was expected in its place."""
     if not right:
-        yield Problem(f"read {number:g}, expected {what}", path)
+        yield Problem("E216", f"read {number:g}, expected {what}", path)
 
 
 def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
@@ -47,7 +47,7 @@ def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterato
         if lowest == HOUSING:
             expected += " (0 is the housing)"
         housing = " (the housing)" if link == HOUSING else ""
-        yield Problem(f"read {link!r}{housing}, expected {expected}", path)
+        yield Problem("E217", f"read {link!r}{housing}, expected {expected}", path)
 
 
 def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -58,7 +58,7 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
         yield from of_link(second, (*path, "second"), links)
     if first == second:
         message = f"joins link {called(case, first)} to itself, expected two different links"
-        yield Problem(message, (*path, "second"))
+        yield Problem("E218", message, (*path, "second"))
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
     yield from of_drag(element.drag, element, (*path, "drag"))
@@ -89,14 +89,16 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     yield from expect(surfaces, what, (*path, "surfaces"), right=right)
     here = (*path, "coefficient")
     if not friction.coefficient:
-        yield Problem("there is no point, expected one at least", here)
+        yield Problem("E219", "there is no point, expected one at least", here)
     least = 0.0
     for number, (slip, coefficient) in enumerate(friction.coefficient, 1):
         if not 0 <= slip < math.inf:
-            yield Problem(f"read {slip:g}, expected a slip of 0 or more", (*here, number, 1))
+            yield Problem(
+                "E220", f"read {slip:g}, expected a slip of 0 or more", (*here, number, 1)
+            )
         elif slip < least:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
-            yield Problem(f"{message}: slips are in ascending order", (*here, number, 1))
+            yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
         right = 0 < coefficient < math.inf
         yield from expect(coefficient, "a coefficient above 0", (*here, number, 2), right=right)
         least = max(least, slip)
@@ -106,9 +108,11 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
     """The drag torque of a link or of an element."""
     if not 0 <= torque < math.inf:
         message = f"read {torque:g}, expected a torque of 0 or more: drag opposes any motion"
-        yield Problem(message, path)
+        yield Problem("E222", message, path)
     elif torque and element is not None and element.kind == "dog_clutch":
-        yield Problem(f"read {torque:g}, but a dog clutch does not drag when it is open", path)
+        yield Problem(
+            "E223", f"read {torque:g}, but a dog clutch does not drag when it is open", path
+        )
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
@@ -116,13 +120,13 @@ def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
     to_housing = HOUSING in (element.first, element.second)
     if element.kind not in ELEMENT_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
-        yield Problem(f"read {element.kind!r}, expected one of {kinds}", path)
+        yield Problem("E224", f"read {element.kind!r}, expected one of {kinds}", path)
     elif element.kind == "brake" and not to_housing:
         message = "a brake holds a link against the housing, expected `clutch` for two links"
-        yield Problem(message, path)
+        yield Problem("E225", message, path)
     elif element.kind == "clutch" and to_housing:
         message = "a clutch joins two links, expected `brake` for a link and the housing"
-        yield Problem(message, path)
+        yield Problem("E226", message, path)
 
 
 def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
@@ -132,14 +136,14 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
         for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
             yield from of_link(link, (*path, member), links)
     if not members:
-        yield Problem("all three links are the housing, expected at least one link", path)
+        yield Problem("E227", "all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
-        yield Problem(f"links {mechanism.links}: expected different links", path)
+        yield Problem("E228", f"links {mechanism.links}: expected different links", path)
     ratio = mechanism.ratio
     if not math.isfinite(ratio):
-        yield Problem(f"read {ratio}, expected a finite number", (*path, "ratio"))
+        yield Problem("E229", f"read {ratio}, expected a finite number", (*path, "ratio"))
     elif ratio == 0:
-        yield Problem("read 0, expected a ratio other than 0", (*path, "ratio"))
+        yield Problem("E230", "read 0, expected a ratio other than 0", (*path, "ratio"))
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
     if (planet := mechanism.planet_ratio) is not None:
@@ -186,7 +190,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
             "with ratio 1 the first link turns as the second whatever the third does, which takes "
             "torque by losses only"
         )
-        yield Problem(message, (*path, "ratio"), severity="note")
+        yield Problem("N203", message, (*path, "ratio"))
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             f"ratio {ratio:g} is not that of a plain planetary set: there is no "
@@ -205,11 +209,11 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         if link is not None:
             yield from of_link(link, (*path, end), case.own_links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
-        yield Problem(f"input and output are both link {called(case, ends[0])}", path)
+        yield Problem("E231", f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from _dragging(case, gear, path)
     if gear.kind not in GEAR_KINDS:
-        yield Problem(f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
+        yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
     if gear.speeds or gear.torques:
         yield from _sides_given(case, gear, ends, path)
 
@@ -222,14 +226,14 @@ def _sides_given(
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
         message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
-        yield Problem(message, (*path, "speeds", ends[0]))
+        yield Problem("E233", message, (*path, "speeds", ends[0]))
     for link in gear.torques:
         if link == ends[1]:
             message = f"link {called(case, link)} is the output, whose torque is calculated"
-            yield Problem(f"{message}; expected another link", (*path, "torques", link))
+            yield Problem("E234", f"{message}; expected another link", (*path, "torques", link))
         elif link in gear.speeds:
             message = f"link {called(case, link)} has a given speed, so its torque is calculated"
-            yield Problem(f"{message}; give one of the two", (*path, "torques", link))
+            yield Problem("E235", f"{message}; give one of the two", (*path, "torques", link))
 
 
 def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
@@ -240,9 +244,10 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
     by_load = case.input_turns(gear._replace(input_turns=""))
     if said not in DIRECTIONS:
         expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
-        yield Problem(f"read {said!r}, expected {expected}", path)
+        yield Problem("E236", f"read {said!r}, expected {expected}", path)
     elif by_load and said != by_load:
         yield Problem(
+            "E237",
             f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
             "a load of its own whose signs agree, or this left out",
             path,
@@ -253,26 +258,26 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """A load that is one, and of which power enters."""
     if not isinstance(load or Load(), Load):
         message = f"read {type_and_value(load)}, expected a Load, in rpm and N*m"
-        yield Problem(message, (*path, "load"))
+        yield Problem("E238", message, (*path, "load"))
         return
     load = load or Load()
     for quantity, value in load._asdict().items():
         if isinstance(value, str):
             message = f"read {value!r}, expected a number, in rpm and N*m"
-            yield Problem(message, (*path, "load", quantity))
+            yield Problem("E239", message, (*path, "load", quantity))
             return
         if value is not None and not math.isfinite(value):
             message = f"read {value:g}, expected a finite number"
-            yield Problem(message, (*path, "load", quantity))
+            yield Problem("E240", message, (*path, "load", quantity))
         elif value == 0 and quantity == "speed":
             message = "read 0, expected a speed other than 0, as of an input that turns"
-            yield Problem(message, (*path, "load", quantity))
+            yield Problem("E241", message, (*path, "load", quantity))
     if (load.speed or 0) * (load.torque or 0) < 0:
         message = (
             f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "
             "expected equal signs (`coast: true` turns the torque by itself)"
         )
-        yield Problem(message, (*path, "load"))
+        yield Problem("E242", message, (*path, "load"))
 
 
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
@@ -287,7 +292,7 @@ def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Prob
             yield from of_drag(torque, elements[number - 1], inner)
         else:
             expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem(f"read {number!r}, expected {expected}", inner)
+            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
 
 
 def _engaged(
@@ -297,15 +302,15 @@ def _engaged(
     for position, element in enumerate(engaged, 1):
         if not is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem(f"read {element!r}, expected {expected}", (*path, position))
+            yield Problem("E244", f"read {element!r}, expected {expected}", (*path, position))
             continue
         message = f"element {elements[element - 1].name or element} is"
         if element in seen:
             message += " engaged twice, expected each once"
-            yield Problem(message, (*path, position))
+            yield Problem("E245", message, (*path, position))
         elif elements[element - 1].is_freewheel:
             message += " a freewheel, which finds by itself whether it holds; leave it out"
-            yield Problem(message, (*path, position))
+            yield Problem("E246", message, (*path, position))
         seen.add(element)
 
 
@@ -323,14 +328,14 @@ def _speeds(
         yield from of_link(speed.link, inner, case.own_links, lowest=1)
         if speed.factor == 0 or not math.isfinite(speed.factor):
             message = f"read a factor of {speed.factor:g}, expected a finite one other than 0"
-            yield Problem(f"{message}; a link that stands has the speed 0", inner)
+            yield Problem("E247", f"{message}; a link that stands has the speed 0", inner)
         if speed.link == link:
             message = f"the speed of link {called(case, link)} is given by itself"
-            yield Problem(f"{message}, expected another link", inner)
+            yield Problem("E248", f"{message}, expected another link", inner)
 
 
 def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
     for link, value in values.items():
         yield from of_link(link, (*path, link), links, lowest=1)
         if not math.isfinite(value):
-            yield Problem(f"read {value}, expected a finite number", (*path, link))
+            yield Problem("E249", f"read {value}, expected a finite number", (*path, link))

@@ -33,7 +33,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if len(twist) < len(spring.twist):
         link = next(iter(twist))
         message = f"joins link {called(case, link)} to itself, expected two different links"
-        yield Problem(message, (*path, "second"))
+        yield Problem("E250", message, (*path, "second"))
         return
     shaft = ends(twist)
     for link, part in twist.items():
@@ -44,12 +44,14 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
         yield from expect(part, what, (*path, *place), right=right)
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
-        yield Problem(message, (*path, "twist"))
+        yield Problem("E251", message, (*path, "twist"))
     given = (spring.stiffness, spring.compliance)
     if given.count(None) == 2:
-        yield Problem("there is no `stiffness` and no `compliance`, expected one of them", path)
+        yield Problem(
+            "E252", "there is no `stiffness` and no `compliance`, expected one of them", path
+        )
     elif None not in given:
-        yield Problem("read both `stiffness` and `compliance`, expected one of them", path)
+        yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
     if spring.compliance is not None:
         yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
     yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
@@ -68,15 +70,17 @@ def of_elastic(
     yield from not_negative(viscous, "a damping", (*here, "viscous"))
     yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
     if (viscous or loss_factor) and stiffness is None and not always:
-        yield Problem("there is a damping without `stiffness`: what is rigid can't be damped", here)
+        yield Problem(
+            "E254", "there is a damping without `stiffness`: what is rigid can't be damped", here
+        )
 
 
 def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
     """A finite number above 0."""
     if not 0 < number < math.inf:
-        yield Problem(f"read {number:g}, expected {what} above 0", path)
+        yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
     elif 1 / number == math.inf:
-        yield Problem(f"read {number:g}, expected {what} that is not so small", path)
+        yield Problem("E256", f"read {number:g}, expected {what} that is not so small", path)
 
 
 def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
@@ -93,14 +97,14 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     for what, name, path, members in _devices(case):
         if name in taken:
             message = f"`{name}` is the name of {taken[name]} too, expected another"
-            yield Problem(message, path)
+            yield Problem("E257", message, path)
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
     names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
     for number, name in enumerate(names, 1):
         if other := taken.get(name) or rows.get(name):
             message = f"`{name}` is the name of {other} too, expected another"
-            yield Problem(message, ("springs", number))
+            yield Problem("E258", message, ("springs", number))
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
@@ -126,13 +130,13 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
     seen: dict[int, str] = {}
     for name, links in dump.masses.items():
         if not links and name in NEEDED:
-            yield Problem("there is no link, expected one at least", ("dump", name))
+            yield Problem("E259", "there is no link, expected one at least", ("dump", name))
         for number, link in enumerate(links, 1):
             path: Path = ("dump", name, number)
             yield from of_link(link, path, case.own_links, lowest=1)
             if link in seen:
                 message = f"link {called(case, link)} is in {seen[link]} already"
-                yield Problem(f"{message}, expected each link once", path)
+                yield Problem("E260", f"{message}, expected each link once", path)
             seen.setdefault(link, name)
     if dump.to is not None:
         yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)

@@ -38,7 +38,7 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 
 
 def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    return ReadError(message, place=Source(file, "").place(line, column))
+    return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 def _read_json(text: str, file: str) -> list[WrittenResult]:

@@ -49,7 +49,7 @@ def read(data: bytes, file: str) -> WrittenSweep:
         raise
     except Exception as error:  # noqa: BLE001 - four libraries with errors of their own
         text = " ".join(str(error).split())
-        raise ReadError([of_file(file, f"no table of variants: {text[:200]}")]) from None
+        raise ReadError([of_file("E111", file, f"no table of variants: {text[:200]}")]) from None
 
 
 def _npz(data: bytes) -> dict[str, Any]:
@@ -63,7 +63,7 @@ def _npz(data: bytes) -> dict[str, Any]:
 
 def _parquet(data: bytes) -> dict[str, Any]:
     if message := missing("parquet", "Parquet"):
-        raise ReadError(message)
+        raise ReadError("E112", message)
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]
 

@@ -100,7 +100,7 @@ class EventRun:
                 f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
                 "there is no state in which the run can go on"
             )
-            raise CaseError(message)
+            raise CaseError("E601", message)
 
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
@@ -120,10 +120,10 @@ class EventRun:
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
                 f"fits for {', '.join(names) or 'the speeds as they are'}"
             )
-            raise CaseError(message) from None
+            raise CaseError("E602", message) from None
         except np.linalg.LinAlgError:
             message = f"at {at.time:.9g} s the equations of motion are singular"
-            raise CaseError(message) from None
+            raise CaseError("E603", message) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
         return selected
@@ -157,7 +157,7 @@ class EventRun:
         """Stop where that is asked for, unless this is the end."""
         time = self.record.time
         if self.watch is not None and time < self.duration and (why := self.watch(time)):
-            raise CaseError(f"at {time:.9g} s {why}")
+            raise CaseError("E604", f"at {time:.9g} s {why}")
 
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
@@ -186,19 +186,20 @@ class EventRun:
                 name = self.system.names[one.link]
                 what = f"at {at:.6g} s the torque on {name} is {torque:g}"
                 if not math.isfinite(torque):
-                    return Problem(f"{what}, expected a number", ("torques", name))
+                    return Problem("E605", f"{what}, expected a number", ("torques", name))
                 if abs(torque) > BEYOND_ALL * self.scales.torque:
-                    return Problem(f"{what} N*m: it grows without bound", ("torques", name))
+                    return Problem("E606", f"{what} N*m: it grows without bound", ("torques", name))
         for index in equations.ports.switching:
             name = self.system.names[self.system.outside[index].link]
             message = (
                 f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
                 "can slide along what compares speed or angle with a number, not along this"
             )
-            return Problem(message, ("torques", name))
+            return Problem("E607", message, ("torques", name))
         return Problem(
+            "E608",
             f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
-            "without bound; dry friction of a load is a `resistance`"
+            "without bound; dry friction of a load is a `resistance`",
         )
 
     def _tolerances(self, equations: Equations) -> StepTolerances:

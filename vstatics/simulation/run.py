@@ -118,7 +118,7 @@ def _twists(system: MotionSystem, speeds: Floats) -> Floats:
         return settled_twists(system, speeds)
     except NoChoice:
         message = "there is no settled state at t = 0: leave out `settled`"
-        raise CaseError(message, ("start", "settled")) from None
+        raise CaseError("E626", message, ("start", "settled")) from None
 
 
 def _closed(motion: Motion, turnover: float) -> Motion:
@@ -130,4 +130,4 @@ def _closed(motion: Motion, turnover: float) -> Motion:
         f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a smaller "
         "--rtol may help"
     )
-    return motion._replace(stopped=Problem(message, _END))
+    return motion._replace(stopped=Problem("E627", message, _END))

@@ -63,7 +63,7 @@ def messages(results: Results) -> Iterator[Message]:
         yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
     if case.inertias and (untold := torques.without_load(case)):
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
-        yield Message("warning", text)
+        yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag
     is_near = digits.is_near_singular(case)
     for number, (given, is_usual) in enumerate(

@@ -155,7 +155,7 @@ class PhysicalResults(ResultFields):
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
         """An array in a unit."""
         if unit not in known_units(self.case):
-            raise CaseError(lacking_load(f"{name}_{unit}", unit))
+            raise CaseError("E414", lacking_load(f"{name}_{unit}", unit))
         scale = scales(self.case)[unit]
         if relative.ndim > self.ratio.ndim:
             scale = scale[:, np.newaxis]

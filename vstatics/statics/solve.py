@@ -175,5 +175,5 @@ def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list
             variant = tuple(int(index) for index in np.argwhere(wrong)[0])
             where = f" in variant {', '.join(map(str, variant))}" if variant else ""
             message = f"read {column[variant]:g}{where}, expected {EXPECTED[quantity]}"
-            return [Problem(message, ("mechanisms", number + 1, quantity))]
+            return [Problem("E415", message, ("mechanisms", number + 1, quantity))]
     return []

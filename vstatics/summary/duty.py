@@ -82,11 +82,11 @@ def _problems(
     """Why the mean efficiency does not exist; paths are those of the duty cycle."""
     for gear in shares:
         if gear not in efficiencies:
-            yield Problem("there is no such gear in the case", (gear,))
+            yield Problem("E416", "there is no such gear in the case", (gear,))
         elif not math.isfinite(efficiencies[gear]):
-            yield Problem("the gear has no efficiency, expected no share for it", (gear,))
+            yield Problem("E417", "the gear has no efficiency, expected no share for it", (gear,))
         elif not powers[gear] > 0:
             message = "shares of time need the power of the gear, expected a load with speed"
-            yield Problem(f"{message} and torque", (gear,))
+            yield Problem("E418", f"{message} and torque", (gear,))
     if not shares:
-        yield Problem("all shares are 0, expected one above 0")
+        yield Problem("E419", "all shares are 0, expected one above 0")

@@ -102,7 +102,7 @@ def _check(case: Transmission, at_most: int) -> None:
             f"{needed(case)} of {len(case.shift_elements)} shift elements have {count} "
             f"combinations, more than the {at_most} that may be tried"
         )
-        raise CaseError(message, ("shift_elements",))
+        raise CaseError("E420", message, ("shift_elements",))
 
 
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:

@@ -120,7 +120,7 @@ def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, Arra
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     array = np.asarray(values, dtype=np.float64)
     if array.ndim != 1:
-        raise CaseError(f"{name}: read {array.ndim} axes, expected a list of numbers")
+        raise CaseError("E701", f"{name}: read {array.ndim} axes, expected a list of numbers")
     return array
 
 
@@ -130,7 +130,7 @@ def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
         message = f"variants: expected equally many values of each number ({lengths or 'none'})"
-        raise CaseError(message)
+        raise CaseError("E702", message)
     return VariantTable(targets, np.column_stack(arrays))
 
 
@@ -200,7 +200,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     variations = sampled_numbers(subject)
     if not variations:
         message = "the scenario has no `samples`: distributions by the paths of numbers"
-        raise ReadError([of_file(subject.scenario.file, message)])
+        raise ReadError([of_file("E703", subject.scenario.file, message)])
     method = cast("Method", options.method or "random")
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
     return _with_expressions(subject, replace(options, out=options.out or Text(OF_SAMPLES)), drawn)

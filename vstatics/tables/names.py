@@ -41,7 +41,9 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     """
     if name in BY_NAME:
         return BY_NAME[name]
-    raise ReadError(f"there is no table {quoted(name)}{nearest_quantity(name)}", place=place)
+    raise ReadError(
+        "E113", f"there is no table {quoted(name)}{nearest_quantity(name)}", place=place
+    )
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
@@ -94,7 +96,7 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     if number is not None:
         return number - 1
     message = several(name, found, names) if found else no_row(name, kind, names)
-    raise ReadError(message, place=place)
+    raise ReadError("E114", message, place=place)
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:

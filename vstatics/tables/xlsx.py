@@ -108,7 +108,7 @@ class _Worksheet:
         self.rows += len(rows) + new
         if self.rows > MOST_ROWS or len(headings) > MOST_COLUMNS:
             message = f"a sheet has {MOST_ROWS} rows and {MOST_COLUMNS} columns at most"
-            raise CaseError(f"{message}: expected another format, such as CSV")
+            raise CaseError("E115", f"{message}: expected another format, such as CSV")
         if new:
             self.sheet.append([self._cell(one, bold) for one in headings])
             self.headings = headings

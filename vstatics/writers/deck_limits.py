@@ -35,7 +35,7 @@ def check_deck(case: Transmission) -> None:
         found.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
     if found:
         message = f"a deck can't hold {', '.join(found)}; expected YAML or JSON, which hold them"
-        raise CaseError(message)
+        raise CaseError("E116", message)
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:

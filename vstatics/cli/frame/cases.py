@@ -220,7 +220,7 @@ def unexpected(name: str, error: Exception) -> Problem:
         where = f" in {os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno}"  # noqa: PTH119
     text = " ".join(f"{type(error).__name__}: {error}".split())
     message = f"an error of vstatics, please report it with this case: {text}{where}"
-    return of_file(name, message)
+    return of_file("E002", name, message)
 
 
 def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
@@ -234,7 +234,7 @@ def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator
             key = message if each_gear else message._replace(gear="")
             together.setdefault(key, []).append(message)
     for first, *others in together.values():
-        place = reading.locate(Problem("", ("gears", numbers[first.gear]))).place
+        place = reading.locate(Problem("E003", "", ("gears", numbers[first.gear]))).place
         names = spoken([first.gear, *(other.gear for other in others)])
         text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
         yield Problem(text, place=place, severity=first.severity)

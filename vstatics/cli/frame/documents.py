@@ -71,7 +71,7 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 def no_case(data: bytes, name: str, taken: Collection[str] = ()) -> list[Problem]:
     """What is to be said of a text that is no case, but of a kind that is not taken either."""
     others = (kind for kind, known in KINDS.items() if known.told and kind not in taken)
-    return [of_file(name, KINDS[kind].told) for kind in others if is_a(kind, data, name)]
+    return [of_file("E004", name, KINDS[kind].told) for kind in others if is_a(kind, data, name)]
 
 
 def scenario_with_case(

@@ -43,7 +43,7 @@ def read_input(file: str) -> tuple[bytes, str]:
         reason = f"{error.strerror}{_nearest_file(file)}"
     except OSError as error:
         reason = error.strerror or str(error)
-    raise ReadError([of_file(name, f"can't be read: {reason}")])
+    raise ReadError([of_file("E006", name, f"can't be read: {reason}")])
 
 
 @contextlib.contextmanager
@@ -202,7 +202,7 @@ def read_names(file: str) -> list[str]:
     ended = data.split(b"\0") if b"\0" in data else data.replace(b"\r\n", b"\n").split(b"\n")
     names = [os.fsdecode(one) for one in ended if one]
     if not names:
-        raise ReadError([of_file(name, "names no file, expected one a line")])
+        raise ReadError([of_file("E007", name, "names no file, expected one a line")])
     return names
 
 

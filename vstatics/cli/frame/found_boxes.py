@@ -103,14 +103,16 @@ def calculated_boxes(
         If there is no box, or the case of one can't be read.
     """
     if not listing.boxes:
-        raise ReadError([of_file(file, "no box was found, so there is nothing to summarize")])
+        raise ReadError(
+            [of_file("E009", file, "no box was found, so there is nothing to summarize")]
+        )
     for box in _chosen_boxes(listing, asked):
         with files.problems_of_file(file):
             case = box.transmission()
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
         said = [
-            of_file(name, f"gear {one.gear}: {one.text}")._replace(severity=one.severity)
+            of_file("E010", name, f"gear {one.gear}: {one.text}")._replace(severity=one.severity)
             for one in results.messages
         ]
         problems = settings.telling.told(said)

@@ -281,7 +281,7 @@ def _shown_of_case(
 def _given_up(task: CaseTask) -> Done:
     """What is said of a case that is given up."""
     message = "the process that calculated it died, twice (out of memory, or killed)"
-    return Done(task.file, [of_file(task.file, message)])
+    return Done(task.file, [of_file("E011", task.file, message)])
 
 
 def _is_only_here(task: CaseTask) -> bool:

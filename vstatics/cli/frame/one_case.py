@@ -155,7 +155,7 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
 
 def warnings_of(messages: Iterable[str], file: str) -> list[Problem]:
     """Warnings about a file as a whole."""
-    return [of_file(file, one)._replace(severity="warning") for one in messages]
+    return [of_file("E012", file, one)._replace(severity="warning") for one in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:

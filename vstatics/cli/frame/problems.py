@@ -38,7 +38,9 @@ class Telling(NamedTuple):
         if self.quiet and self.fails(found) and not self.printed(found):
             count = sum(one.severity == "warning" for one in found)
             told = f"{count} {plural('warning', count)}, which --strict makes fail"
-            yield of_file(file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told")
+            yield of_file(
+                "E013", file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told"
+            )
 
     def fails(self, problems: Iterable[Problem]) -> bool:
         """Whether the command fails, though there is no error."""

@@ -32,7 +32,7 @@ INSTANTS = 400
 def needs(extra: str, purpose: str) -> None:
     """Refuse what needs a package that is not there."""
     if message := missing(extra, purpose):
-        raise ReadError([Problem(message)])
+        raise ReadError([Problem("E014", message)])
 
 
 def run_of(outcome: CalculatedCase) -> Motion | None:

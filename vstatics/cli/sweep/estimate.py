@@ -47,7 +47,7 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
             f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
             "variants or columns, --where, --best, or another disk"
         )
-        raise ReadError([of_file(output, message)])
+        raise ReadError([of_file("E017", output, message)])
 
 
 def _row_bytes(plan: SweepPlan, form: Format) -> float:

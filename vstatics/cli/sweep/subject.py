@@ -33,7 +33,7 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
         if not isinstance(file, FileName):
             raise
         message = f"{file} {error.problems[0].message}"
-        raise ReadError([Problem(message, place=file.place)]) from None
+        raise ReadError([Problem("E018", message, place=file.place)]) from None
     if input_format is None and is_a("scenario", data, name):
         return read_scenario_subject(Document(data, name), telling)
     reading = arguments.read_data(data, name, input_format, telling)

@@ -98,7 +98,7 @@ def case(
         files.say(f"there may be more gears than the {MOST_OF_SCHEME} of the case")
     if not ratios:
         some = spoken(f"{one:g}" for one in given)
-        files.show([Problem(f"no ratios are given: the sets have {some}", severity="note")])
+        files.show([Problem("N002", f"no ratios are given: the sets have {some}")])
     if form == "deck":  # it has none, and these are only in place of others
         made = made.replace(inertias={}, description="")
         files.say("a deck holds no inertias: those of input and output are left out")

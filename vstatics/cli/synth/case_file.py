@@ -58,7 +58,7 @@ def write_case(case: Transmission, target: str, form: str) -> bool:
     try:
         text, lost = write(case, form)
     except CaseError as error:
-        raise ReadError([of_file(target, str(error))]) from error
+        raise ReadError([of_file("E019", target, str(error))]) from error
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")

@@ -145,7 +145,7 @@ def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> b
         found = found_gears(search)
     except CaseError as error:
         message = f"{error.problems[0].message}; {target} is not written"
-        raise ReadError([of_file(file_name(one.case), message)]) from None
+        raise ReadError([of_file("E020", file_name(one.case), message)]) from None
     if found.slipping and not one.telling.quiet:
         files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
     if found.free and not one.telling.quiet:

@@ -139,7 +139,7 @@ def _notes(found: Fit, file: str) -> list[Problem]:
     notes = []
     if found.unmet:
         off = "infinitely" if math.isinf(found.residual) else f"up to {100 * found.residual:.3g} %"
-        notes.append(of_file(file, f"not met: {spoken(found.unmet)}, off by {off}"))
+        notes.append(of_file("E021", file, f"not met: {spoken(found.unmet)}, off by {off}"))
     told = [*found.warnings]
     if found.free:
         choice = f"the wanted ratios leave a choice of {listed(found.free)}"

@@ -157,7 +157,7 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     if found.seconds > LONG:
         size = f", {size_text(found.bytes)}" if listed else ""
         text = f"{about(found.total)} schemes{size}, in about {duration_text(found.seconds)}"
-        files.show([Problem(text, severity="note")])
+        files.show([Problem("N003", text)])
     return round(found.total)
 
 

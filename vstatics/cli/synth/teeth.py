@@ -214,7 +214,7 @@ def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
     yield from warnings_of(found.doubts, file)
     if found.problem.unused:
         message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
-        yield of_file(file, message)._replace(severity="note")
+        yield of_file("E022", file, message)._replace(severity="note")
     if not found.is_proven:
         message = (
             f"the search was ended: that others are better is possible, "

@@ -87,6 +87,6 @@ def located(
     found = []
     for name, message in texts_by_gear:
         if message:
-            place = reading.locate(Problem("", ("gears", numbers[name]))).place
+            place = reading.locate(Problem("E023", "", ("gears", numbers[name]))).place
             found.append(Problem(f"gear {name}: {message}", (), place, severity))
     return found

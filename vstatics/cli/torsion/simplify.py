@@ -127,7 +127,7 @@ def simplify(
         chosen = gear_of(own, gear)
         scheme = gear_scheme(own, chosen)
         if isinstance(scheme, str):
-            raise ReadError(located(reading, [(chosen.name, scheme)]))
+            raise ReadError("E025", located(reading, [(chosen.name, scheme)]))
         found = simplified(scheme, frequencies, rule, remove or ())  # type: ignore[arg-type] # a choice
 
         def write() -> bool:

@@ -82,7 +82,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     if np.isnan(efficiency).all():
         asked = ", ".join(case.gears[place].name for place in chosen)
         which = f"gear {asked}" if gears else "the case"
-        raise CaseError(f"{which} has no efficiency that could be drawn")
+        raise CaseError("E402", f"{which} has no efficiency that could be drawn")
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, chosen])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]

@@ -42,7 +42,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     """
     page = page_of(results.case, style)
     if page is None:
-        raise CaseError("the case has no mechanism to draw as a lever")
+        raise CaseError("E403", "the case has no mechanism to draw as a lever")
     for gears in shown:
         numbers = gears or range(1, len(results.case.gears) + 1)
         yield _figure(page, [in_gear(results, one, page.levers) for one in numbers], style)

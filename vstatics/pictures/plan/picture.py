@@ -72,7 +72,7 @@ def _chosen(results: Results, gears: Sequence[int]) -> list[KinematicPlan]:
     ]
     if not chosen:
         names = ", ".join(results.case.gears[gear - 1].name for gear in gears)
-        problem = Problem(f"gear {names} is on no kinematic plan", ("gears", gears[0]))
+        problem = Problem("E404", f"gear {names} is on no kinematic plan", ("gears", gears[0]))
         raise CaseError([problem])
     return chosen
 

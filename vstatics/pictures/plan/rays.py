@@ -130,7 +130,7 @@ def plans(results: Results) -> list[KinematicPlan]:
         drawn.append(KinematicPlan(first, last, engaged, given, rays, marks, standing))
     if not drawn:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
-        raise CaseError(f"{message}, and no gear of this case leaves anything free")
+        raise CaseError("E405", f"{message}, and no gear of this case leaves anything free")
     shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
     return shared or drawn
 
@@ -168,7 +168,7 @@ def _states(
         seen.add(chosen)
         if len(seen) > MOST_STATES:
             message = f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
-            raise CaseError(f"{message}: its elements do the same in many ways")
+            raise CaseError("E406", f"{message}: its elements do the same in many ways")
         if is_free(chosen):
             found = [one for one in found if not chosen > one] + [chosen]
             continue

@@ -83,10 +83,10 @@ def draw(
         If there is none, or nothing moves in it.
     """
     if motion is None:
-        raise CaseError("this picture shows a run: expected a scenario, not a case")
+        raise CaseError("E407", "this picture shows a run: expected a scenario, not a case")
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or not shown:
-        raise CaseError("a picture of a run shows what moves, and nothing moves in this")
+        raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
     named = named_events(motion.events, MOST_NAMED_EVENTS)
     events = [Label(event.time, event_text(event, style), style.ink) for event in named]
     content = _RunContent(motion, shown, states(motion), events)

@@ -134,7 +134,7 @@ def scheme_of(case: Transmission) -> Scheme:
     ]
     if len(devices) > MOST_DEVICES:
         message = f"a scheme shows up to {MOST_DEVICES} mechanisms and shift elements"
-        raise CaseError(f"{message}; this case has {len(devices)}")
+        raise CaseError("E409", f"{message}; this case has {len(devices)}")
     ports = dict.fromkeys(
         port
         for gear in case.gears or [Gear()]

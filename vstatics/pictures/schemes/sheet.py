@@ -115,7 +115,7 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
     """
     for gears in shown:
         if len(gears) > 1:
-            raise CaseError("the picture of a scheme shows one gear at a time")
+            raise CaseError("E410", "the picture of a scheme shows one gear at a time")
         state, texts, own, gear = SchemeState(), [subject], None, None
         for gear in gears:
             own = state_of(results, gear)

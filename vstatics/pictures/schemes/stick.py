@@ -102,7 +102,7 @@ def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None
             "take the picture `structure`, or find teeth for it "
             "(vstatics synth teeth CASE --write FILE)"
         )
-        raise CaseError(message)
+        raise CaseError("E411", message)
     devices, glyphs = as_sets(scheme.devices, case.mechanisms)
     return replace(scheme, devices=devices), glyphs
 

@@ -39,7 +39,7 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
         whose = f"gear {names} has" if len(found) == 1 else f"gears {names} have"
         why = next((said for gear in found for said in (gear.error, *gear.warnings) if said), "")
         because = f": {why}" if why else ""
-        raise CaseError(f"{whose} no natural frequency{because}")
+        raise CaseError("E412", f"{whose} no natural frequency{because}")
     return found
 
 

@@ -80,7 +80,7 @@ class Fields:
         if key not in self.found.fields and not required:
             message = f"{key} is missing: taken as 0; a cut file looks the same"
             place = self.found.source.place(*self._end())
-            self.found.problems.append(Problem(message, place=place, severity="warning"))
+            self.found.problems.append(Problem("W101", message, place=place))
             return [0] * gears
         values = self._list(key, gears, "NP", integer)
         counts, total = values.numbers, 0

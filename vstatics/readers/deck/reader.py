@@ -83,7 +83,7 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
         message = "no field of a deck found, expected `KJG=` first"
         if not text.strip():
             message = "the file is empty, expected a deck that starts with `KJG=`"
-        raise ReadError(message, place=Place(source.file, 1, 1))
+        raise ReadError("E101", message, place=Place(source.file, 1, 1))
     found.problems.extend(damage)
     fields = Fields(found, len(text))
     reading = finish(_parts(fields), found.problems, fields.hidden, fields.places.locate)

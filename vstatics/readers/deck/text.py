@@ -73,7 +73,7 @@ class Scan:
 
     def error(self, message: str, line: int, column: int = 1) -> None:
         """Note an error at a place."""
-        self.problems.append(Problem(message, place=self.source.place(line, column)))
+        self.problems.append(Problem("E102", message, place=self.source.place(line, column)))
 
 
 def latin(text: str) -> str:
@@ -294,7 +294,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
 
 
 def _unreadable(file: str, message: str) -> ReadError:
-    return ReadError(message, place=Place(file, 1, 1))
+    return ReadError("E103", message, place=Place(file, 1, 1))
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
@@ -303,5 +303,5 @@ def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
     return text, [
-        Problem(message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
     ]

@@ -38,7 +38,7 @@ class Excerpt(NamedTuple):
 
     def error(self, message: str, at: int) -> ReadError:
         """An error at an offset into the text, from 0."""
-        return ReadError(message, place=self.place(at))
+        return ReadError("E105", message, place=self.place(at))
 
     def place(self, at: int) -> Place:
         """The place of an offset into the text."""

@@ -71,7 +71,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
         for planet in part.planet_links:
             if f"{part.name}.{planet}" in names:
                 message = f"planet {planet} is called `{part.name}.{planet}`, as a link is"
-                yield Problem(f"{message}; expected another name", ("elements", number))
+                yield Problem("E106", f"{message}; expected another name", ("elements", number))
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:

@@ -88,7 +88,7 @@ def loose_links(
         if hint or number not in carriers:
             node = first[name]
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
-            yield Problem(message, (), spots.found.source.place(node.line, node.column), "warning")
+            yield Problem("W102", message, (), spots.found.source.place(node.line, node.column))
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table

@@ -72,13 +72,15 @@ class Found:
 
     def add(self, message: str, line: int, column: int, path: Path = ()) -> None:
         """Keep an error; give up when there are too many."""
-        self.problems.append(Problem(message, path, self.source.place(line, column)))
+        self.problems.append(Problem("E107", message, path, self.source.place(line, column)))
         if len(self.problems) >= MOST_PROBLEMS:
             self.stop("too many errors, the rest is not read", 0, 1)
 
     def stop(self, message: str, line: int, column: int) -> NoReturn:
         """End with an error after which nothing can be read, and those before it."""
-        raise ReadError([*self.problems, Problem(message, (), self.source.place(line, column))])
+        raise ReadError(
+            [*self.problems, Problem("E108", message, (), self.source.place(line, column))]
+        )
 
     def hint(self, word: str, known: Iterable[str]) -> str:
         """The nearest known word, as long as looking for it costs little."""
@@ -211,7 +213,7 @@ class Spots:
 
     def tell(self, path: Path, message: str) -> None:
         """Say what is wrong with a part of the model, of which that need say nothing then."""
-        self.found.problems.append(self.locate(Problem(message, path)))
+        self.found.problems.append(self.locate(Problem("E109", message, path)))
         self.unreadable.append(path)
 
     def missing(self, spot: Spot, key: str) -> None:

@@ -86,7 +86,7 @@ class Finder:
                     f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
                     f"expected {expected}"
                 )
-                raise CaseError(message, ("controls", contact.name))
+                raise CaseError("E609", message, ("controls", contact.name))
 
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]

@@ -34,7 +34,7 @@ def with_viscous_damping(
     frequency = _lowest_frequency(system, speeds)
     if not frequency:
         text = "nothing swings at the start, so loss factors damp nothing"
-        return system, (Message("warning", text),)
+        return system, (Message("W601", text),)
     springs = tuple(
         spring._replace(viscous=spring.viscous + spring.loss_factor * spring.stiffness / frequency)
         for spring in system.springs
@@ -43,7 +43,7 @@ def with_viscous_damping(
         f"loss factors and damping ratios are taken as viscous damping at the lowest natural "
         f"frequency at the start, {frequency / (2 * math.pi):.4g} Hz"
     )
-    return replace(system, springs=springs), (Message("note", text),)
+    return replace(system, springs=springs), (Message("N601", text),)
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:

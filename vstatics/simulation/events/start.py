@@ -31,7 +31,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     try:
         number = case.gear_number(name)
     except ValueError as error:
-        raise CaseError(str(error), ("start", "gear")) from None
+        raise CaseError("E610", str(error), ("start", "gear")) from None
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
@@ -70,7 +70,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     if open_still.shape[1]:
         speeds = _by_springs(system, speeds, open_still, scale)
     if backward := list(_backward(system, speeds, scale)):
-        raise CaseError(backward)
+        raise CaseError("E611", backward)
     return speeds
 
 
@@ -83,7 +83,7 @@ def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Pr
                 f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel holds in "
                 "this direction: expected a slip of 0 or more"
             )
-            yield Problem(message, ("start",))
+            yield Problem("E612", message, ("start",))
 
 
 def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
@@ -109,7 +109,7 @@ def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float
 def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
     moving = np.flatnonzero(np.abs(motions).max(axis=1) > MOVING_LINK)
     names = listed([system.names[index] for index in moving], 6)
-    return CaseError(f"the start leaves the speed of {names} open{hint}", ("start",))
+    return CaseError("E613", f"the start leaves the speed of {names} open{hint}", ("start",))
 
 
 def _contradiction(
@@ -129,5 +129,5 @@ def _contradiction(
                 f"read a speed of {given[link]:g} rad/s of {name}, but the other speeds and what "
                 f"is engaged give it {others[link - 1]:g}"
             )
-            return Problem(message, ("start", "speeds", link))
-    return Problem("the speeds contradict each other", ("start",))
+            return Problem("E614", message, ("start", "speeds", link))
+    return Problem("E615", "the speeds contradict each other", ("start",))

@@ -91,7 +91,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
 def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
     names = {system.names[one.link] for one in system.outside if one.link not in ends}
     text = "(12) has torques on input and output alone: leave it out, or take the events"
-    return [Problem(text, ("torques", name)) for name in sorted(names)]
+    return [Problem("E616", text, ("torques", name)) for name in sorted(names)]
 
 
 class _BoxEnds:
@@ -135,7 +135,7 @@ class _Run:
                     raise NotTwoError("the clutch neither holds nor slips")  # noqa: TRY301
             except NotTwoError as error:
                 text = f"at {time:.9g} s: {error}; (12) is of two masses and one clutch"
-                return Problem(text, ("controls",))
+                return Problem("E617", text, ("controls",))
         return None
 
     def _begin(self, middle: float, time: float) -> ClutchPhase:
@@ -258,15 +258,15 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for spring in system.springs:
         text = f"{spring.name} bends, but (12) is of a rigid box: {_INSTEAD}"
-        yield Problem(text, ("case", "springs", numbers.get(spring.name, spring.name)))
+        yield Problem("E618", text, ("case", "springs", numbers.get(spring.name, spring.name)))
     for converter in system.converters:
         text = f"(12) has no converter: {_INSTEAD}"
-        yield Problem(text, ("converters", converter.name))
+        yield Problem("E619", text, ("converters", converter.name))
     controls = system.scenario.controls or {}
     for contact in system.contacts:
         if contact.element is not None and isinstance(controls.get(contact.element + 1), Dog):
             text = f"a dog clutch joins at once, which (12) does not know: {_INSTEAD}"
-            yield Problem(text, ("controls", contact.name))
+            yield Problem("E620", text, ("controls", contact.name))
         else:
             yield from _of_contact(contact)
 
@@ -274,25 +274,25 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
 def _of_contact(contact: Contact) -> Iterator[Problem]:
     if contact.switch:
         text = f"a torque on {contact.name} jumps, which (12) does not know: {_INSTEAD}"
-        yield Problem(text, ("torques", contact.name))
+        yield Problem("E621", text, ("torques", contact.name))
     elif contact.element is None and not contact.is_drag:
         text = (
             f"the load of {contact.name} holds at rest, which (12) does not know: "
             "take a formula such as -300*tanh(speed/0.05)"
         )
-        yield Problem(text, ("torques", contact.name))
+        yield Problem("E622", text, ("torques", contact.name))
     elif contact.is_drag:
         text = f"{contact.name} drags, which (12) does not know: {_INSTEAD}"
-        yield Problem(text, ("case",))
+        yield Problem("E623", text, ("case",))
     elif contact.one_way and contact.element is not None:
         text = f"{contact.name} is a freewheel, which (14) does not know: {_INSTEAD}"
-        yield Problem(text, ("case", "shift_elements", contact.element + 1))
+        yield Problem("E624", text, ("case", "shift_elements", contact.element + 1))
     elif contact.programme.is_dog and _changes(contact):
         text = (
             f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "
             "not know: give it a `capacity` there"
         )
-        yield Problem(text, ("shifts",))
+        yield Problem("E625", text, ("shifts",))
 
 
 def _changes(contact: Contact) -> bool:

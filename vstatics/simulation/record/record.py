@@ -59,7 +59,7 @@ class Record:
             f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it "
             "turns at once to where they balance"
         )
-        self.messages.append(Message("warning", text))
+        self.messages.append(Message("W602", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
@@ -191,5 +191,5 @@ def shared_torques(pieces: Iterable[Piece]) -> list[Message]:
             f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
             "they share the torque is open, shown is the split of least norm"
         )
-        found.append(Message("note", text))
+        found.append(Message("N602", text))
     return found

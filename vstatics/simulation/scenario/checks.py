@@ -71,34 +71,34 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
+                "W603",
                 f"begins at {shift.at:g} s, but the scenario ends at {scenario.duration:g} s: it "
                 "never happens",
                 ("shifts", number, "at"),
-                severity="warning",
             )
     for link, law in scenario.torques:
         if isinstance(law, Road) and 0 < link <= case.links:
             mass, inertia = law.mass * law.radius**2, case.inertias.get(link, 0.0)
             if inertia < mass * (1 - MISSING_MASS):
                 yield Problem(
+                    "W604",
                     f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` adds "
                     f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
                     ("torques", _name(case, link)),
-                    severity="warning",
                 )
 
 
 def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
     by_speeds = bool(start.speeds) or bool(start.engaged)
     if start.gear is None and not by_speeds:
-        yield Problem("expected `gear`, or `speeds` that determine all others", ("start",))
+        yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:
             message = "read `gear` beside `speeds` or `engaged`, expected one or the other"
-            yield Problem(message, ("start",))
+            yield Problem("E629", message, ("start",))
         yield from _of_gear(start.gear, case, ("start", "gear"))
     elif start.speed:
-        yield Problem("read `speed` without `gear`, expected both", ("start", "speed"))
+        yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
     yield from of_finite([start.speed], "a speed", ("start", "speed"))
     speeds = {link: [speed] for link, speed in start.speeds.items()}
     yield from _of_speeds(speeds, case, "start", "speeds")
@@ -118,13 +118,13 @@ def _of_controls(
         path = ("controls", element.name)
         if element.is_freewheel:
             message = "is a freewheel, which finds by itself whether it holds: it has no control"
-            yield Problem(message, path)
+            yield Problem("E631", message, path)
         elif isinstance(control, Capacity) and element.kind == "dog_clutch":
             message = (
                 "is a dog clutch, which has no friction: expected when it closes and opens, such "
                 "as {dog: [[1.5, closed], [2, open]]}"
             )
-            yield Problem(message, path)
+            yield Problem("E632", message, path)
         elif isinstance(control, Capacity):
             largest = largest_control(element, case)
             kind = "pressure" if element.friction else "capacity"
@@ -152,7 +152,7 @@ def _tried(
         first = int(wrong[0])
         expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
         message = f"gives {values[first]:g} at {times[first]:.6g} s, expected {expected}"
-        yield Problem(message, path)
+        yield Problem("E633", message, path)
 
 
 def _of_capacity(
@@ -165,17 +165,17 @@ def _of_capacity(
         yield from of_formula(law, ["t"], path)
         return
     if law.over != "time":
-        yield Problem(f"read points over {law.over}, expected points over time", path)
+        yield Problem("E634", f"read points over {law.over}, expected points over time", path)
     yield from of_points(law, path)
     for number, value in enumerate(law.y, 1):
         place = (*path, number, 2) if len(law.y) > 1 else path
         if value < 0:
-            yield Problem(f"read {value:g}, expected a {kind} of 0 or more", place)
+            yield Problem("E635", f"read {value:g}, expected a {kind} of 0 or more", place)
         elif largest is not None and value * scale > largest * (1 + GIVEN_CAPACITY):
             unit = "Pa" if kind == "pressure" else "N*m"
             read = f"{value:g} {unit}" if scale == 1 else f"{value:g} {unit} times {scale:g}"
             message = f"read {read}, expected at most {largest:g} {unit}, the capacity in the case"
-            yield Problem(message, place)
+            yield Problem("E636", message, place)
 
 
 def _of_torques(scenario: Scenario) -> Iterator[Problem]:
@@ -195,12 +195,14 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
         path = ("converters", converter.name)
         if converter.name in names:
             message = f"{quoted(converter.name)} is the name of another device of the case"
-            yield Problem(message, path)
+            yield Problem("E637", message, path)
         names.append(converter.name)
         for place, link in enumerate((converter.pump, converter.turbine), 1):
             yield from _of_link(link, case, (*path, "links", place))
         if converter.pump == converter.turbine:
-            yield Problem("expected two different links, pump and turbine", (*path, "links"))
+            yield Problem(
+                "E638", "expected two different links, pump and turbine", (*path, "links")
+            )
         yield from of_characteristic(converter.points, (*path, "points"))
 
 
@@ -212,7 +214,7 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_range(shift.at, "a time", (*path, "at"))
         if 0 <= shift.at < before:
             message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
-            yield Problem(message, (*path, "at"))
+            yield Problem("E639", message, (*path, "at"))
         before = max(before, shift.at)
         yield from _of_range(shift.overlap, "a time", (*path, "overlap"))
 
@@ -221,7 +223,7 @@ def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> 
     """Of a number that may not be below 0 nor infinite."""
     if not (0 < value < math.inf or (value == 0 and not above_0)):
         least = "above 0" if above_0 else "of 0 or more"
-        yield Problem(f"read {value:g}, expected {what} {least}", path)
+        yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
 
 
 def _of_speeds(
@@ -235,16 +237,16 @@ def _of_speeds(
 
 def _of_link(link: int, case: Transmission, path: Path) -> Iterator[Problem]:
     if link == HOUSING:
-        yield Problem("read the housing, expected a link that can turn", path)
+        yield Problem("E641", "read the housing, expected a link that can turn", path)
     elif not 0 < link <= case.links:
-        yield Problem(f"read link {link}, expected 1 to {case.links}", path)
+        yield Problem("E642", f"read link {link}, expected 1 to {case.links}", path)
 
 
 def _of_element(number: int, case: Transmission, path: Path) -> Iterator[Problem]:
     if not 0 < number <= len(case.shift_elements):
         last = len(case.shift_elements)
         expected = f"expected 1 to {last}" if last else "but the case has none"
-        yield Problem(f"read shift element {number}, {expected}", path)
+        yield Problem("E643", f"read shift element {number}, {expected}", path)
 
 
 def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
@@ -253,7 +255,7 @@ def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
     except ValueError:
         names = [gear.name for gear in case.gears]
         hint = nearest(name, names) or f"; gears are {listed(names, 12)}"
-        yield Problem(f"read {quoted(name)}, expected the name of a gear{hint}", path)
+        yield Problem("E644", f"read {quoted(name)}, expected the name of a gear{hint}", path)
 
 
 def _name(case: Transmission, link: int) -> Any:
@@ -277,7 +279,7 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
             yield from _of_range(law.drag_area, "an area", (*road, "drag_area"))
             if not -1 <= law.slope <= 1:
                 expected = "expected the sine of an angle, from -1 to 1"
-                yield Problem(f"read {law.slope:g}, {expected}", (*road, "slope"))
+                yield Problem("E645", f"read {law.slope:g}, {expected}", (*road, "slope"))
 
 
 def of_characteristic(
@@ -285,21 +287,21 @@ def of_characteristic(
 ) -> Iterator[Problem]:
     """Of a converter: speed ratios in order, no negative torque ratio."""
     if not points:
-        yield Problem("read no points, expected one at least", path)
+        yield Problem("E646", "read no points, expected one at least", path)
     ratios = [ratio for ratio, _, _ in points]
     yield from _ascending(ratios, "speed ratios in their order", path)
     for number, (one, other) in enumerate(pairwise(ratios), 2):
         if one == other:
             message = f"read {other:g} twice, expected a converter without a jump"
-            yield Problem(message, (*path, number))
+            yield Problem("E647", message, (*path, number))
     for number, row in enumerate(points, 1):
         yield from of_finite(row, "a number", (*path, number))
         if row[1] < 0:
             message = f"read {row[1]:g}, expected a torque ratio K of 0 or more"
-            yield Problem(message, (*path, number, 2))
+            yield Problem("E648", message, (*path, number, 2))
         if row[2] < 0 and row[0] < 1:
             message = f"read {row[2]:g}, expected a lambda of 0 or more up to i = 1"
-            yield Problem(message, (*path, number, 3))
+            yield Problem("E649", message, (*path, number, 3))
 
 
 def of_formula(formula: Formula, names: Sequence[str], path: Path) -> Iterator[Problem]:
@@ -310,13 +312,15 @@ def of_formula(formula: Formula, names: Sequence[str], path: Path) -> Iterator[P
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
         return
     if others:
-        yield Problem(f"read {quoted(others[0])}, expected a formula of {spoken(names)}", path)
+        yield Problem(
+            "E650", f"read {quoted(others[0])}, expected a formula of {spoken(names)}", path
+        )
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
     """As many values as abscissas, finite and in order."""
     if not points.x or len(points.x) != len(points.y):
-        yield Problem("expected points, one at least, each of two numbers", path)
+        yield Problem("E651", "expected points, one at least, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
     yield from _ascending(points.x, f"points in the order of the {points.over}", path)
 
@@ -324,7 +328,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
     """One time at least, finite and in order."""
     if not times:
-        yield Problem("read no times, expected one at least", path)
+        yield Problem("E652", "read no times, expected one at least", path)
     yield from of_finite(times, "a time", path)
     yield from _ascending(times, "times in their order", path)
 
@@ -333,7 +337,7 @@ def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[P
     for number, (one, other) in enumerate(pairwise(values), 2):
         if other < one:
             message = f"read {other:g} behind {one:g}, expected {expected}"
-            yield Problem(message, (*path, number))
+            yield Problem("E653", message, (*path, number))
             return
 
 
@@ -341,5 +345,5 @@ def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Pr
     """The first of some numbers that is infinite or does not exist."""
     for value in values:
         if not math.isfinite(value):
-            yield Problem(f"read {value:g}, expected {expected} that is finite", path)
+            yield Problem("E654", f"read {value:g}, expected {expected} that is finite", path)
             return

@@ -79,20 +79,20 @@ def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:
         given = getattr(one, key)
         if given is not None and given[1] < 0:
             message = f"read {given[1]:g}, expected a standard deviation of 0 or more"
-            yield Problem(message, (*path, key))
+            yield Problem("E655", message, (*path, key))
     if one.normal is not None and one.normal[1] >= 0:
         mean = one.normal[0]
         if not least <= mean <= largest:
             yield Problem(
-                f"read a mean of {mean:g}, expected one from min to max", (*path, "normal")
+                "E656", f"read a mean of {mean:g}, expected one from min to max", (*path, "normal")
             )
     if one.uniform is not None:
         first, last = one.uniform
         if first > last:
             message = f"read {first:g} to {last:g}, expected the least number first"
-            yield Problem(message, (*path, "uniform"))
+            yield Problem("E657", message, (*path, "uniform"))
         elif first > largest or last < least:
             message = f"read {first:g} to {last:g}, of which nothing is from min to max"
-            yield Problem(message, (*path, "uniform"))
+            yield Problem("E658", message, (*path, "uniform"))
     if least > largest:
-        yield Problem(f"read {largest:g}, expected at least min, {least:g}", (*path, "max"))
+        yield Problem("E659", f"read {largest:g}, expected at least min, {least:g}", (*path, "max"))

@@ -76,7 +76,7 @@ class ScenarioDocument(NamedTuple):
         """The error that the file of the case cannot be read, at the place where it is named."""
         node = self._case_node or self.root
         place = self.found.source.place(node.line, node.column)
-        return ReadError([Problem(why, ("case",), place)])
+        return ReadError([Problem("E660", why, ("case",), place)])
 
     def with_case(self, reading: Reading) -> ScenarioFile:
         """The scenario of a case.

@@ -100,7 +100,7 @@ def bare_capacities(case: Transmission) -> Iterator[Problem]:
         why = "the case has no `load` with a torque"
         message = f"{why}, so a capacity without a unit is in N*m ({names})"
         path = ("case", "shift_elements", bare[0], "capacity")
-        yield Problem(message, path, severity="note")
+        yield Problem("N603", message, path)
 
 
 def friction_at(friction: Friction | None, slip: float = 0.0) -> float:
@@ -162,7 +162,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
                 f"{element.name} has no capacity in the case, so it can't change over "
                 f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
             )
-            raise CaseError(message, ("shifts", index))
+            raise CaseError("E661", message, ("shifts", index))
         else:
             moment = moment if target else at
             points = [*kept, (at, now), (moment, now), (moment, target)]
@@ -188,4 +188,4 @@ def _gear(case: Transmission, name: str, index: int) -> Gear:
     try:
         return case.gears[case.gear_number(name) - 1]
     except ValueError as error:
-        raise CaseError(str(error), ("shifts", index, "to")) from None
+        raise CaseError("E662", str(error), ("shifts", index, "to")) from None

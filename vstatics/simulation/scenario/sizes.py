@@ -68,7 +68,7 @@ def _of_numbers(part: Any, path: Path) -> Iterator[Problem]:
         if LARGEST_NUMBER < size < math.inf or 0 < size < LEAST_NUMBER:
             none = "0 or " if size < 1 else ""
             expected = f"{none}a number from {LEAST_NUMBER:g} to {LARGEST_NUMBER:g}"
-            yield Problem(f"read {read:g}, expected {expected}", path)
+            yield Problem("E663", f"read {read:g}, expected {expected}", path)
     elif isinstance(part, Points):
         for number, point in enumerate(zip(part.x, part.y, strict=False), 1):
             places = ((*path, number, 1), (*path, number, 2)) if len(part.x) > 1 else (path, path)
@@ -89,6 +89,7 @@ def _of_unlike(inertias: Mapping[int, float]) -> Iterator[Problem]:
     for link, inertia in inertias.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:
             yield Problem(
+                "E664",
                 f"read {inertia:g} beside {largest:g}, expected at least {UNLIKE_INERTIAS:g} of "
                 "the largest: leave it out, a link without inertia turns as its torques balance",
                 ("case", "inertias", link),

@@ -65,7 +65,7 @@ def motion_system(
             bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
         message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
-        raise CaseError(f"{message} in kg*m^2", ("case",))
+        raise CaseError("E665", f"{message} in kg*m^2", ("case",))
     dragging = list(drags(case, gear))
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
@@ -95,7 +95,7 @@ def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
             message = f"{one.name} is self-locking, which a scenario can't have yet"
-            raise CaseError(message, ("case",))
+            raise CaseError("E666", message, ("case",))
         u = one.ratio
         found.append(
             RigidMechanism(
@@ -182,7 +182,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
             "one coefficient of friction, or a spring beside it in place of `stiffness`"
         )
-        raise CaseError(message, ("case",))
+        raise CaseError("E667", message, ("case",))
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 
@@ -257,7 +257,9 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
                 f"the drag of {name} is {drag:g} of the input torque, which a scenario does not "
                 "have: give it with its unit, such as `3 N*m`, or a `load` with a torque"
             )
-            problems.append(Problem(message, _place_of_drag(case, gear, number, is_element)))
+            problems.append(
+                Problem("E668", message, _place_of_drag(case, gear, number, is_element))
+            )
         elif torque:
             found.append(DragTorque(is_element, number, torque))
     if problems:

@@ -105,7 +105,7 @@ class Equations:
                 f"link {name} has no inertia, and nothing determines its speed at "
                 f"{self.time:g} s: give it an inertia, or hold it"
             )
-            raise CaseError(message, ("case", "inertias", name))
+            raise CaseError("E669", message, ("case", "inertias", name))
 
     def light_motions(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""

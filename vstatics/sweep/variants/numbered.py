@@ -71,7 +71,7 @@ class VariantGrid:
         self.count = math.prod(map(len, self.values))
         if self.count > MOST:
             message = f"the grid has {self.count} variants, expected fewer than 2**63: "
-            raise CaseError(message + "give fewer values, or take a sample")
+            raise CaseError("E704", message + "give fewer values, or take a sample")
 
     def block(self, start: int, stop: int) -> Floats:
         """The numbers of a block of variants, as `Variants` says."""
@@ -104,6 +104,7 @@ class Zip:
         self.count = len(self.values[0]) if self.values else 0
         problems = [
             Problem(
+                "E705",
                 f"{variation.target.name} has {len(values)} values, but "
                 f"{self.targets[0].name} has {self.count}: pairs need as many of each",
                 place=variation.place,
@@ -223,10 +224,10 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
     for target, values, place in variations:
         if target.number in seen:
             message = f"{target.name} is varied twice, expected each number once"
-            problems.append(Problem(message, place=place))
+            problems.append(Problem("E706", message, place=place))
         if not isinstance(values, Span | Distribution) and not len(values):
             message = f"{target.name} has no values, expected at least one"
-            problems.append(Problem(message, place=place))
+            problems.append(Problem("E707", message, place=place))
         seen.add(target.number)
         targets.append(target)
     if problems:
@@ -243,10 +244,10 @@ def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floa
         if isinstance(values, Span):
             span = f"{values.low:g}:{values.high:g}"
             message = f"{target.name}={span} has no count, expected one such as {span}:201"
-            problems.append(Problem(f"{message}, or a sample", place=place))
+            problems.append(Problem("E708", f"{message}, or a sample", place=place))
         elif isinstance(values, Distribution):
             message = f"{target.name} has a distribution, expected values, or a sample"
-            problems.append(Problem(message, place=place))
+            problems.append(Problem("E709", message, place=place))
         else:
             listed.append(values)
     if problems:

@@ -76,7 +76,7 @@ class Sample:
         self.targets = checked_targets(variations)
         self.values = tuple(variation.values for variation in variations)
         self.count, self.method, self.seed = count, method, seed
-        problems = [Problem(message) for message in _complaints(self)]
+        problems = [Problem("E710", message) for message in _complaints(self)]
         if problems:
             raise CaseError(problems)
 
@@ -145,7 +145,7 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
         return qmc.LatinHypercube(dimensions, rng=np.random.default_rng(seed)).random(count)
     except MemoryError:
         message = f"a Latin hypercube of {count} variants does not fit into memory: take fewer"
-        raise CaseError(f"{message}, or the method `sobol`") from None
+        raise CaseError("E711", f"{message}, or the method `sobol`") from None
 
 
 def _sobol(block: Floats, sample: Sample, start: int) -> None:

@@ -53,7 +53,9 @@ def load_table(path: str, subject: Subject) -> VariantTable:
         with open(path, "rb") as opened:  # noqa: PTH123
             return read_table(opened, path, subject)
     except OSError as error:
-        raise ReadError([of_file(path, f"can't be read: {error.strerror or error}")]) from None
+        raise ReadError(
+            [of_file("E712", path, f"can't be read: {error.strerror or error}")]
+        ) from None
 
 
 def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
@@ -112,7 +114,7 @@ def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
         raise
     if spool is None and not kept:
         message = "there is no variant, expected a line of numbers below the names"
-        raise ReadError([of_file(file, message)])
+        raise ReadError([of_file("E713", file, message)])
     return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
 
 
@@ -163,12 +165,12 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
             continue
         if varied.number in [one.number for one in targets]:
             message = f"{varied.name} has a column already, expected each number once"
-            problems.append(Problem(message, place=place))
+            problems.append(Problem("E714", message, place=place))
         targets.append(varied)
         chosen.append(index)
     if not (targets or problems):
         message = "no column is a number of the case, expected names such as D1.ratio"
-        problems.append(Problem(message, place=Place(file, 1, 1, line)))
+        problems.append(Problem("E715", message, place=Place(file, 1, 1, line)))
     if problems:
         raise ReadError(problems)
     return _Columns(file, separator, names, targets, chosen)
@@ -240,7 +242,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
             row.append(read_value(number))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
-            problems.append(Problem(message, place=place._replace(column=column)))
+            problems.append(Problem("E716", message, place=place._replace(column=column)))
     if problems:
         raise ReadError(problems)
     return row

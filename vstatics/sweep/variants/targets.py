@@ -198,7 +198,7 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
     """An error so many letters behind a place."""
-    return ReadError([Problem(message, place=behind(place, offset))])
+    return ReadError([Problem("E717", message, place=behind(place, offset))])
 
 
 def behind(place: Place | None, offset: int) -> Place | None:

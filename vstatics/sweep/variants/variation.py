@@ -135,7 +135,7 @@ def _list(text: str, place: Place | None) -> Floats:
             values.append(read_value(cell))
         except ValueError as error:
             message = f"read {shown(cell)}, {error}"
-            problems.append(Problem(message, place=behind(place, offset)))
+            problems.append(Problem("E718", message, place=behind(place, offset)))
             if len(problems) >= MOST_PROBLEMS:
                 break
     if problems:

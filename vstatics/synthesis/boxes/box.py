@@ -249,4 +249,4 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
 
 
 def _problem(option: str, message: str) -> Problem:
-    return Problem(message, path=(option,))
+    return Problem("E801", message, path=(option,))

@@ -267,7 +267,7 @@ def find_boxes(
     check_box_search(search)
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
-        raise CaseError(message, ("efficiency",))
+        raise CaseError("E802", message, ("efficiency",))
     pieces = [found_in(search, piece) for piece in range(cut(search))]
     boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
     searched = sum(piece.searched for piece in pieces)

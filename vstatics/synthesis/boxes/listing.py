@@ -179,9 +179,9 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
     except json.JSONDecodeError as error:
         place = Source(file, data.decode("utf-8-sig")).place(error.lineno, error.colno)
         message = f"not JSON: {error.msg}; expected {ASKED}"
-        raise ReadError(message, place=place) from None
+        raise ReadError("E803", message, place=place) from None
     except (ValueError, RecursionError) as error:
-        raise ReadError([of_file(file, f"not JSON that can be read: {error}")]) from None
+        raise ReadError([of_file("E804", file, f"not JSON that can be read: {error}")]) from None
     try:
         return listing_of(document), document
     except ReadError as error:
@@ -206,7 +206,7 @@ def listing_of(document: Any) -> BoxListing:
     BoxListing(searched=10, boxes=())
     """
     if not isinstance(document, dict) or not isinstance(document.get("boxes"), list):
-        raise ReadError(f"expected {ASKED}: an object with `searched` and `boxes`")
+        raise ReadError("E805", f"expected {ASKED}: an object with `searched` and `boxes`")
     boxes: list[ListedBox] = []
     problems: list[Problem] = []
     searched = _read(int, document.get("searched"), "searched", problems)
@@ -226,7 +226,7 @@ def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox
         missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
         if missing:
             noun = plural("key", len(missing))
-            problems.append(Problem(f"{where}: expected the {noun} {', '.join(missing)}"))
+            problems.append(Problem("E806", f"{where}: expected the {noun} {', '.join(missing)}"))
         else:
             yield _read(ListedBox, given, where, problems)._replace(number=number)
 
@@ -260,7 +260,7 @@ def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
     expected, is_such = _EXPECTED[kind]
     if is_such(given):
         return True
-    problems.append(Problem(f"{where}: read {type_and_value(given)}, expected {expected}"))
+    problems.append(Problem("E807", f"{where}: read {type_and_value(given)}, expected {expected}"))
     return False
 
 

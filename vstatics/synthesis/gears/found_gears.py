@@ -65,10 +65,10 @@ def found_gears(search: CombinationSearch) -> FoundGears:
             break
     chosen = found or free
     if not chosen:
-        raise CaseError("no combination of shift elements gives a gear")
+        raise CaseError("E809", "no combination of shift elements gives a gear")
     if len(chosen) > MOST_GEARS:
         message = f"the combinations give more than {MOST_GEARS} gears, too many for a case"
-        raise CaseError(f"{message}; expected fewer elements to choose from")
+        raise CaseError("E810", f"{message}; expected fewer elements to choose from")
     left *= bool(found)
     elements = case.shift_elements if search.are_own else search.elements
     gears = list(_gears(case, elements, own, chosen))
@@ -136,6 +136,6 @@ def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGe
     kept = [one for one, is_so in zip(found, holds, strict=True) if is_so]
     if not kept:
         message = f"the freewheels do not hold in any of the gears {listed(slipping)}"
-        raise CaseError(message)
+        raise CaseError("E811", message)
     gears, ratios, _ = zip(*kept, strict=True)
     return FoundGears(_ordered(case, gears, ratios), slipping)

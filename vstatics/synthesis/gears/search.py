@@ -58,7 +58,7 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
         return all_elements(case)
     if AUTO in asked:
         expected = f"expected `{AUTO}` alone, or names of shift elements"
-        raise CaseError(f"read {quoted(', '.join(asked))}, {expected}")
+        raise CaseError("E812", f"read {quoted(', '.join(asked))}, {expected}")
     numbers = sorted({_number(case, one) for one in asked}) or range(len(case.shift_elements))
     return [case.shift_elements[number] for number in numbers]
 
@@ -74,7 +74,7 @@ def _number(case: Transmission, asked: str) -> int:
     hint = nearest(asked, [*names, AUTO])
     if not hint:
         hint = f"; they are {listed(names, 12)}" if names else f"; expected `{AUTO}`"
-    raise CaseError(f"no shift element {quoted(asked)}{hint}")
+    raise CaseError("E813", f"no shift element {quoted(asked)}{hint}")
 
 
 def all_elements(case: Transmission) -> list[ShiftElement]:
@@ -176,13 +176,13 @@ class CombinationSearch:
                     f"read {size} engaged elements, expected 0 to {self.choice}: there are "
                     f"{self.choice} {plural('shift element', self.choice)} to choose from"
                 )
-                raise CaseError(message)
+                raise CaseError("E814", message)
         if not engaged and self.sizes[0] > self.choice:
             message = (
                 f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
                 f"{self.choice} to choose from"
             )
-            raise CaseError(message, ("shift_elements",))
+            raise CaseError("E815", message, ("shift_elements",))
 
     @cached_property
     def count(self) -> float:
@@ -212,7 +212,7 @@ class CombinationSearch:
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
                 f"than the {at_most} that may be tried"
             )
-            raise CaseError(message, ("shift_elements",))
+            raise CaseError("E816", message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
         free = needed(self.case) + 1  # of the steps of elimination, about
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
@@ -222,7 +222,7 @@ class CombinationSearch:
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
                 f"{lacking}; expected some of them, or fewer to engage"
             )
-            raise CaseError(message, ("shift_elements",))
+            raise CaseError("E817", message, ("shift_elements",))
 
     def batches(self) -> Iterator[EngagedSets]:
         """All combinations in the order of the elements, some thousands at a time."""

@@ -89,7 +89,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
         found = {used: sums for used, sums in kept if sums}
         if work > MOST_TERMS:
             message = f"the formula of its ratio has more than {MOST_TERMS} terms"
-            raise CaseError(f"{message}; expected more ratios that are given")
+            raise CaseError("E818", f"{message}; expected more ratios that are given")
     return found.get((1 << len(unknowns)) - 1, {})
 
 

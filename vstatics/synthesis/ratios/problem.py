@@ -79,17 +79,17 @@ def bounds_of(own: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds
     by_index: dict[int, tuple[float, float]] = {}
     for name, pair in given.items():
         path = ("bounds", name)
-        problems += (Problem(f"{name}: {text}", path) for text in _wrong(*pair))
+        problems += (Problem("E819", f"{name}: {text}", path) for text in _wrong(*pair))
         try:
             index = None if name == ALL and ALL not in names else mechanism_index(own, name)
         except ValueError as error:
-            problems.append(Problem(str(error), path))
+            problems.append(Problem("E820", str(error), path))
             continue
         if index is None:
             free = [n for n in range(len(names)) if not own.is_fixed(n)]
             by_index |= {n: pair for n in free if n not in by_index}
         elif index in by_index and ALL not in given:
-            problems.append(Problem(f"{names[index]} is given twice", path))
+            problems.append(Problem("E821", f"{names[index]} is given twice", path))
         else:
             by_index[index] = pair
     if problems:
@@ -235,7 +235,7 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:
         message = f"read {tolerance:g}, expected a number above 0"
-        problems.append(Problem(message, ("tolerance",)))
+        problems.append(Problem("E822", message, ("tolerance",)))
     limits = None
     try:
         limits = bounds_of(own, bounds)
@@ -246,7 +246,7 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     weighted, wrong = _by_gear(case, "weights", weights)
     problems += [*wrong, *_wrong_numbers(case, targets, weighted)]
     if not ratios:
-        problems.append(Problem("expected a ratio for one gear at least", ("ratios",)))
+        problems.append(Problem("E823", "expected a ratio for one gear at least", ("ratios",)))
     if limits is None or problems:
         raise CaseError(problems)
     fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
@@ -257,7 +257,7 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
     problems = [one for index in targets for one in _impossible(made, index)]
     if problems:
-        problems += (Problem(text, ("bounds",)) for text in _other_signs(made))
+        problems += (Problem("E824", text, ("bounds",)) for text in _other_signs(made))
         raise CaseError(problems)
     return made
 
@@ -302,11 +302,11 @@ def _by_gear(
             found[names.index(name)] = float(number)
         else:  # a number is no place here: `9=-3.3` would be any gear
             hint = f"{nearest(name, names)}; gears are {listed(names, 12)}"
-            problems.append(Problem(f"no gear {quoted(name)}{hint}", (argument, name)))
+            problems.append(Problem("E825", f"no gear {quoted(name)}{hint}", (argument, name)))
     if problems and len(given) > len(case.gears):
         count = len(case.gears)
         message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
-        problems.append(Problem(message, (argument,)))
+        problems.append(Problem("E826", message, (argument,)))
     return found, problems
 
 
@@ -316,14 +316,14 @@ def _wrong_numbers(
     for index, target in targets.items():
         if target == 0 or not math.isfinite(target):
             message = f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
-            yield Problem(f"{message} other than 0", ("ratios", index))
+            yield Problem("E827", f"{message} other than 0", ("ratios", index))
     for index, weight in weights.items():
         name = case.gears[index].name
         if index not in targets:
-            yield Problem(f"gear {name}: no ratio is wanted of it", ("weights", index))
+            yield Problem("E828", f"gear {name}: no ratio is wanted of it", ("weights", index))
         if not 0 < weight < math.inf:
             message = f"gear {name}: read {weight:g}, expected a weight above 0"
-            yield Problem(message, ("weights", index))
+            yield Problem("E829", message, ("weights", index))
 
 
 def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
@@ -333,11 +333,11 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
     if formula.kind != "constant" or _is_constant(problem, index):
         without = ratio_fault(name, formula, target, "ratios of the mechanisms")
         if without or formula.kind == "constant":
-            yield from [Problem(without, path)] * bool(without)
+            yield from [Problem("E830", without, path)] * bool(without)
             return
     limits = problem.reach(index)
     if limits is not None and (wrong := sign_fault(f"gear {name}", target, limits)):
-        yield Problem(wrong, path)
+        yield Problem("E831", wrong, path)
 
 
 def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> str:

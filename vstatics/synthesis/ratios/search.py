@@ -160,4 +160,4 @@ def _no_start(space: FitSpace, turning: Floats) -> Problem:
         f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
         f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
     )
-    return Problem(message, ("ratios",))
+    return Problem("E832", message, ("ratios",))

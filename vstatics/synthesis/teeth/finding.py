@@ -56,7 +56,7 @@ def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
     for target in problem.targets:
         ends = target.ends(low[np.newaxis], high[np.newaxis])
         if ends and (wrong := sign_fault(target.name, target.wanted, ends)):
-            problems.append(Problem(wrong, ("ratios", target.name)))
+            problems.append(Problem("E833", wrong, ("ratios", target.name)))
     if problems:
         raise CaseError(problems)
 
@@ -279,7 +279,7 @@ def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
         label = max(left, key=lambda one: left[one])
         of = "" if label == COAXIAL else f" ({left[label]} of {sum(left.values())})"
         message += f"; most are excluded by: {label}{of}"
-    return Problem(message)
+    return Problem("E834", message)
 
 
 def _by_limits(
@@ -325,7 +325,7 @@ def _by_limits(
         raise NoTeethError([none_fits(rows[first].layout, told)])
     message = f"{rows[first].layout.name}: too many teeth to be looked at"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
-    raise CaseError(f"{message}; {hint}", ("range",))
+    raise CaseError("E835", f"{message}; {hint}", ("range",))
 
 
 def _in_windows(

@@ -54,7 +54,9 @@ def teeth_problem(
     layouts = teeth_layouts(own)
     problems = [*_wrong_limits(limits, layouts)]
     if not ratios:
-        problems.append(Problem("expected a ratio for one gear or set at least", ("ratios",)))
+        problems.append(
+            Problem("E836", "expected a ratio for one gear or set at least", ("ratios",))
+        )
     formulas: dict[str, GearFormula] = {}
     asked = _AskedByName(own, layouts)
     for name, wanted in ratios.items():
@@ -70,7 +72,7 @@ def teeth_problem(
         message = "no teeth that can be looked for are in what is wanted"
         if layouts:
             message += f"; they can be for {listed([layout.name for layout in layouts], 12)}"
-        raise CaseError(message, ("ratios",))
+        raise CaseError("E837", message, ("ratios",))
     columns: dict[int, int] = {}
     for layout in used:
         for ratio in layout.ratios:
@@ -114,7 +116,7 @@ class _AskedByName:
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
             message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
-            raise CaseError(message, path)
+            raise CaseError("E838", message, path)
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
         of_sets = named_ratios(self.layouts)
@@ -122,14 +124,14 @@ class _AskedByName:
             hint = f"{nearest(name, [*gears, *of_sets])}; gears are {listed(gears, 12)}"
             if of_sets:
                 hint += f"; sets are {listed([*of_sets], 12)}"
-            raise CaseError(f"no gear or set {quoted(name)}{hint}", path)
+            raise CaseError("E839", f"no gear or set {quoted(name)}{hint}", path)
         ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
             message = (
                 f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
             )
-            raise CaseError(message, path)
+            raise CaseError("E840", message, path)
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
     def _of_gear(self, index: int, wanted: float) -> GearFormula:
@@ -146,10 +148,10 @@ class _AskedByName:
         except CaseError as failed:
             raise CaseError([one._replace(path=path) for one in failed.problems]) from None
         if fault := ratio_fault(name, formula, wanted, "teeth"):
-            raise CaseError(fault, path)
+            raise CaseError("E841", fault, path)
         if len(formula.ratios) > MOST_RATIOS:
             message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
-            raise CaseError(f"{message}, expected no more than {MOST_RATIOS}", path)
+            raise CaseError("E842", f"{message}, expected no more than {MOST_RATIOS}", path)
         return formula
 
 
@@ -159,17 +161,19 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     for count in limits.planets:
         if not 1 <= count <= MOST_PLANETS:
             message = f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}"
-            yield Problem(message, ("planets",))
+            yield Problem("E843", message, ("planets",))
     if not 0 <= limits.clearance < math.inf:
         message = f"read {limits.clearance:g}, expected modules of 0 or more"
-        yield Problem(message, ("clearance",))
+        yield Problem("E844", message, ("clearance",))
     pairs = [one.name for one in layouts if one.element.kind == "gear_pair"]
     for name, distance in limits.centre.items():
         if name not in pairs:
             hint = nearest(name, pairs) + (f"; pairs are {listed(pairs, 12)}" if pairs else "")
-            yield Problem(f"no external gear pair {quoted(name)}{hint}", ("centre", name))
+            yield Problem("E845", f"no external gear pair {quoted(name)}{hint}", ("centre", name))
         elif not 0 < distance < LARGEST_WHEEL:
-            yield Problem(f"{name}: read {distance:g}, expected modules above 0", ("centre", name))
+            yield Problem(
+                "E846", f"{name}: read {distance:g}, expected modules above 0", ("centre", name)
+            )
     yield from _wrong_sizes(limits)
 
 
@@ -181,26 +185,28 @@ def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     for name, (low, high) in limits.ranges.items():
         if name not in names:
             hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
-            yield Problem(f"no wheel {quoted(name)}{hint}", ("range", name))
+            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
         elif not 1 <= low <= high < LARGEST_WHEEL:
             message = f"{name}: read {low}:{high}, expected two numbers of teeth"
-            yield Problem(f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name))
+            yield Problem(
+                "E848", f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name)
+            )
 
 
 def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
     if any(not 0 < module < math.inf for module in limits.modules):
-        yield Problem("expected modules above 0", ("modules",))
+        yield Problem("E849", "expected modules above 0", ("modules",))
     if len(limits.modules) > MOST_MODULES:
         message = f"read {len(limits.modules)}, expected at most {MOST_MODULES} modules"
-        yield Problem(message, ("modules",))
+        yield Problem("E850", message, ("modules",))
     if limits.largest_diameter is not None:
         if not 0 < limits.largest_diameter < math.inf:
             message = f"read {limits.largest_diameter:g}, expected a length above 0"
-            yield Problem(message, ("largest-diameter",))
+            yield Problem("E851", message, ("largest-diameter",))
         if not limits.modules:
             yield Problem(
-                "teeth have a size by their module: give --modules", ("largest-diameter",)
+                "E852", "teeth have a size by their module: give --modules", ("largest-diameter",)
             )
     if not 0 <= limits.shift <= SHIFT:
         message = f"read {limits.shift}, expected 0 to {SHIFT} teeth"
-        yield Problem(f"{message}: shifted profiles make up for no more", ("shift",))
+        yield Problem("E853", f"{message}: shifted profiles make up for no more", ("shift",))

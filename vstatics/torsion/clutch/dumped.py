@@ -154,7 +154,7 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         None if rate is None else engagement(rate, given.J2 + given.J3, given.E),
     )
     if not all(math.isfinite(one) for one in made[1:6]):
-        raise CaseError("numbers so large or so small give no torque")
+        raise CaseError("E501", "numbers so large or so small give no torque")
     return made._replace(messages=tuple(_messages(given, made, course)))
 
 
@@ -242,13 +242,13 @@ def _messages(given: Dump, made: DumpTorque, course: _Course) -> Iterator[Messag
             by = f", by {MARGINS[case]} % of an integration in time, for the vehicles of the source"
         if case == "V2":
             by += "; against the one that was measured by 42 % (table 3.2)"
-        yield Message("note", f"case {case} is on the safe side{by}")
+        yield Message("N501", f"case {case} is on the safe side{by}")
     if course.missed is not None:
         message = f"case {course.missed} does not come: by its closed form the torque does not"
-        yield Message("note", f"{message} reach {course.limit:.6g}; case {case} holds")
+        yield Message("N502", f"{message} reach {course.limit:.6g}; case {case} holds")
     if given.clamped and case == "V1":
         stuck = _swing(given, (), 0.0).largest(0.0, given.omega1)
-        yield Message("note", f"with a clutch that stays stuck the torque is {stuck:.6g} (case B1)")
+        yield Message("N503", f"with a clutch that stays stuck the torque is {stuck:.6g} (case B1)")
     if made.engagement is not None and case not in ("A1", "A2"):
         message = "the factor of the engagement is for a clutch that slips and tyres that grip"
-        yield Message("note", message)
+        yield Message("N504", message)

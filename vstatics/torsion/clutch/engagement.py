@@ -62,7 +62,7 @@ def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
 def rate_problems(rate: float | None) -> Iterator[Problem]:
     """Of a rate that cannot be."""
     if rate is not None and not 0 < rate < math.inf:
-        yield Problem(f"read {rate:g}, expected a rate above 0", ("rate",))
+        yield Problem("E502", f"read {rate:g}, expected a rate above 0", ("rate",))
 
 
 def _factor(k: float) -> float:

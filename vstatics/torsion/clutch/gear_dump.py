@@ -102,7 +102,7 @@ def gear_dumps(
     """
     if case.dump is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise CaseError(message, ("dump",))
+        raise CaseError("E503", message, ("dump",))
     return [_gear_dump(case, gear, case.dump, rate) for gear in asked_gears(case, gears)]
 
 
@@ -124,7 +124,7 @@ def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | 
         return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
     if left_out:
         message = f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
-        made = made._replace(messages=(*made.messages, Message("note", message)))
+        made = made._replace(messages=(*made.messages, Message("N505", message)))
     return GearDump(gear.name, to, given, made)
 
 

@@ -75,4 +75,6 @@ def dump_problems(given: Dump) -> Iterator[Problem]:
             finite = "finite " * (bounded and value == math.inf)
             least = "of 0 or more" if from_0 else "above 0"
             infinite = "" if bounded else ", or infinite"
-            yield Problem(f"read {value:g}, expected a {finite}number {least}{infinite}", (name,))
+            yield Problem(
+                "E504", f"read {value:g}, expected a {finite}number {least}{infinite}", (name,)
+            )

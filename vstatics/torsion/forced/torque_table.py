@@ -100,4 +100,4 @@ def _harmonic(cells: list[str], columns: list[tuple[str, float]]) -> Harmonic:
 
 
 def _at(source: Source, line: int, message: str) -> Problem:
-    return Problem(message, (), source.place(line))
+    return Problem("E505", message, (), source.place(line))

@@ -128,7 +128,7 @@ def simplify(
         stages = [*_by_partial_systems(chain, steps, remove)]
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
-        raise CaseError(message)
+        raise CaseError("E506", message)
     found = tuple(_step(stage, rule, is_chain=is_chain) for stage in stages)
     left = without_massless(stages[-1][1] if stages else given)
     return Simplification(rule, found, left, tuple(_warnings(found)))
@@ -160,7 +160,7 @@ def _by_masses(
             system = _highest(_inner(scheme, systems))
         [mass] = system.masses
         if not system.frequency:
-            raise CaseError(f"`{system.names[0]}` can't be removed: no device acts on it")
+            raise CaseError("E507", f"`{system.names[0]}` can't be removed: no device acts on it")
         scheme = without_branch_mass(scheme, mass, rule)
         yield system, scheme
 
@@ -170,8 +170,9 @@ def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[Part
     inner = [one for one in systems if acted_on_by_several(scheme, one.masses[0])]
     if not inner:
         raise CaseError(
+            "E508",
             "no link is left that a rule removes: one device alone acts on each of "
-            f"{listed([one.names[0] for one in systems])}; name those to remove"
+            f"{listed([one.names[0] for one in systems])}; name those to remove",
         )
     return inner
 
@@ -206,21 +207,22 @@ def _problems(
     if not 1 <= frequencies <= most:
         expected = f"expected 1 to {most}" if most else "but the scheme has none"
         noun = "frequency" if frequencies == 1 else "frequencies"
-        yield Problem(f"read {frequencies} natural {noun} to remain, {expected}")
+        yield Problem("E509", f"read {frequencies} natural {noun} to remain, {expected}")
     elif len(remove) > steps:
         yield Problem(
+            "E510",
             f"read {len(remove)} links to remove, expected {steps} at most, so that {frequencies} "
-            f"of {most} natural frequencies remain"
+            f"of {most} natural frequencies remain",
         )
     inertias = dict(zip(scheme.names, scheme.inertias, strict=True))
     for place, name in enumerate(remove):
         if name not in inertias:
             hint = nearest(name, inertias)
-            yield Problem(f"read `{name}` to remove, expected a link of the scheme{hint}")
+            yield Problem("E511", f"read `{name}` to remove, expected a link of the scheme{hint}")
         elif name in remove[:place]:
-            yield Problem(f"read `{name}` to remove, which is removed before")
+            yield Problem("E512", f"read `{name}` to remove, which is removed before")
         elif not inertias[name]:
-            yield Problem(f"read `{name}` to remove, expected a link with inertia")
+            yield Problem("E513", f"read `{name}` to remove, expected a link with inertia")
 
 
 def _warnings(steps: Sequence[SimplificationStep]) -> Iterator[Problem]:
@@ -231,9 +233,9 @@ def _warnings(steps: Sequence[SimplificationStep]) -> Iterator[Problem]:
     kept, partial = steps[-1].omegas[-1], lowest.partial_frequency
     if kept > ACCURATE * partial:
         yield Problem(
+            "W501",
             f"{kept:.4g} rad/s is kept, more than half of the partial frequency {partial:.4g} "
             f"rad/s that is taken out ({lowest.operation}): it may be more than 5 % off",
-            severity="warning",
         )
 
 

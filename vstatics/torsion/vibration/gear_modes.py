@@ -167,7 +167,7 @@ def modes(
     asked = asked_gears(case, gears)
     if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
         message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
-        raise CaseError(message, ("inertias",))
+        raise CaseError("E514", message, ("inertias",))
     if coast is not None and coast != case.coast:
         case = replace(case, coast=coast)
     if count is None and case.own_links > SOME_LINKS:

@@ -182,10 +182,10 @@ def _of_mode(
         raise ValueError(f"mode: read {number}, expected a number from 1")
     [found] = modes(case, [at], count=number)
     if found.error:
-        raise CaseError(found.error, ("gears", at))
+        raise CaseError("E515", found.error, ("gears", at))
     if not found.modes:
         message = "nothing elastic joins inertias, so there is no mode"
-        raise CaseError(message, ("gears", at))
+        raise CaseError("E516", message, ("gears", at))
     if number > len(found.modes):
         raise ValueError(f"no mode {number} in gear {found.name}; it has {len(found.modes)}")
     system = vibrating(case, case.gears[at - 1])
