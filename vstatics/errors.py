@@ -17,6 +17,8 @@ Path = tuple[str | int, ...]
 
 
 Severity = Literal["error", "warning", "note"]
+SEVERITIES: dict[str, Severity] = {"E": "error", "W": "warning", "N": "note"}
+"""By the letters with which ids begin; see docs/messages.md."""
 
 
 class Place(NamedTuple):
@@ -28,26 +30,46 @@ class Place(NamedTuple):
     text: str = ""
 
 
+def severity(identity: str) -> Severity:
+    """What the first letter of an id says.
+
+    >>> severity("W201")
+    'warning'
+    """
+    return SEVERITIES[identity[0]]
+
+
 class Problem(NamedTuple):
     """One thing that is wrong or doubtful: what was read, what was expected."""
 
+    id: str
+    """Of its cause, whatever names it speaks of: a letter for the severity, and three digits."""
     message: str
     path: Path = ()
     place: Place | None = None
-    severity: Severity = "error"
+
+    @property
+    def severity(self) -> Severity:
+        """Whether it is an error, a warning or a note."""
+        return severity(self.id)
 
     def __str__(self) -> str:
         """The problem in one line that is safe to print, in the wording of a compiler."""
+        text = f"{self.message} [{self.id}]"
         if self.place is not None:
             file, line, column, _ = self.place
             where = f"{file}:{line}:{column}: " if line else f"{file}: "
-            return printable(f"{where}{self.severity}: {self.message}")
-        return printable(f"{path_text(self.path)}: {self.message}" if self.path else self.message)
+            return printable(f"{where}{self.severity}: {text}")
+        return printable(f"{path_text(self.path)}: {text}" if self.path else text)
+
+    def in_file(self, file: str) -> Problem:
+        """The same of a file as a whole."""
+        return self._replace(path=(), place=Place(file, 0, 0))
 
 
-def of_file(file: str, message: str) -> Problem:
+def of_file(identity: str, file: str, message: str) -> Problem:
     """A problem of a file as a whole."""
-    return Problem(message, place=Place(file, 0, 0))
+    return Problem(identity, message).in_file(file)
 
 
 class VstaticsError(Exception):
@@ -58,14 +80,18 @@ class CaseError(VstaticsError):
     """A transmission that cannot be; `problems` tells all that is wrong with it."""
 
     def __init__(
-        self, problems: Iterable[Problem] | str, path: Path = (), place: Place | None = None
+        self,
+        problems: Iterable[Problem] | str,
+        message: str = "",
+        path: Path = (),
+        place: Place | None = None,
     ) -> None:
-        """Keep the problems, or the one of a message; the text is one line for each.
+        """Keep the problems, or the one of an id and a message; the text is a line for each.
 
-        >>> CaseError("read 0, expected a ratio", ("mechanisms", 1, "ratio"))
-        CaseError('mechanisms[1].ratio: read 0, expected a ratio')
+        >>> CaseError("E234", "read 0, expected a ratio", ("mechanisms", 1, "ratio"))
+        CaseError('mechanisms[1].ratio: read 0, expected a ratio [E234]')
         """
-        given = [Problem(problems, path, place)] if isinstance(problems, str) else problems
+        given = [Problem(problems, message, path, place)] if isinstance(problems, str) else problems
         self.problems = list(given)
         super().__init__("\n".join(map(str, self.problems)))
 

@@ -15,7 +15,7 @@ from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
 from vstatics.pictures.sheet.style import Style
@@ -140,5 +140,5 @@ def _shown(
     try:
         drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:
-        raise ReadError(of_file(outcome.file, one.message) for one in error.problems) from None
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

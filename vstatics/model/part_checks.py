@@ -193,10 +193,10 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         yield Problem("N203", message, (*path, "ratio"))
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
+            "N204" if ratio == -1 else "W201",  # as bevel differentials have it
             f"ratio {ratio:g} is not that of a plain planetary set: there is no "
             "planet speed without a planet ratio",
             path,
-            severity="note" if ratio == -1 else "warning",  # as bevel differentials have it
         )
 
 

@@ -95,7 +95,7 @@ def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard
     system, messages = with_viscous_damping(system, speeds)
     start = start_instant(system, speeds, _twists(system, speeds))
     record = Record(system, start, step)
-    told = (Message("note", one.message) for one in bare_capacities(scenario.case))
+    told = (Message(one.id, one.message) for one in bare_capacities(scenario.case))
     record.messages += [*told, *messages]
     stopped: Problem | None = None
     try:

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Severity, path_text, spoken
+from vstatics.errors import path_text, spoken
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
@@ -24,20 +25,14 @@ from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
 from vstatics.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
 
-Said = tuple[Severity, str]
 NOTHING_HOLDS = "nothing holds the torque of the input"
 
 
-def _error(text: str) -> Said:
-    return "error", text
+class Said(NamedTuple):
+    """The id and the text of a message about a gear."""
 
-
-def _warning(text: str) -> Said:
-    return "warning", text
-
-
-def _note(text: str) -> Said:
-    return "note", text
+    id: str
+    text: str
 
 
 def freedom(case: Transmission) -> int:
@@ -60,7 +55,7 @@ def messages(results: Results) -> Iterator[Message]:
     """Everything worth saying about the results of one case."""
     case = results.case
     for problem in doubts(case):
-        yield Message(problem.severity, _named(case, path_text(problem.path), problem.message))
+        yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
     if case.inertias and (untold := torques.without_load(case)):
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
@@ -80,8 +75,8 @@ def messages(results: Results) -> Iterator[Message]:
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
         )
-        for severity, text in dict.fromkeys(said):  # conditions may contradict in many ways
-            yield Message(severity, text, gear.name)
+        for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
+            yield Message(identity, text, gear.name)
 
 
 def _of_irregular_gear(
@@ -102,9 +97,10 @@ def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Sai
             [case.shift_elements[number - 1].name for number in numbers]
             for numbers in (held, others)
         )
-        yield _warning(
+        yield Said(
+            "W411",
             f"freewheel{_s(len(twos))} {spoken(twos)} could hold in place of {spoken(ones)}: the "
-            f"torques that they share are not determined, those with {spoken(ones)} are given"
+            f"torques that they share are not determined, those with {spoken(ones)} are given",
         )
 
 
@@ -113,9 +109,10 @@ def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = torques.unknown_drag(results.case, gear, speeds, slips)
     if unknown and results.calculable[number]:
-        yield _warning(
+        yield Said(
+            "W412",
             f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "
-            "there"
+            "there",
         )
 
 
@@ -144,11 +141,12 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     for number in freewheels.driven_backward(case, gear, speeds):
         name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
         side = "below 0" if slip < 0 else "above 0, with an input that turns backward"
-        yield _error(
+        yield Said(
+            "E451",
             f"{CONFLICT.name}: freewheel {name} can neither overrun (its slip would be "
             f"{slip:.4g}, {side}) nor hold (the gear would be {TIED_UP.english}); release one of "
             "the engaged elements, or exchange the links of the freewheel if it stands the wrong "
-            "way round"
+            "way round",
         )
 
 
@@ -183,7 +181,9 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
             f"a given torque, below 0 where it takes some, such as `torques: {{{first}: -.2}}`"
         )
     verb = "give" if names[1:] else "gives"
-    yield _warning(f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}")
+    yield Said(
+        "W413", f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}"
+    )
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -204,14 +204,15 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         over = _overrunning(results, number, gear) if neutral else []
         verb = "overruns" if len(over) == 1 else "overrun"
         why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
-        yield _warning(
+        yield Said(
+            "W414",
             f"{missing} condition{_s(missing)} missing for the speeds"
-            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}"
+            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}",
         )
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
         name = case.link_name(output)
-        yield _warning(f"the output, link {name}, stands still: there is no ratio")
+        yield Said("W415", f"the output, link {name}, stands still: there is no ratio")
 
 
 def _is_adrift(results: Results, number: int) -> bool:
@@ -247,9 +248,10 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
                 conditions, cure = spoken(every), "check which links these join and their ratios"
             if springs:
                 cure += f"; {spoken(springs)} can't give way here, only in `vstatics torsion`"
-            yield _error(
+            yield Said(
+                "E452",
                 f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
-                f"turn as given; {cure}"
+                f"turn as given; {cure}",
             )
         elif engaged:
             repeated.append(spoken(engaged))
@@ -263,7 +265,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     unknown = _unknown_torques(results, number)
     shared = f", the torque of {spoken(unknown)} is not determined" if unknown else ""
     for text in same:
-        yield _warning(text + shared)
+        yield Said("W416", text + shared)
         shared = ""  # once is enough
 
 
@@ -276,9 +278,10 @@ def _digit_messages(results: Results, number: int) -> Iterator[Said]:
     of += [f"the torque of {spoken(lost.devices)}"] * bool(lost.devices)
     certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
     verb = "are" if lost.digits > 1 else "is"
-    yield _warning(
+    yield Said(
+        "W417",
         "the ratios are so close to a singular train that rounding shows: "
-        f"{certain} of {spoken(of)} {verb} certain"
+        f"{certain} of {spoken(of)} {verb} certain",
     )
 
 
@@ -300,20 +303,21 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
                 "speed of the reacting link instead"
             )
-        yield _warning(f"there are no torques in balance: {advice}")
+        yield Said("W418", f"there are no torques in balance: {advice}")
     elif not is_told and is_uncertain(
         gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
     ):
-        yield _warning(
+        yield Said(
+            "W419",
             "the ratios are so close to a singular train that rounding shows: output torque "
-            "times output speed is not 1; few digits are certain"
+            "times output speed is not 1; few digits are certain",
         )
     elif not results.excess[number] and (  # else it is said already
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
         if unknown:
-            yield _warning(f"statics does not determine the torque of {spoken(unknown)}")
+            yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
 
 
 def _nothing_holds(case: Transmission, gear: Gear) -> str:
@@ -341,27 +345,30 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     case = results.case
     if results.locked[number]:
         way = " when coasting" if case.coast else ""
-        yield _warning(f"{LOCKED.english}{way}: no directions of power agree with the losses")
+        yield Said("W421", f"{LOCKED.english}{way}: no directions of power agree with the losses")
     elif results.dragged[number]:
-        yield _warning(f"{DRAGGED.english}: {DRAGGED.meaning}")
+        yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")
     elif results.undecided[number]:
-        yield _warning(
+        yield Said(
+            "W423",
             "the search for directions of power that agree with the losses was cut short: "
-            "torques with losses and efficiency are unknown"
+            "torques with losses and efficiency are unknown",
         )
     elif not results.consistent[number] and results.calculable[number]:
-        yield _warning(
+        yield Said(
+            "W424",
             "statics leaves directions of power open: with losses only what does not depend on "
-            "them is given"
+            "them is given",
         )
     turns = zip(case.mechanisms, results.turned[number], strict=True)
     turned = [mechanism.name for mechanism, mark in turns if mark]
     if turned:
-        yield _note(f"losses turn the flow of power through {spoken(turned)} round")
+        yield Said("N411", f"losses turn the flow of power through {spoken(turned)} round")
     if results.choices[number] > 1:
-        yield _note(
+        yield Said(
+            "N412",
             f"{results.choices[number]} sets of directions of power agree with the losses; "
-            "the one of the largest efficiency is taken"
+            "the one of the largest efficiency is taken",
         )
 
 
@@ -372,9 +379,10 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
-        yield _warning(
+        yield Said(
+            "W425",
             f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
-            "power assumed there"
+            "power assumed there",
         )
 
 

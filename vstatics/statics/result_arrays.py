@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Severity
+from vstatics.errors import Severity, severity
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 
@@ -15,14 +15,20 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 class Message(NamedTuple):
     """What was noticed in a gear; a gear with an error makes the case fail."""
 
-    severity: Severity
+    id: str
+    """As that of a `Problem`."""
     text: str
     gear: str = ""
+
+    @property
+    def severity(self) -> Severity:
+        """Whether it is an error, a warning or a note."""
+        return severity(self.id)
 
     def __str__(self) -> str:
         """The message in one line, with the gear it speaks of."""
         gear = f"gear {self.gear}: " if self.gear else ""
-        return f"{self.severity}: {gear}{self.text}"
+        return f"{self.severity}: {gear}{self.text} [{self.id}]"
 
 
 class ResultFields(NamedTuple):

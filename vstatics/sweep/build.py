@@ -173,7 +173,7 @@ def sampled_numbers(subject: VariedScenario) -> list[Variation]:
             variations.append(Variation(target, distribution, place))
         except ReadError as error:
             problems += [
-                Problem(f"samples: {one.message}", ("samples", path), place)
+                Problem(one.id, f"samples: {one.message}", ("samples", path), place)
                 for one in error.problems
             ]
     if problems:

@@ -179,7 +179,7 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         each = settings.telling.each_gear
         found = _located(reading, results, each_gear=each)
         if settings.of_runs and scenario is not None:
-            found = (one._replace(severity="note") for one in found)
+            found = (one._replace(id="N004") for one in found)
         problems = [*reading.warnings, *notes, *found]
     except ReadError as error:
         taken = ["scenario"] * settings.scenarios
@@ -234,7 +234,7 @@ def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator
             key = message if each_gear else message._replace(gear="")
             together.setdefault(key, []).append(message)
     for first, *others in together.values():
-        place = reading.locate(Problem("E003", "", ("gears", numbers[first.gear]))).place
+        place = reading.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
         names = spoken([first.gear, *(other.gear for other in others)])
         text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
-        yield Problem(text, place=place, severity=first.severity)
+        yield Problem(first.id, text, place=place)

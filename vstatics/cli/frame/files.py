@@ -57,7 +57,9 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
     try:
         yield
     except CaseError as error:
-        raise ReadError(of_file(file, one.message + hint) for one in error.problems) from None
+        raise ReadError(
+            of_file(one.id, file, one.message + hint) for one in error.problems
+        ) from None
 
 
 def _nearest_file(file: str) -> str:

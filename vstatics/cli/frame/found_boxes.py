@@ -111,10 +111,7 @@ def calculated_boxes(
             case = box.transmission()
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
-        said = [
-            of_file("E010", name, f"gear {one.gear}: {one.text}")._replace(severity=one.severity)
-            for one in results.messages
-        ]
+        said = [of_file(one.id, name, f"gear {one.gear}: {one.text}") for one in results.messages]
         problems = settings.telling.told(said)
         files.show(settings.telling.printed(problems))
         yield CalculatedCase(name, results, problems, telling=settings.telling)

@@ -43,7 +43,7 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
-    return of_file(located.place.file, problem.message)
+    return problem.in_file(located.place.file)
 
 
 def file_name(file: str) -> str:
@@ -153,9 +153,9 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
     show_problems(problems, telling, file_name(file))
 
 
-def warnings_of(messages: Iterable[str], file: str) -> list[Problem]:
+def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Problem]:
     """Warnings about a file as a whole."""
-    return [of_file("E012", file, one)._replace(severity="warning") for one in messages]
+    return [of_file(identity, file, one) for one in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:

@@ -64,6 +64,6 @@ def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text
-        yield Problem(text, (), file, message.severity)
+        yield Problem(message.id, text, (), file)
     if motion.stopped is not None:
         yield read.locate(motion.stopped)

@@ -107,7 +107,7 @@ def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> i
         with wrong_use(FitOptions._fields):
             if dry_run:
                 problem = fit_problem(own, *asked)
-                notes = warnings_of(doubts(problem), file)
+                notes = warnings_of("W804", doubts(problem), file)
                 known = dry_document(problem)
                 return CaseAnswer(lambda: dry_grids(known), known, notes)
             with progress(None, "steps", quiet=one.telling.quiet) as advance:
@@ -144,4 +144,4 @@ def _notes(found: Fit, file: str) -> list[Problem]:
     if found.free:
         choice = f"the wanted ratios leave a choice of {listed(found.free)}"
         told.append(f"{choice}: they are as near as may be to the case's own")
-    return notes + warnings_of(told, file)
+    return notes + warnings_of("W805", told, file)

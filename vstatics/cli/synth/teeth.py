@@ -178,13 +178,13 @@ def teeth(
             asked = ratios or own_ratios(own)
             if dry_run:
                 problem = teeth_problem(own, asked, limits, error)
-                notes = warnings_of(doubts_before(problem), file)
+                notes = warnings_of("W801", doubts_before(problem), file)
                 return CaseAnswer(lambda: asked_grids(problem), asked_document(problem), notes)
             try:
                 with progress(None, "regions", quiet=one.telling.quiet) as advance:
                     found = find_teeth(own, asked, limits, error=error, advance=advance)
             except NoTeethError as failed:
-                why = [of_file(file, problem.message) for problem in failed.problems]
+                why = [problem.in_file(file) for problem in failed.problems]
                 return CaseAnswer(list, TeethAnswer([]), why, failed=True)
 
         def write() -> bool:
@@ -211,13 +211,13 @@ _OPTIONS = (
 
 def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
     """What to know of the solutions."""
-    yield from warnings_of(found.doubts, file)
+    yield from warnings_of("W802", found.doubts, file)
     if found.problem.unused:
         message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
-        yield of_file("E022", file, message)._replace(severity="note")
+        yield of_file("N801", file, message)
     if not found.is_proven:
         message = (
             f"the search was ended: that others are better is possible, "
             f"but none has an error below {found.bound:.3g}"
         )
-        yield from warnings_of([message], file)
+        yield from warnings_of("W803", [message], file)

@@ -11,7 +11,7 @@ from vstatics.cli.frame import formats
 from vstatics.cli.frame.one_case import OneCase
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import wrong_value
-from vstatics.errors import Problem, Severity, listed
+from vstatics.errors import Problem, listed
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.readers.reading import Reading
 
@@ -74,7 +74,7 @@ def link_name(case: Transmission, asked: str, option: str) -> str:
 
 
 def located(
-    reading: Reading, texts_by_gear: Iterable[tuple[str, str]], severity: Severity = "error"
+    reading: Reading, texts_by_gear: Iterable[tuple[str, str]], identity: str
 ) -> list[Problem]:
     """Messages as problems at the places of their gears.
 
@@ -82,11 +82,13 @@ def located(
     ----------
     texts_by_gear : iterable of tuple
         The name of a gear, and a text; an empty one says nothing.
+    identity : str
+        Of all of them.
     """
     numbers = {gear.name: number for number, gear in enumerate(reading.case.gears, 1)}
     found = []
     for name, message in texts_by_gear:
         if message:
-            place = reading.locate(Problem("E023", "", ("gears", numbers[name]))).place
-            found.append(Problem(f"gear {name}: {message}", (), place, severity))
+            place = reading.locate(Problem(identity, "", ("gears", numbers[name]))).place
+            found.append(Problem(identity, f"gear {name}: {message}", (), place))
     return found

@@ -88,7 +88,7 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
     from vstatics.torsion.clutch.grids import gear_grids, gears_grids
 
     found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
-    faults = located(reading, ((gear.name, gear.error) for gear in found))
+    faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
     alone = bool(gears) and len(found) == 1
     return CaseAnswer(
         lambda: gear_grids(found[0]) if alone else gears_grids(found),

@@ -161,7 +161,7 @@ def _answer(
             if error.problems[0].path[:1] != ("gears",):
                 raise
             faults = [(chosen, problem.message) for problem in error.problems]
-            raise ReadError("E024", located(reading, faults)) from None
+            raise ReadError(located(reading, faults, "E518")) from None
         except ValueError as error:
             raise click.UsageError(str(error)) from None
 

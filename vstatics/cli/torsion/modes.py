@@ -48,12 +48,12 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
 
         case = reading.case
         found = modes_of(case, gear_names(case, gears), count=count)
-        faults = located(reading, ((gear.name, gear.error) for gear in found))
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         doubts = ((gear.name, text) for gear in found for text in gear.warnings)
         return CaseAnswer(
             lambda: modes_grids(found),
             ModesAnswer(case.name, found),
-            [*faults, *located(reading, doubts, "warning")],
+            [*faults, *located(reading, doubts, "W503")],
             failed=bool(faults),
         )
 

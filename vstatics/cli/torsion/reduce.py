@@ -40,7 +40,7 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
         case = reading.case
         link = link_name(case, to, "--to")
         found = reduced(case, link, gear_names(case, gears))
-        faults = located(reading, ((gear.name, gear.error) for gear in found))
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         return CaseAnswer(
             lambda: reduction_grids(link, found),
             ReductionAnswer(case.name, link, found),

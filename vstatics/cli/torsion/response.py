@@ -109,7 +109,7 @@ def response(
         found = responses(case, link, harmonics, speed, gear_names(case, gears))
         if with_sum:
             found = [gear.with_sum() for gear in found]
-        faults = located(reading, ((gear.name, gear.error) for gear in found))
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(
             lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],

@@ -127,7 +127,7 @@ def simplify(
         chosen = gear_of(own, gear)
         scheme = gear_scheme(own, chosen)
         if isinstance(scheme, str):
-            raise ReadError("E025", located(reading, [(chosen.name, scheme)]))
+            raise ReadError(located(reading, [(chosen.name, scheme)], "E517"))
         found = simplified(scheme, frequencies, rule, remove or ())  # type: ignore[arg-type] # a choice
 
         def write() -> bool:
@@ -143,7 +143,7 @@ def simplify(
         return CaseAnswer(
             lambda: simplification_grids(found),
             SimplificationAnswer(own.name, chosen.name, found.rule, found.steps, told),
-            warnings_of([*told, *_lost(own)], file_name(one.case)),
+            warnings_of("W502", [*told, *_lost(own)], file_name(one.case)),
             write=write,
         )
 

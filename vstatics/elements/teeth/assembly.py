@@ -96,7 +96,7 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
             message = message.replace("planets", f"planets {', '.join(train)}", 1)
         message += failed[0] if failed else ""
         where = f"they fit at multiples of 1/{places} turn" if places > 1 else "only one fits"
-        yield Doubt(message + where, None)
+        yield Doubt("W317", message + where, None)
 
 
 def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
@@ -104,6 +104,7 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
     count, whole = element.planets or 1, teeth["left"] + teeth["right"]
     if whole % count:
         yield Doubt(
+            "W318",
             f"{count} equally spaced planets can't be assembled: "
             f"(left + right)/planets = {whole}/{count} is not whole",
             None,

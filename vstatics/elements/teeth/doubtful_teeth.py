@@ -54,7 +54,7 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
     for number, element in enumerate(drawing.elements, 1):
         for doubt in _doubts(element):
             path = ("elements", number, *_place(element, doubt.about))
-            yield Problem(doubt.message, path, severity=doubt.severity)
+            yield Problem(doubt.id, doubt.message, path)
 
 
 def _doubts(element: Element) -> Iterator[Doubt]:
@@ -66,7 +66,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
         for name, teeth in element.teeth.items():
             if teeth < UNCUT:
                 message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
-                yield Doubt(message, name, "note")
+                yield Doubt("N316", message, name)
     elif element.teeth and element.shape.meshes and element.kind != "bevel_pair":
         yield from _with_cures(OfWheels(element))
 

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from vstatics.elements.element import CentralWheel, Element
 from vstatics.elements.group import PlanetGroup
-from vstatics.errors import Severity
 
 Key = str | int
 """What has teeth: a rim or a wheel by its name, a central wheel of a group by its position."""
@@ -23,9 +22,9 @@ Teeth = Mapping[Key, int]
 class Doubt(NamedTuple):
     """What is doubtful about an element: of which wheel, or of the number of planets."""
 
+    id: str
     message: str
     about: Key | None
-    severity: Severity = "warning"
     has_cure: bool = True
     """Whether other teeth may be right."""
 

@@ -52,10 +52,10 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
                 f"{wheel} is undercut even with a shifted profile, "
                 f"expected {UNCUT_SHIFTED} teeth or more"
             )
-            yield Doubt(message, wheel.key)
+            yield Doubt("W319", message, wheel.key)
         elif wheel.teeth < UNCUT:
             message = f"{wheel} needs a shifted profile: below {UNCUT} teeth are undercut"
-            yield Doubt(message, wheel.key, "note", has_cure=False)
+            yield Doubt("N317", message, wheel.key, has_cure=False)
 
 
 def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
@@ -63,9 +63,10 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:
-            yield Doubt(f"{wheel} doesn't fit into {ring}", ring.key)
+            yield Doubt("W320", f"{wheel} doesn't fit into {ring}", ring.key)
         elif ring.internal and more < INSIDE:
             yield Doubt(
+                "W321",
                 f"tips of {wheel} and {ring} interfere: the ring has {more} teeth more, "
                 f"expected {INSIDE} or more",
                 ring.key,
@@ -97,4 +98,4 @@ def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
     if others:
         names = (f"{mesh.first} and {mesh.second} ({mesh.divisor})" for mesh in others)
         message += f"; likewise {', '.join(names)}"
-    yield Doubt(message, first.key, "note", has_cure=False)
+    yield Doubt("N318", message, first.key, has_cure=False)

@@ -31,7 +31,11 @@ PASSING = {
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
     """Everything about the places of planets, each part of it in turn."""
     hopeless = [
-        Doubt(f"no planet `{planet}` fits between the wheels around it", layout.key(wheels[-1]))
+        Doubt(
+            "W311",
+            f"no planet `{planet}` fits between the wheels around it",
+            layout.key(wheels[-1]),
+        )
         for planet, rims in layout.group.planets.items()
         for rim, teeth in rims.items()
         if teeth is not None and teeth < 1 and (wheels := layout.around(rim))
@@ -61,7 +65,7 @@ def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
                 f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
                 f"{float(teeth):g} is not whole; speeds of planets take it as it is"
             )
-            yield Doubt(message, layout.key(wheels[-1]), "note")
+            yield Doubt("N311", message, layout.key(wheels[-1]))
         for other in others:
             change = int((layout.span(other) or 0) - (layout.span(first) or 0))
             if change and teeth.denominator == 1:
@@ -75,8 +79,8 @@ def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, chan
     message = f"{layout.label(other)} {other.teeth} is not {wanted} = {other.teeth - change}"
     if abs(change) <= SHIFT:
         message += ": runs with shifted profiles only"
-        return Doubt(message, layout.key(other), "note")
-    return Doubt(f"{message}: their axes don't coincide", layout.key(other))
+        return Doubt("N312", message, layout.key(other))
+    return Doubt("W312", f"{message}: their axes don't coincide", layout.key(other))
 
 
 def _modules(layout: AxisLayout) -> Iterator[Doubt]:
@@ -93,7 +97,7 @@ def _modules(layout: AxisLayout) -> Iterator[Doubt]:
                     f"different modules: that of {layout.label(rim)} is "
                     f"{float(ratio):.5g} times that of {layout.label(first)} ({ratio})"
                 )
-                yield Doubt(message, rim, "note", has_cure=False)
+                yield Doubt("N313", message, rim, has_cure=False)
 
 
 def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
@@ -111,9 +115,9 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
         )
         rims = layout.group.planets
         if all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other)):
-            yield Doubt(message, one)
+            yield Doubt("W313", message, one)
         else:
-            yield Doubt(f"{message}, if all rims have one module", one, "note", has_cure=False)
+            yield Doubt("N314", f"{message}, if all rims have one module", one, has_cure=False)
 
 
 def _sides(layout: AxisLayout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
@@ -145,9 +149,9 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
         names = f"{rim} {teeth} and {member} {passed.teeth}"
         if layout.element.kind == "ravigneaux":
             message = f"tips of {names} would touch where they stood side by side"
-            yield Doubt(message, layout.key(passed), "note", has_cure=False)
+            yield Doubt("N315", message, layout.key(passed), has_cure=False)
         else:
-            yield Doubt(f"tips of {names} touch, which are not to mesh", rim)
+            yield Doubt("W314", f"tips of {names} touch, which are not to mesh", rim)
 
 
 def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
@@ -163,6 +167,7 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
         if least and least[0] < TIP_CLEARANCE:
             _, rim, (span, wheel) = least
             yield Doubt(
+                "W315",
                 f"tips of neighbouring planets touch: ({layout.label(wheel)} "
                 f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
                 f"sin(180°/{count}) = {float(span) * sine:.4g}, "
@@ -183,6 +188,7 @@ def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[
     distance = crossing_distance(first, second, apart, 2 * math.pi / count)
     if distance - apart - TIPS < TIP_CLEARANCE:
         yield Doubt(
+            "W316",
             f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
             f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}",
             None,

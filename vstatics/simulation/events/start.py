@@ -70,7 +70,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     if open_still.shape[1]:
         speeds = _by_springs(system, speeds, open_still, scale)
     if backward := list(_backward(system, speeds, scale)):
-        raise CaseError("E611", backward)
+        raise CaseError(backward)
     return speeds
 
 

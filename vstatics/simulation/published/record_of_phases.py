@@ -98,7 +98,7 @@ class TarasikRecord:
             events=tuple(self.events),
             energy=energy,
             peaks=dict(self._peaks(names, torques)),
-            messages=(Message("note" if closes else "warning", text),),
+            messages=(Message("N603" if closes else "W604", text),),
             stopped=problem,
         )
 

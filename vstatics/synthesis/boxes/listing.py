@@ -185,7 +185,7 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
     try:
         return listing_of(document), document
     except ReadError as error:
-        raise ReadError(of_file(file, one.message) for one in error.problems) from None
+        raise ReadError(one.in_file(file) for one in error.problems) from None
 
 
 def _refuse_constant(name: str) -> NoReturn:
