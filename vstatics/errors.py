@@ -9,8 +9,8 @@ Only the command line prints. What it prints may hold text of anybody: `printabl
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from typing import Literal, NamedTuple
+from collections.abc import Container, Iterable, Sequence
+from typing import Literal, NamedTuple, Protocol, TypeVar
 
 Path = tuple[str | int, ...]
 """Where a value stands in a model: ``("mechanisms", 2, "ratio")``, numbers from 1."""
@@ -39,6 +39,23 @@ def severity(identity: str) -> Severity:
     return SEVERITIES[identity[0]]
 
 
+DOUBTS: dict[str, str] = {}
+"""Of each warning and note its id, and what it says: these can be allowed."""
+
+
+def why_not_allowed(identity: str) -> str:
+    """Why no message of an id can be allowed; nothing where it can.
+
+    >>> why_not_allowed("E234"), why_not_allowed("W999")
+    ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')
+    """
+    if identity in DOUBTS:
+        return ""
+    if re.fullmatch(r"E\d{3}", identity):
+        return f"{quoted(identity)} is an error, expected a warning or a note"
+    return f"there is no message {quoted(identity)}{nearest(identity, DOUBTS)}"
+
+
 class Problem(NamedTuple):
     """One thing that is wrong or doubtful: what was read, what was expected."""
 
@@ -65,6 +82,22 @@ class Problem(NamedTuple):
     def in_file(self, file: str) -> Problem:
         """The same of a file as a whole."""
         return self._replace(path=(), place=Place(file, 0, 0))
+
+
+class HasId(Protocol):
+    """A message with the id of its cause."""
+
+    @property
+    def id(self) -> str:
+        """A letter for the severity, and three digits."""
+
+
+Told = TypeVar("Told", bound=HasId)
+
+
+def not_allowed(found: Iterable[Told], allow: Container[str]) -> list[Told]:
+    """The messages that are told: those whose id is not allowed."""
+    return [one for one in found if one.id not in allow]
 
 
 def of_file(identity: str, file: str, message: str) -> Problem:

@@ -17,7 +17,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Problem, ReadError, Severity, plural
+from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
@@ -202,7 +202,9 @@ def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem],
 
     try:
         read = scenario_with_case(*files.read_input(file), options.input_format)
+        read = read.allowing(options.telling.allow)
         found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
+        found = not_allowed(found, read.scenario.case.allow)
         problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
     except ReadError as error:
         return file, error.problems, True, None

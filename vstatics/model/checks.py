@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vstatics.errors import Problem, spoken
+from vstatics.errors import Problem, spoken, why_not_allowed
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import (
     called,
@@ -54,6 +54,9 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_gear(case, gear, path)
         if gear.load:
             yield from of_load(case.gear_load(gear), path)
+    for number, identity in enumerate(case.allow, 1):
+        if why := why_not_allowed(identity):
+            yield Problem("E299", why, ("allow", number))
     if case.idle not in ("exact", "published"):
         yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
 

@@ -72,6 +72,7 @@ class TransmissionFields:
     inertias: Mapping[int, float] = field(default_factory=dict)
     springs: Sequence[Spring] = ()
     dump: ClutchDump | None = None
+    allow: Sequence[str] = ()
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 

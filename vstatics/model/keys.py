@@ -311,6 +311,12 @@ CASE = ByKey(
             examples=({"low": ["C1", "B1"]},),
         ),
         KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
+        KeyShape(
+            "allow",
+            ListOf(Leaf("text"), "messages"),
+            "Warnings and notes that are not told, by their ids.",
+            examples=(["W201"],),
+        ),
     ),
 )
 

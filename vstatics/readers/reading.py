@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.errors import CaseError, Path, Place, Problem, ReadError
+from vstatics.errors import CaseError, Path, Place, Problem, ReadError, not_allowed
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Transmission
 
@@ -32,6 +32,13 @@ class Reading(NamedTuple):
     warnings: list[Problem]
     locate: Callable[[Problem], Problem]
     """Gives a problem of the model its place, and puts the name of the field before it."""
+
+    def allowing(self, ids: Sequence[str]) -> Reading:
+        """The same with more messages that are not told."""
+        if not ids:
+            return self
+        case = self.case.replace(allow=[*self.case.allow, *ids])
+        return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
 
 def finish(
@@ -69,7 +76,7 @@ def finish(
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)
-    return Reading(case, found, locate)
+    return Reading(case, not_allowed(found, case.allow), locate)
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:

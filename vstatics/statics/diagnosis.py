@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import path_text, spoken
+from vstatics.errors import not_allowed, path_text, spoken
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
@@ -51,8 +51,12 @@ def given_conditions(gear: Gear) -> int:
     return len(gear.engaged) + 1 + len(gear.speeds)
 
 
-def messages(results: Results) -> Iterator[Message]:
-    """Everything worth saying about the results of one case."""
+def messages(results: Results) -> list[Message]:
+    """What is worth saying about the results of one case, but for what it allows."""
+    return not_allowed(_messages(results), results.case.allow)
+
+
+def _messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))

@@ -12,8 +12,8 @@ from vstatics import readers
 from vstatics.cli.frame import documents, files
 from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
-from vstatics.cli.frame.values import wrong_value
-from vstatics.errors import Problem, ReadError, of_file, plural, spoken
+from vstatics.cli.frame.values import allowable, value, wrong_value
+from vstatics.errors import Problem, ReadError, not_allowed, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -49,6 +49,13 @@ quiet = click.option(
 )
 strict = click.option(
     "--strict", is_flag=True, help="Warnings make the exit status 1, too; notes do not."
+)
+allow = click.option(
+    "--allow",
+    multiple=True,
+    metavar="ID",
+    callback=value(allowable),
+    help="A warning or note that is not told, as W201; may be given several times.",
 )
 some_gears = click.option(
     "--gear",
@@ -112,7 +119,7 @@ class CaseOptions(NamedTuple):
     """Whether its run is shown then, of which faults of gears are none."""
 
 
-telling = gathered("telling", Telling, quiet, strict)
+telling = gathered("telling", Telling, quiet, strict, allow)
 """The options of what is printed and what fails."""
 settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 """The options of how cases are read, calculated and told."""
@@ -170,17 +177,19 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     try:
         data, name = files.read_input(file)
         if settings.scenarios and documents.is_a("scenario", data, name):
-            scenario = documents.scenario_with_case(data, name, settings.input_format)
+            read = documents.scenario_with_case(data, name, settings.input_format)
+            scenario = read.allowing(settings.telling.allow)
             reading = scenario.reading
         else:
             reading = readers.read(data, name, settings.input_format)
+            reading = reading.allowing(settings.telling.allow)
         results = solve(reading.case, coast=settings.coast, idle=settings.idle)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
         found = _located(reading, results, each_gear=each)
         if settings.of_runs and scenario is not None:
             found = (one._replace(id="N004") for one in found)
-        problems = [*reading.warnings, *notes, *found]
+        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
     except ReadError as error:
         taken = ["scenario"] * settings.scenarios
         no_case = documents.no_case(data, name, taken)
@@ -203,7 +212,7 @@ def read_data(
         If it can't be read; with the problems to print.
     """
     try:
-        reading = readers.read(data, name, input_format)
+        reading = readers.read(data, name, input_format).allowing(telling.allow)
     except ReadError as error:
         raise ReadError(telling.printed(documents.no_case(data, name) or error.problems)) from None
     show_problems(reading.warnings, telling, name)

@@ -272,7 +272,7 @@ def _shown_of_case(
     except ReadError as error:
         why = error.problems
     except click.BadParameter as error:
-        why = [of_file("E037", case.file, error.message)]
+        why = [of_file("E090", case.file, error.message)]
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         why = [unexpected(case.file, error)]
     return case._replace(results=None, problems=[*case.problems, *why]), None

@@ -16,7 +16,7 @@ from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import needs
-from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.readers.reading import Reading
 from vstatics.tables.answer import Answer
 from vstatics.tables.grid import Grid
@@ -128,6 +128,7 @@ class OneCase(NamedTuple):
             if self.coast not in (None, case.coast):
                 reading = reading._replace(case=case.replace(coast=self.coast))
             found = calculate(reading)
+        found = found._replace(problems=not_allowed(found.problems, reading.case.allow))
         tell(found.problems, self.telling, self.case)
         kept = found.write is None or found.write()
         show(self.case, to, case.name, found)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import Problem, of_file, plural
@@ -11,6 +11,8 @@ from vstatics.errors import Problem, of_file, plural
 class Telling(NamedTuple):
     """What becomes of warnings and notes; an error is printed and makes the command fail."""
 
+    allow: Sequence[str] = ()
+    """Ids of messages that are not told, besides those that the case allows."""
     quiet: bool = False
     """Whether errors alone are printed, and no progress."""
     strict: bool = False

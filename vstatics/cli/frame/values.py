@@ -13,7 +13,7 @@ from typing import TypeVar
 
 import click
 
-from vstatics.errors import CaseError, quoted
+from vstatics.errors import CaseError, quoted, why_not_allowed
 
 Value = TypeVar("Value")
 Given = TypeVar("Given")
@@ -54,6 +54,20 @@ def value(
             return given if given is None else read(given)
 
     return callback
+
+
+def allowable(ids: Iterable[str]) -> tuple[str, ...]:
+    """Ids of warnings and notes, as they are given.
+
+    Raises
+    ------
+    ValueError
+        If one is of an error, or of nothing.
+    """
+    given = tuple(ids)
+    for why in filter(None, map(why_not_allowed, given)):
+        raise ValueError(why)
+    return given
 
 
 def above_0(given: float) -> float:

@@ -67,6 +67,7 @@ def simulate(asked: SimulateOptions) -> int:
     if to.form == "parquet":
         needs("parquet", "Parquet")
     read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    read = read.allowing(telling.allow)
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
 

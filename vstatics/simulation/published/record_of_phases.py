@@ -98,7 +98,7 @@ class TarasikRecord:
             events=tuple(self.events),
             energy=energy,
             peaks=dict(self._peaks(names, torques)),
-            messages=(Message("N603" if closes else "W604", text),),
+            messages=(Message("N610" if closes else "W610", text),),
             stopped=problem,
         )
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vstatics.errors import Problem
+from vstatics.errors import Problem, not_allowed
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
@@ -125,6 +125,7 @@ class Record:
         kept = _different(times, columns[: table.heat.start])
         times, columns = times[kept], columns[:, kept]
         speeds, slips, torques, heat = (columns[of].T.copy() for of in table.kinds)
+        told = [*self.messages, *shared_torques(self.pieces)]
         return Motion(
             times,
             system.names,
@@ -140,7 +141,7 @@ class Record:
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),
-            tuple(dict.fromkeys([*self.messages, *shared_torques(self.pieces)])),
+            tuple(not_allowed(dict.fromkeys(told), self.system.case.allow)),
             stopped,
         )
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping as AnyMapping
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from vstatics.errors import Path, Problem, ReadError
@@ -47,6 +48,11 @@ class ScenarioFile(NamedTuple):
     reading: Reading
     """Of the case."""
     spots: Spots
+
+    def allowing(self, ids: Sequence[str]) -> ScenarioFile:
+        """The same with more messages that are not told."""
+        reading = self.reading.allowing(ids)
+        return self._replace(reading=reading, scenario=self.scenario._replace(case=reading.case))
 
     def locate(self, problem: Problem) -> Problem:
         """Give a problem of the scenario, or of its case, its place."""
