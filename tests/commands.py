@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import pty
+import re
 import struct
 import subprocess
 import sys
@@ -43,8 +44,12 @@ BAD = NEUTRAL.replace("ratio: -2.5, efficiency: 0.96", "ratoi: -2.5")
 """A mistyped key in line 3."""
 
 
+ID = re.compile(r" \[[EWN]\d{3}\]$", re.MULTILINE)
+"""The id at the end of a message; `tests/test_messages.py` looks at them."""
+
+
 class Said(NamedTuple):
-    """What a call of the command line gave."""
+    """What a call of the command line gave; messages are without their ids."""
 
     status: int
     out: str
@@ -61,7 +66,7 @@ def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
     result = CliRunner().invoke(
         main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
     )
-    return Said(result.exit_code, result.stdout_bytes.decode(), result.stderr)
+    return Said(result.exit_code, result.stdout_bytes.decode(), ID.sub("", result.stderr))
 
 
 def environment(**variables: str) -> dict[str, str]:

@@ -42,7 +42,7 @@ def severity(identity: str) -> Severity:
 DOUBTS = {
     "W101": "a field of a deck is missing, and taken as 0",
     "W102": "a link is joined to nothing else",
-    "W201": "a mechanism of three links is no plain set and has no planet ratio, so it has no planet speed",
+    "W201": "a mechanism is no plain set and has no planet ratio: it has no planet speed",
     "W301": "a wheel has teeth, but no link",
     "W311": "no planet fits between the wheels around it",
     "W312": "axes of wheels around one planet do not coincide",

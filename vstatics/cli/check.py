@@ -39,19 +39,26 @@ class ProblemRecord(NamedTuple):
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
+    id: str
+    """Of its cause: a letter for the severity, and three digits; see docs/messages.md."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
     """The problems of a file.
 
     >>> from vstatics.errors import Place
-    >>> list(problem_records("a.yaml", [Problem("read 0", place=Place("a.yaml", 3, 7))]))
-    [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0')]
+    >>> list(problem_records("a.yaml", [Problem("E107", "read 0", place=Place("a.yaml", 3, 7))]))
+    [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0', id='E107')]
     """
     for problem in problems:
         name, row, column = problem.place[:3] if problem.place else (file, 0, 0)
         yield ProblemRecord(
-            name, row or None, column if row else None, problem.severity, problem.message
+            name,
+            row or None,
+            column if row else None,
+            problem.severity,
+            problem.message,
+            problem.id,
         )
 
 
@@ -130,7 +137,7 @@ def check(
     Problems go to stderr as file:line:col: message, with the line and a caret;
     the count of conditions goes to stdout. There are no tables. As JSON, for
     editors and CI, the problems of all cases are one array on stdout; each has
-    file, line, column, severity (error, warning, note) and message.
+    file, line, column, severity (error, warning, note), message and id.
 
     \b
     Examples:

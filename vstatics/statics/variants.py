@@ -123,7 +123,7 @@ def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
-            *("name", "description", "source", "link_names", "load"),
+            *("name", "description", "source", "link_names", "load", "allow"),
             *("drawing", "_lowered", "inertias", "dump"),
         }
     ),

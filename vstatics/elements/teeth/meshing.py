@@ -52,7 +52,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
                 f"{wheel} is undercut even with a shifted profile, "
                 f"expected {UNCUT_SHIFTED} teeth or more"
             )
-            yield Doubt("W319", message, wheel.key)
+            yield Doubt("N319", message, wheel.key)
         elif wheel.teeth < UNCUT:
             message = f"{wheel} needs a shifted profile: below {UNCUT} teeth are undercut"
             yield Doubt("N317", message, wheel.key, has_cure=False)

@@ -35,7 +35,7 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
             first = seen[key.text]
             message = f"key `{shown(key.text)}` is given twice"
             other = f"the first is on line {first.line}, column {first.column}"
-            spots.complain(spot, f"{message}, {other}", key)
+            spots.complain(spot, f"{message}, {other}", key, "E192")
         else:
             seen[key.text] = key
             yield key, value
@@ -55,7 +55,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
             expected = hint or f", expected {spoken(map(quoted, known))}"
             if key.text.isdigit():
                 expected = "; write a decimal point, not a decimal comma"
-            spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key)
+            spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, "E190")
             meant.update((name, value) for name in known if f"`{name}`" in hint)
         elif known[key.text].required or not is_null(value):
             given[key.text] = value

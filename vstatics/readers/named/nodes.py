@@ -70,9 +70,11 @@ class Found:
         line = bisect_right(self._starts, offset)
         return line, offset - self._starts[line - 1] + 1
 
-    def add(self, message: str, line: int, column: int, path: Path = ()) -> None:
+    def add(
+        self, message: str, line: int, column: int, path: Path = (), identity: str = "E107"
+    ) -> None:
         """Keep an error; give up when there are too many."""
-        self.problems.append(Problem("E107", message, path, self.source.place(line, column)))
+        self.problems.append(Problem(identity, message, path, self.source.place(line, column)))
         if len(self.problems) >= MOST_PROBLEMS:
             self.stop("too many errors, the rest is not read", 0, 1)
 
@@ -200,11 +202,13 @@ class Spots:
         node = self._spots[path].node if path in self._spots else None
         return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
 
-    def complain(self, spot: Spot, message: str, node: Node | None = None) -> None:
+    def complain(
+        self, spot: Spot, message: str, node: Node | None = None, identity: str = "E107"
+    ) -> None:
         """Say what is wrong at a spot, or at a `node` of it."""
         at = node or spot.node
         text = f"{spot.label}: {message}" if spot.label else message
-        self.found.add(text, at.line, at.column, spot.path)
+        self.found.add(text, at.line, at.column, spot.path, identity)
 
     def refuse(self, spot: Spot, message: str) -> None:
         """Say why a spot cannot be read."""
@@ -218,7 +222,7 @@ class Spots:
 
     def missing(self, spot: Spot, key: str) -> None:
         """Say that a key is missing; where it would stand is where its record starts."""
-        self.complain(self._spots[spot.path], f"`{key}` is missing")
+        self.complain(self._spots[spot.path], f"`{key}` is missing", identity="E191")
         self.unreadable.append((*spot.path, key))
 
     def place(self, path: Path) -> Place:

@@ -1,0 +1,122 @@
+"""Each message has an id by its cause, and warnings and notes can be allowed."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import vstatics as package
+from tests.commands import ROOT, vstatics
+from vstatics import readers
+from vstatics.cli import main
+from vstatics.errors import DOUBTS
+
+PACKAGE = Path(package.__file__).parent
+MAKERS = {"Problem", "of_file", "CaseError", "ReadError", "Message", "Said", "Doubt", "warnings_of"}
+CASE = """\
+links: [a, b, c]
+output: b
+shift_elements: {B: [c, housing]}
+mechanisms: {D: {first: a, second: b, third: c, ratio: 2}}
+gears: {low: [B], free: []}
+"""
+"""No plain set (W201); its second gear is neutral (W414)."""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("box.yaml").write_text(CASE, encoding="utf-8")
+
+
+def ids_in_code() -> set[str]:
+    """The ids with which messages are made."""
+    found = set()
+    for file in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.Constant) and re.fullmatch(r"[EWN]\d{3}", str(node.value)):
+                found.add(str(node.value))
+    return found
+
+
+def test_no_message_is_made_without_an_id() -> None:
+    for file in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if not isinstance(node, ast.Call) or getattr(node.func, "id", "") not in MAKERS:
+                continue
+            first = node.args[0] if node.args else None
+            assert not isinstance(first, ast.JoinedStr), (file, node.lineno)
+            if isinstance(first, ast.Constant):
+                assert re.fullmatch(r"[EWN]\d{3}", str(first.value)), (file, node.lineno)
+
+
+def test_the_page_lists_every_id() -> None:
+    page = (ROOT / "docs/messages.md").read_text("utf-8")
+    listed = re.findall(r"^\| ([EWN]\d{3}) \|", page, re.MULTILINE)
+    assert listed == sorted(set(listed))
+    assert set(listed) == ids_in_code()
+    for identity, says in DOUBTS.items():
+        assert f"| {identity} | {says} |" in page
+
+
+def test_a_message_ends_with_its_id() -> None:
+    said = CliRunner().invoke(main, ["check", "box.yaml"]).stderr
+    assert re.search(r"^box\.yaml:4:\d+: warning: .* \[W201\]$", said, re.MULTILINE)
+    made = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
+    assert [text[-7:] for text in made["messages"]] == [" [W201]", " [W414]"]
+    records = json.loads(vstatics("check", "box.yaml", "-f", "json").out)
+    assert {one["id"] for one in records} == {"W201", "W414"}
+    assert not any("[W" in one["message"] for one in records)
+
+
+@pytest.mark.parametrize("command", ["run", "check", "summary", "flow", "explain"])
+def test_a_warning_is_allowed_by_option_and_by_key(command: str) -> None:
+    def said(*options: str) -> str:
+        return CliRunner().invoke(main, [command, "box.yaml", *options]).stderr
+
+    assert "[W201]" in said()
+    assert "[W201]" not in said("--allow", "W201")
+    assert said("--allow", "W201", "--allow", "W414") == ""
+    Path("box.yaml").write_text(f"{CASE}allow: [W201, W414]\n", encoding="utf-8")
+    assert said("--strict") == ""
+
+
+def test_an_allowed_message_is_in_no_document_and_makes_nothing_fail() -> None:
+    allowed = ("--allow", "W201", "--allow", "W414")
+    assert json.loads(vstatics("run", "box.yaml", "-f", "json", *allowed).out)["messages"] == []
+    assert json.loads(vstatics("check", "box.yaml", "-f", "json", *allowed).out) == []
+    assert vstatics("run", "box.yaml", "--strict").status == 1
+    assert vstatics("run", "box.yaml", "--strict", *allowed).status == 0
+
+
+def test_conversion_keeps_what_is_allowed() -> None:
+    Path("box.yaml").write_text(f"{CASE}allow: [W201]\n", encoding="utf-8")
+    for file in ("other.json", "other.yaml"):
+        assert vstatics("convert", "box.yaml", file).status == 0
+        assert list(readers.load(file).allow) == ["W201"]
+    assert "allow" in vstatics("convert", "box.yaml", "other.dat").err
+
+
+@pytest.mark.parametrize(
+    ("identity", "why"),
+    [
+        ("W999", "there is no message `W999`"),
+        ("E201", "`E201` is an error, expected a warning or a note"),
+        ("w201", "there is no message `w201`; did you mean `W201`?"),
+    ],
+)
+def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(
+    identity: str, why: str
+) -> None:
+    said = vstatics("run", "box.yaml", "--allow", identity)
+    assert (said.status, said.out) == (2, "")
+    assert f"Invalid value for '--allow': {why}" in said.err
+    Path("box.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", encoding="utf-8")
+    said = vstatics("run", "box.yaml")
+    assert said.status == 1
+    assert said.err.startswith(f"box.yaml:6:15: error: allow[2]: {why}")
