@@ -146,7 +146,7 @@ def test_stiffnesses_that_cannot_be_are_told(before: str, after: str, said: str)
 def test_an_element_of_several_rows_has_no_stiffness() -> None:
     [told] = problems(RAVIGNEAUX % ", stiffness: 9e4")
     assert told.startswith("case.yaml:6:78: error: elements.R.stiffness: the element has 4 rows")
-    assert told.endswith("put springs beside the element")
+    assert told.endswith("put springs beside the element [E317]")
     reduced = "losses: reduced" + RAVIGNEAUX % ", stiffness: 9e4"
     assert "the element has 2 rows" in problems(reduced)[0]
     assert "the element has 2 rows" in problems("losses: meshes" + ELASTIC)[0]

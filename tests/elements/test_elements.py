@@ -299,13 +299,13 @@ def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more(
 def test_links_that_are_empty_and_given_again_are_given_twice(links: str) -> None:
     told = problems(f"links:{SET}links: {links}\n")
     assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
-        "key `links` is given twice, the first is on line 1, column 1"
+        "key `links` is given twice, the first is on line 1, column 1 [E192]"
     ]
 
 
 def test_where_no_link_is_named_no_port_is_told() -> None:
     told = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
-    assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing"]
+    assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing [E191]"]
 
 
 def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
@@ -326,8 +326,8 @@ def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
     text = changed("B: [ring, housing]", "B: [rign, housing]")
     told = read(text.encode(), "case.yaml").warnings
     assert [str(problem) for problem in told if problem.severity == "warning"] == [
-        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`?",
-        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`?",
+        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`? [W102]",
+        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`? [W102]",
     ]
 
 

@@ -10,7 +10,7 @@ from tests.elements.toothed import element, found, told
 
 
 @pytest.mark.parametrize(
-    ("teeth", "severity"), [(13, "warning"), (14, "note"), (16, "note"), (17, None)]
+    ("teeth", "severity"), [(13, "note"), (14, "note"), (16, "note"), (17, None)]
 )
 def test_few_teeth_are_undercut(teeth: int, severity: str | None) -> None:
     for one in (

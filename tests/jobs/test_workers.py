@@ -94,7 +94,7 @@ def wrong(_: str, item: int) -> int:
     if item == 13:
         raise OSError(28, "No space left on device")
     if item == 23:
-        raise CaseError("no such gear")
+        raise CaseError("E090", "no such gear")
     return item
 
 
@@ -108,7 +108,7 @@ def test_an_error_names_the_item(jobs: int) -> None:
         list(made.each(wrong, range(10)))
     with pytest.raises(OSError, match="No space left on device"), called(jobs) as made:
         list(made.each(wrong, range(10, 20)))
-    with pytest.raises(CaseError, match=r"^no such gear$"), called(jobs) as made:
+    with pytest.raises(CaseError, match=r"^no such gear \[E090\]$"), called(jobs) as made:
         list(made.each(wrong, range(20, 30)))
 
 

@@ -314,11 +314,11 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
 
 def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **_of: object) -> bytes:
-        raise CaseError("nothing <moves>")
+        raise CaseError("E234", "nothing <moves>")
 
     monkeypatch.setattr("vstatics.report.page_pictures.sheets", refuse)
     shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
-    assert any("not drawn. nothing <moves>" in one.text for one in shown.all("p"))
+    assert any("not drawn. nothing <moves> [E234]" in one.text for one in shown.all("p"))
 
 
 def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:

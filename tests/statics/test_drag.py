@@ -152,7 +152,7 @@ def test_drag_at_a_speed_that_is_not_determined_is_left_out() -> None:
     assert only(results.efficiency) == pytest.approx(1 - D)
     assert [str(m) for m in results.messages if "drag" in m.text] == [
         "warning: gear 1: the drag of 3 and B is left out, as statics does not determine a speed "
-        "there"
+        "there [W412]"
     ]
 
 

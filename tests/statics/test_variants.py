@@ -651,6 +651,7 @@ OTHER: dict[type, dict[str, object]] = {
         "coast": True,
         "link_names": ("a", "b", "c", "d"),
         "load": Load(100.0, 9.0),
+        "allow": ("W201",),
         "inertias": {1: 0.5},
         "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
     },

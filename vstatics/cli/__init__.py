@@ -5,7 +5,7 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 >>> from click.testing import CliRunner
 >>> said = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
 >>> said.exit_code, said.stderr.rstrip()
-(1, "nowhere/box.yaml: error: can't be read: No such file or directory")
+(1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
 `COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
 options. A command on a case is a module here; larger ones have folders: `sweep`, `simulate` (whose

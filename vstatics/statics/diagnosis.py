@@ -383,8 +383,10 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
+        ratios = {one.name: one.ratio for one in results.case.mechanisms}
+        straight = all(ratios.get(name) == -1 for name in idle)  # a differential straight ahead
         yield Said(
-            "W425",
+            "N413" if straight else "W425",
             f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
             "power assumed there",
         )

@@ -37,7 +37,7 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
     ('lossy_torques_Nm', 'output_torque')
     >>> quantity_named("ETa")
     Traceback (most recent call last):
-    vstatics.errors.ReadError: there is no table `ETa`; did you mean `ETA`?
+    vstatics.errors.ReadError: there is no table `ETa`; did you mean `ETA`? [E113]
     """
     if name in BY_NAME:
         return BY_NAME[name]
@@ -86,7 +86,7 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     (0, 1)
     >>> row_named("mx", "torques", case)
     Traceback (most recent call last):
-    vstatics.errors.ReadError: there is no device `mx`, expected one of D1, Mx; did you mean `Mx`?
+    vstatics.errors.ReadError: there is no device `mx`, expected one of D1, Mx; did you mean `Mx`? [E114]
     """
     found = rows_called(name, kind, case)
     if len(found) == 1:

@@ -175,7 +175,7 @@ def test_a_case_without_the_gear_that_is_asked_for_fails_alone() -> None:
     said = vstatics("flow", MZKT, ZF, "--gear", "8", "-f", "json")
     lacking, flow = json.loads(said.out)
     assert said.status == 1
-    assert lacking["errors"] == [f"{MZKT}: error: no gear '8'; gears are 1, 2, 3, 4, 5, 6"]
+    assert lacking["errors"] == [f"{MZKT}: error: no gear '8'; gears are 1, 2, 3, 4, 5, 6 [E090]"]
     assert [gear["gear"] for gear in flow["gears"]] == ["8"]
     assert vstatics("flow", MZKT, "--gear", "8").status == 2
 

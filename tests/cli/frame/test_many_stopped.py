@@ -224,7 +224,7 @@ def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     )
     *_, message, last = done.stderr.decode().splitlines()
     assert (done.returncode, done.stdout) == (1, b"")
-    assert message == "out/a.json: error: can't be written: File too large"
+    assert message == "out/a.json: error: can't be written: File too large [E030]"
     assert last == f"stopped after 1 of 3 cases; {KEPT}"
     assert names("out") == ["small.json"]
 
@@ -237,7 +237,7 @@ def test_a_stream_that_is_full_ends_the_run(form: str) -> None:
     done = subprocess.run(
         ["bash", "-c", line], capture_output=True, check=False, env=environment(), timeout=60
     )
-    message = "<stdout>: error: can't be written: No space left on device\n"
+    message = "<stdout>: error: can't be written: No space left on device [E030]\n"
     assert (done.returncode, done.stderr.decode()) == (1, message)
 
 
@@ -296,7 +296,7 @@ def test_two_runs_do_not_write_one_directory() -> None:
         pipe = opened_for_reading()
         for more in (("--coast",), ("--resume",)):
             said = process("run", "a.dat", "b.dat", *TO_DIRECTORY[5:], *more, cwd=Path.cwd())
-            message = f"out: error: another run (process {run.pid}) is writing this output\n"
+            message = f"out: error: another run (process {run.pid}) is writing this output [E034]\n"
             assert said == (1, b"", message.encode())
         assert process("run", "a.dat", "-f", "csv", "-o", "out/", cwd=Path.cwd())[0] == 0
         os.write(pipe, MZKT.read_bytes())

@@ -165,7 +165,7 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
     whole = module.simulate
 
     def stopped(*scenario: Any, **options: Any) -> Any:
-        problem = Problem("at 0.5 s brake neither sticks nor slips")
+        problem = Problem("E608", "at 0.5 s brake neither sticks nor slips")
         return whole(*scenario, **options)._replace(stopped=problem)
 
     monkeypatch.setattr(module, "simulate", stopped)

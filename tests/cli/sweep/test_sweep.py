@@ -289,7 +289,7 @@ def test_rows_go_to_what_is_no_file(folder: Path) -> None:
     if Path("/dev/full").exists():
         line = f"cd {folder}; PYTHONPATH={Path(__file__).parents[3]} {sys.executable} -m vstatics "
         line += "sweep box.yaml --vary D.ratio=-4 > /dev/full"
-        full = b"<stdout>: error: can't be written: No space left on device\n"
+        full = b"<stdout>: error: can't be written: No space left on device [E030]\n"
         assert shell(line) == (1, b"", full)
 
 

@@ -39,7 +39,7 @@ def outcome(text: str) -> tuple[Transmission | None, list[Problem], list[Problem
     except ReadError as error:
         return None, error.problems, []
     gears = range(1, len(reading.case.gears) + 1)
-    places = [reading.locate(Problem("", ("gears", gear))) for gear in gears]
+    places = [reading.locate(Problem("E234", "", ("gears", gear))) for gear in gears]
     return reading.case, reading.warnings, places
 
 

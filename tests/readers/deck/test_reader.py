@@ -190,7 +190,7 @@ def test_an_unknown_size_gives_no_further_errors() -> None:
 
 def test_unreadable_lists_give_no_further_errors() -> None:
     (error,) = errors_of(published("NZF(I,1),I=1,KL: 2", "NZF(I,1),I=1,KL: two"))
-    assert error == "case.dat:5:18: error: NZF(1,1): read 'two', expected a whole number"
+    assert error == "case.dat:5:18: error: NZF(1,1): read 'two', expected a whole number [E102]"
 
 
 def test_locate_gives_problems_of_the_model_their_place() -> None:
@@ -208,8 +208,8 @@ def test_locate_gives_problems_of_the_model_their_place() -> None:
         (("links",), "small.dat:2:6: error: KJG: "),
         (("output",), "small.dat:2:6: error: KJG: "),
     ):
-        assert str(locate(Problem("wrong", path))) == f"{start}wrong"
-    assert locate(Problem("wrong")) == Problem("wrong")
+        assert str(locate(Problem("E234", "wrong", path))) == f"{start}wrong [E234]"
+    assert locate(Problem("E234", "wrong")) == Problem("E234", "wrong")
 
 
 def test_text_of_decks() -> None:

@@ -375,13 +375,13 @@ def test_what_is_no_mapping(text: str) -> None:
 def test_all_faults_are_told_in_one_run() -> None:
     text = DIFFERENTIAL.replace("-2.5", "x").replace("[F2]", "[F9]").replace("[1, 2]", "[1, 8]")
     assert [str(problem) for problem in errors("idle: x\n" + text)] == [
-        "case.yaml:1:7: error: idle: read 'x', expected `exact` or `published`",
+        "case.yaml:1:7: error: idle: read 'x', expected `exact` or `published` [E107]",
         "case.yaml:5:11: error: shift_elements.F2[2]: read '8', "
-        "expected a link number from 1 to 3 or `housing`",
+        "expected a link number from 1 to 3 or `housing` [E107]",
         "case.yaml:7:46: error: mechanisms.D1.ratio: read 'x', "
-        "expected a number or a calculation such as -96/39",
+        "expected a number or a calculation such as -96/39 [E105]",
         "case.yaml:10:19: error: gears.2.engaged[1]: read 'F9', "
-        "expected the name of a shift element: T1, F2",
+        "expected the name of a shift element: T1, F2 [E107]",
     ]
 
 
@@ -425,13 +425,13 @@ def test_problems_of_the_model_are_located() -> None:
         (): "1:1: error: m",
     }
     for path, told in places.items():
-        assert str(reading.locate(Problem("m", path))) == f"case.yaml:{told}"
+        assert str(reading.locate(Problem("E234", "m", path))) == f"case.yaml:{told} [E234]"
 
 
 def test_names_of_links_are_located() -> None:
     text = "links:\n- a\n- b\nmechanisms: {P: {first: a, second: b, ratio: 2}}\ngears: {1: }"
-    located = read_yaml(text.encode(), "f").locate(Problem("m", ("link_names", 2)))
-    assert str(located) == "f:3:3: error: links[2]: m"
+    located = read_yaml(text.encode(), "f").locate(Problem("E234", "m", ("link_names", 2)))
+    assert str(located) == "f:3:3: error: links[2]: m [E234]"
 
 
 def test_aliases_share_what_they_repeat() -> None:
@@ -540,7 +540,7 @@ def test_heavy_documents_end_quickly(file: str) -> None:
 def test_a_person_gets_no_more_errors_than_can_be_read() -> None:
     problems = errors("".join(f"key{n}: 1\n" for n in range(1000)))
     assert len(problems) == 101
-    assert str(problems[-1]) == "case.yaml: error: too many errors, the rest is not read"
+    assert str(problems[-1]) == "case.yaml: error: too many errors, the rest is not read [E108]"
 
 
 MUTATIONS = ["", "[", "]", "{", "}", ":", ",", "-", "?", "&a ", "*a ", "!x ", "|\n", "'", '"', "#"]
@@ -609,8 +609,8 @@ def test_a_document_of_another_shape_is_read_the_same_way() -> None:
     with pytest.raises(ReadError) as caught:
         read_document(b"names: a\ncount: 0", "it.yaml", shape, "a sample")
     assert [str(problem).splitlines()[0] for problem in caught.value.problems] == [
-        "it.yaml:1:8: error: names: read 'a', expected a list",
-        "it.yaml:2:8: error: count: read '0', expected a whole number from 1",
+        "it.yaml:1:8: error: names: read 'a', expected a list [E107]",
+        "it.yaml:2:8: error: count: read '0', expected a whole number from 1 [E107]",
     ]
 
 

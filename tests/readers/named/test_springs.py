@@ -110,7 +110,7 @@ def test_springs_that_are_none_change_nothing() -> None:
         assert loaded(text + nothing) == loaded(text)
         assert "springs" not in mapping(loaded(text + nothing))
     assert messages("springs: {}") == [
-        f"case.yaml:1:1: error: `{key}` is missing" for key in ("links", "mechanisms", "gears")
+        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms", "gears")
     ]
 
 
@@ -199,7 +199,7 @@ springs:
   b: {links: [dics, wheel], stiffness: 8}
 """)
     assert told == (
-        "case.yaml:5:15: warning: link `dics` is joined to nothing else; did you mean `disc`?"
+        "case.yaml:5:15: warning: link `dics` is joined to nothing else; did you mean `disc`? [W102]"
     )
 
 
@@ -228,7 +228,8 @@ gears: {x: []}
     assert loaded(text).devices == ["G", "G"]  # as ever, where nothing is told by names alone
     [told] = messages(text + "inertias: {a: 1}")
     assert told == (
-        "case.yaml:4:12: error: elements.G: `G` is the name of a shift element too, expected another"
+        "case.yaml:4:12: error: elements.G: `G` is the name of a shift element too, "
+        "expected another [E257]"
     )
 
 
@@ -260,7 +261,7 @@ mechanisms: {M: {first: a, second: b, ratio: 2, stiffness: 9e4}}
 @pytest.mark.parametrize("nothing", ["inertias: {}", "inertias:", "inertias: ~"])
 def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
     assert messages(nothing) == [
-        f"case.yaml:1:1: error: `{key}` is missing" for key in ("links", "mechanisms", "gears")
+        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms", "gears")
     ]
 
 
@@ -275,7 +276,7 @@ def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
         ),
         (
             "inertias: {engine: 1, dics: 2}\nshift_elements: {C: [engine, disc]}",
-            "read 'dics', expected the name of a link or `housing`; did you mean `disc`?",
+            "read 'dics', expected the name of a link or `housing`; did you mean `disc`? [W102]",
         ),
     ],
 )

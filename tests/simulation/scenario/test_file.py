@@ -254,7 +254,9 @@ gears: {"1": {engaged: [C]}}
         assert newton_metres(one.shift_elements[0].capacity, one) == 20
         assert [drag.torque for drag in drags(one, None)] == [2]
         [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
-        assert told == "warning: the drag of C has a unit, but the case no load: it is left out"
+        assert told == (
+            "warning: the drag of C has a unit, but the case no load: it is left out [W401]"
+        )
 
 
 def test_a_dog_clutch_takes_no_capacity() -> None:

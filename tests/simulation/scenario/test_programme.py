@@ -149,6 +149,6 @@ def test_a_shift_that_begins_at_the_end_or_later_is_doubtful() -> None:
     shifts = Shift(0.5, "even"), Shift(1.0, "odd"), Shift(2.0, "open")
     scenario = Scenario(dual_clutch(), 1.0, Start("odd"), shifts=shifts)
     assert [str(one) for one in scenario_doubts(scenario)] == [
-        "shifts[2].at: begins at 1 s, but the scenario ends at 1 s: it never happens",
-        "shifts[3].at: begins at 2 s, but the scenario ends at 1 s: it never happens",
+        "shifts[2].at: begins at 1 s, but the scenario ends at 1 s: it never happens [W603]",
+        "shifts[3].at: begins at 2 s, but the scenario ends at 1 s: it never happens [W603]",
     ]

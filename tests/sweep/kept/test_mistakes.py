@@ -190,7 +190,7 @@ def test_any_text_is_read_or_refused_at_a_place(text: str) -> None:
 
 def test_quotes_are_told_where_they_belong() -> None:
     case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0, name="1")], [Gear()])
-    with pytest.raises(ReadError, match=r'in quotes: "1"\.ratio$'):
+    with pytest.raises(ReadError, match=r'in quotes: "1"\.ratio \[E105\]$'):
         read_expression("1.ratio < -5", case, [], "--where")
     assert read_expression('"1".ratio < -5', case, [], "--where").gears is None
     assert target("1 . ratio", case).name == "1.ratio"

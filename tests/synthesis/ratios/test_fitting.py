@@ -135,7 +135,7 @@ def test_bounds_on_both_sides_of_0_give_solutions_of_both_signs() -> None:
     assert found.ratios["D1"] == pytest.approx(1.5)
     assert complaints(case, {"1": -0.5}) == (
         "ratios[0]: gear 1: read -0.5, but within the bounds its ratio is 2 to 15: "
-        "expected a ratio above 0"
+        "expected a ratio above 0 [E831]"
     )
 
 

@@ -128,7 +128,7 @@ def test_links_that_are_forgotten_are_told() -> None:
     """But not the axle: it stands, and bears the reaction."""
     found = only(car("ВАЗ-2101").replace("J3: [input shaft, propshaft]", "J3: [propshaft]"))
     assert found.made is not None
-    told = "note: in none of J1 to J5, though turning with propshaft: input shaft"
+    told = "note: in none of J1 to J5, though turning with propshaft: input shaft [N505]"
     assert told in map(str, found.made.messages)
 
 

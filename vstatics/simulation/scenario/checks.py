@@ -51,8 +51,8 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     >>> scenario = Scenario(case, 0.0, Start(speeds={1: 0.0, 2: 0.0}), negative)
     >>> for problem in scenario_problems(scenario):
     ...     print(problem)
-    duration: read 0, expected a time above 0
-    controls.F1: read -30, expected a capacity of 0 or more
+    duration: read 0, expected a time above 0 [E640]
+    controls.F1: read -30, expected a capacity of 0 or more [E635]
     """
     yield from size_problems(scenario)
     yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)

@@ -71,7 +71,7 @@ def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:
     Examples
     --------
     >>> print(*distribution_problems(Distribution(normal=(0.7, -0.1)), ()))
-    normal: read -0.1, expected a standard deviation of 0 or more
+    normal: read -0.1, expected a standard deviation of 0 or more [E655]
     """
     least = -math.inf if one.min is None else one.min
     largest = math.inf if one.max is None else one.max

@@ -112,7 +112,7 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
-    vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t
+    vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
     _tree(source, names)
     return Formula(source.part.strip())

@@ -26,8 +26,8 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     >>> case = Transmission(1, [], [], [Gear()], inertias={1: 1e-98})
     >>> for problem in size_problems(Scenario(case, 1e90)):
     ...     print(problem)
-    case.inertias[1]: read 1e-98, expected 0 or a number from 1e-15 to 1e+15
-    duration: read 1e+90, expected a number from 1e-15 to 1e+15
+    case.inertias[1]: read 1e-98, expected 0 or a number from 1e-15 to 1e+15 [E663]
+    duration: read 1e+90, expected a number from 1e-15 to 1e+15 [E663]
     """
     case = scenario.case
     names = case.link_names

@@ -144,7 +144,7 @@ def check_box_search(search: BoxSearch) -> None:
     >>> check_box_search(BoxSearch(2, 4, 2, (2.84, 1.57, 1, -2.21), own_input=True))
     >>> check_box_search(BoxSearch(2, 4, 3, (2.84, 1.57, 1, -2.21)))
     Traceback (most recent call last):
-    vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged
+    vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged [E801]
     """
     problems = [*_of_numbers(search), *_of_ratios(search.targets)] or [*_of_counts(search)]
     if problems:
