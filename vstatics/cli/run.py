@@ -75,7 +75,8 @@ def run(
     \b
     Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict;
     2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
-    Neutral, indeterminate, dragged and friction-locked gears are messages, not errors.
+    Neutral, indeterminate, dragged and friction-locked gears are messages,
+    not errors.
     """
     names = _named(cases, files_from)
     several = len(names) > 1 or files_from is not None

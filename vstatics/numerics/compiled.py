@@ -61,6 +61,8 @@ class _KeptCode(FunctionCache):
         """Around each reading and writing: whatever is wrong with a file ends there."""
         try:
             yield
+        except RuntimeError:  # the code is not ready to be kept yet: Numba compiles it again
+            pass
         except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
             TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
             with suppress(Exception):

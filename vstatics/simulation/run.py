@@ -102,7 +102,8 @@ def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard
         EventRun(system, record, rtol, watch).run(start)
     except CaseError as stop:
         [first, *_] = stop.problems
-        stopped = first if first.path else first._replace(path=_END)
+        asked = watch is not None and watch(record.time)  # then nothing is at fault
+        stopped = first if first.path or asked else first._replace(path=_END)
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])

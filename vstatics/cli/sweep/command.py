@@ -122,7 +122,8 @@ def sweep(
     them up after an interruption.
     Exit status: 0 done; 1 not finished, or no variant has a solution, with
     --strict also if there is a warning on the case;
-    2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or SIGTERM.
+    2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or
+    SIGTERM.
     """
     own, of_file = SweepOptions.of(**said), SweepOptions()
     if sweep_file is not None:

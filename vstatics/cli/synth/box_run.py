@@ -62,7 +62,7 @@ def carry_out(run: BoxRun) -> int:
         count = box_pieces.cut(run.asked.search)
         box_pieces.prepare()  # once, not in every process
     for why in TROUBLE[:1]:
-        files.say(f"machine code is compiled again each time, as it can't be kept: {why}")
+        files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(found, int):
         return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from operator import attrgetter
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import capacity_at, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact
-from vstatics.simulation.tolerances import PASSED_LIMIT, TIGHT_SLACK
+from vstatics.simulation.tolerances import PASSED_LIMIT, SHARED_TORQUE, TIGHT_SLACK
 
 Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
@@ -40,6 +41,25 @@ class LargeSizes(NamedTuple):
     """[rad/s]"""
     torque: float
     """[N*m]"""
+
+
+class SplitRoom(NamedTuple):
+    """The room that limits leave to redundant torques."""
+
+    room: float
+    """The largest least slack. [N*m]"""
+    slack: Floats
+    directions: Floats
+    """Changes of the slacks along the redundant directions."""
+    ways: Floats
+    """Of each slack, -1 where that of a mesh is on the other side than by the least norm."""
+
+    def on_other_side(self, rows: slice) -> SplitRoom:
+        """The same with the torque of a mesh on its other side."""
+        slack, directions, ways = (one.copy() for one in self[1:])
+        for one in (slack, directions, ways):
+            one[rows] *= -1
+        return SplitRoom(widest(slack, directions), slack, directions, ways)
 
 
 class Margins:
@@ -276,19 +296,43 @@ class Margins:
         smallest = float(slack.min())
         if smallest >= -PASSED_LIMIT * largest(held):
             return max(smallest, 0.0)
-        return widest(slack, self._directions(held))
+        return self._roomiest(slack, held).room
+
+    def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
+        """Limits with the torque of each mesh on the side on which there is most room.
+
+        What a mesh takes lies in a cone on either side of 0. Where its torque is redundant, that of
+        least norm says nothing of the side: others are tried while no split is within all limits.
+        """
+        first, redundant = len(self.holding), self.equations.structure.redundant
+        directions = self._directions(held)
+        best = SplitRoom(widest(slack, directions), slack, directions, np.ones(len(slack)))
+        either = [
+            slice(first + 2 * place, first + 2 * place + 2)
+            for place, (mesh, *_) in enumerate(self.cones)
+            if largest(redundant[mesh]) > SHARED_TORQUE
+        ]
+        while best.room <= 0 and either:
+            found = max(map(best.on_other_side, either), key=attrgetter("room"))
+            if found.room <= best.room:
+                break
+            best = found
+        return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
         """What is at its limit in the split that leaves most room."""
         at = np.array([time])
         _, torques = self.equations.acting_at(at, state[:, None])
         held = (self.equations.structure.torques @ torques)[:, 0]
-        slack = self._slack(at, held[:, None], torques)[:, 0]
-        directions = self._directions(held)
-        best = slack + directions @ widest_place(slack, directions)
-        near = best <= best.min() + TIGHT_SLACK * largest(slack)
+        found = self._roomiest(self._slack(at, held[:, None], torques)[:, 0], held)
+        best = found.slack + found.directions @ widest_place(found.slack, found.directions)
+        near = best <= best.min() + TIGHT_SLACK * largest(found.slack)
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
-        return [watch for watch, tight in zip(watches, near.tolist(), strict=True) if tight]
+        return [
+            watch._replace(side=watch.side * int(way))
+            for watch, way, tight in zip(watches, found.ways, near.tolist(), strict=True)
+            if tight
+        ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
         """What ends, for a mesh with the side to which it begins to move."""
@@ -309,7 +353,8 @@ class Margins:
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
-            change = least(slack[:, column], self._directions(held[:, column]))
+            found = self._roomiest(slack[:, column], held[:, column])
+            change = least(found.slack, found.directions)
             if change is not None:
                 made[:, column] += self.equations.structure.redundant @ change
         return made
