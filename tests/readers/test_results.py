@@ -42,3 +42,13 @@ def test_a_fault_has_its_line_in_the_file(text: str, line: int, column: int, wor
 def test_empty_lines_before_and_between_json_lines_are_nothing() -> None:
     read = read_results(f"\n{GOOD}\n \n{GOOD}\n\n".encode(), "file")
     assert [one.tables["ratio"][0][0].value for one in read] == [1.5, 1.5]
+
+
+@pytest.mark.parametrize(
+    ("cells", "line", "words"),
+    [("W,D\r,2,1", 2, "no row of a result"), ("W,1,1," + "1" * 140_000, 2, "no CSV: field larger")],
+)
+def test_what_csv_does_not_take_is_told_with_its_line(cells: str, line: int, words: str) -> None:
+    """A carriage return alone ends a line; a cell has 131072 characters at most."""
+    found = where(f"table,row,gear,value\n{cells}\n")
+    assert (found[0], found[2].startswith(words)) == (line, True), found

@@ -7,7 +7,7 @@ import io
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import ReadError
@@ -205,28 +205,38 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
     ReadError
         If a line has no number, or belongs to no table.
     """
-    lines = csv.reader(io.StringIO(text))
-    has_case = next(lines)[0] == "case"
+    lines = _csv_lines(text, file)
+    has_case = next(lines)[1][0] == "case"
     results: dict[str, _Cells] = {}
-    for row in lines:
+    for number, row in lines:
         cells = [unguarded(cell) for cell in row]
         case = cells.pop(0) if has_case and cells else ""
         if not cells or cells[0] == "conventions":
             continue
         if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
             message = "no row of a result in CSV: expected table,row,gear,value"
-            raise _fail(message, file, lines.line_num)
+            raise _fail(message, file, number)
         table, name, gear, value = cells
         if BY_NAME[table].columns == "devices":
             name, _, gear = name.rpartition(":")
         try:
             figure = Figure(float(value) if value else math.nan)
         except ValueError:
-            raise _fail(f"read {value!r}, expected a number", file, lines.line_num) from None
+            raise _fail(f"read {value!r}, expected a number", file, number) from None
         results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
     if not results:
         raise _fail("no result in it", file)
     return [_result(case, cells) for case, cells in results.items()]
+
+
+def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
+    """Lines of CSV, which a carriage return alone ends, too, each with its number."""
+    lines = csv.reader(io.StringIO(text, newline=None))
+    try:
+        for row in lines:
+            yield lines.line_num, row
+    except csv.Error as error:
+        raise _fail(f"no CSV: {error}", file, lines.line_num) from None
 
 
 def _result(file: str, tables: _Cells) -> WrittenResult:

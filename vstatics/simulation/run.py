@@ -107,7 +107,8 @@ def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
-    motion = record.motion(stopped)
+    hurried = bool(stopped and watch and watch(record.time))
+    motion = record.motion(stopped, hurried=hurried)
     return motion if stopped else _closed(motion, record.turnover)
 
 

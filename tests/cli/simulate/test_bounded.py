@@ -118,6 +118,36 @@ def test_what_is_needed_follows_from_the_pace() -> None:
     assert pace.needed > 3600
 
 
+STIFF = """\
+links: [m, n, p]
+inertias: {m: 1, n: 1, p: 1}
+springs: {k: {links: [m, n], stiffness: 1e12}, q: {links: [n, p], stiffness: 1}}
+gears: {g: []}
+"""
+MEASURED = """\
+import resource
+from vstatics.cli import main
+try:
+    main(["simulate", "stiff.yaml", "--limit", "3", "-o", "out.json"])
+except SystemExit as end:
+    print(end.code, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+@pytest.mark.slow
+def test_what_is_kept_of_a_stopped_run_takes_less_than_a_gigabyte() -> None:
+    """Some 300,000 parts of swings at 1.4e6 rad/s, beside a spring of 1 N*m/rad."""
+    Path("case.yaml").write_text(STIFF, encoding="utf-8")
+    scenario = "{case: case.yaml, duration: 100, start: {speeds: {m: 1, n: 0, p: 0}}}"
+    Path("stiff.yaml").write_text(scenario, encoding="utf-8")
+    command = [sys.executable, "-c", MEASURED]
+    said = subprocess.run(command, capture_output=True, check=True, env=environment())
+    status, kilobytes = map(int, said.stdout.split())
+    assert status == 1
+    assert kilobytes < 2**20
+    assert "--limit 3 s" in document()["stopped"]
+
+
 @pytest.mark.slow
 def test_ctrl_c_leaves_what_was_calculated() -> None:
     """It comes after the first word of the run, which comes within 10 s."""

@@ -13,7 +13,7 @@ from scipy import linalg
 from tests.torsion.systems import Array, branched, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.trains import seeded
-from vstatics import Damping, Spring, Transmission
+from vstatics import CaseError, Damping, Spring, Transmission
 from vstatics.torsion.vibration.gear_modes import modes
 
 
@@ -31,6 +31,18 @@ def test_one_mass() -> None:
     assert mode.omega == pytest.approx(10)
     assert mode.damping_ratio == pytest.approx(0.6)
     assert mode.damped_frequency == pytest.approx(8 / (2 * math.pi))
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "damping"),
+    [(9e3, Damping(loss_factor=1e307)), (1e200, Damping(loss_factor=1e200)), (9e3, Damping(1e308))],
+)
+def test_numbers_beyond_floats_are_told(stiffness: float, damping: Damping) -> None:
+    """Stiffness times loss factor, or a damping by an inertia of 0.05, is above 1.8e308."""
+    shaft = Spring({1: 1, 2: -1}, stiffness=stiffness, damping=damping, name="shaft")
+    case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 0.05, 2: 9.5})
+    with pytest.raises(CaseError, match="differ by so many powers of ten"):
+        modes(case)
 
 
 def test_an_overdamped_mass_has_two_real_eigenvalues() -> None:

@@ -21,7 +21,7 @@ _NEAR_TOP = 0.1
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the most chords of a part: what bends more has no polynomial."""
-_MOST_DRAWN = 200_000
+_MOST_DRAWN, _MOST_HURRIED = 200_000, 20_000
 """Instants of a run that are added to draw it; with more its chords are longer."""
 
 
@@ -64,8 +64,12 @@ def ranges(curves: Sequence[Curves], kinds: Sequence[slice]) -> CurveRanges:
     return CurveRanges(least, largest, np.where(np.isfinite(size), size, np.inf))
 
 
-def drawn_times(curves: Sequence[Curves], of: CurveRanges) -> list[Floats]:
+def drawn_times(
+    curves: Sequence[Curves], of: CurveRanges, *, hurried: bool = False
+) -> list[Floats]:
     """Times of each of `curves` by which chords come near to all columns, without ends [s].
+
+    They are fewer where a run was stopped, which is `hurried`.
 
     Examples
     --------
@@ -79,8 +83,9 @@ def drawn_times(curves: Sequence[Curves], of: CurveRanges) -> list[Floats]:
     """
     counts = [_counts(one, of) for one in curves]
     many = sum(int(one.sum()) for one in counts)
-    if many > _MOST_DRAWN:
-        counts = [np.maximum(1, one * _MOST_DRAWN // many) for one in counts]
+    most = _MOST_HURRIED if hurried else _MOST_DRAWN
+    if many > most:
+        counts = [np.maximum(1, one * most // many) for one in counts]
     made = []
     for one, count in zip(curves, counts, strict=True):
         ends = np.cumsum(count - 1)

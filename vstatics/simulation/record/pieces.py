@@ -19,6 +19,8 @@ from vstatics.simulation.tolerances import CHORD
 
 _MOST_BISECTIONS = 20
 """Of an interval in which a column has a corner."""
+_STEPS_TOGETHER = 64
+"""So many steps have their curves calculated at once: of a long run that is memory."""
 
 
 class Piece:
@@ -84,10 +86,16 @@ class MotionColumns:
             ]
         )
 
-    def along(self, pieces: Sequence[Piece]) -> tuple[Floats, Floats]:
-        """Times of a run and the columns there: what is kept, draws it, or is an extreme."""
+    def along(self, pieces: Sequence[Piece], *, hurried: bool) -> tuple[Floats, Floats]:
+        """Times of a run and the columns there: what is kept, draws it, or is an extreme.
+
+        Parameters
+        ----------
+        hurried : bool
+            Whether little is added to draw it.
+        """
         added: list[list[tuple[Floats, Floats]]] = [[] for _ in pieces]
-        for course, times in self._added(pieces):
+        for course, times in self._added(pieces, hurried=hurried):
             if len(times):
                 added[course.piece].append((times, course.states(times)))
         all_times, all_columns = [], []
@@ -99,14 +107,14 @@ class MotionColumns:
             all_columns.append(self.at(piece.margins, times[order], states[:, order]))
         return np.concatenate(all_times), np.hstack(all_columns)
 
-    def _added(self, pieces: Sequence[Piece]) -> Iterator[tuple[_SteppedCourse, Floats]]:
+    def _added(
+        self, pieces: Sequence[Piece], *, hurried: bool
+    ) -> Iterator[tuple[_SteppedCourse, Floats]]:
         """Times by which columns are drawn, and those of their extremes."""
         courses = [
             _SteppedCourse(number, steps, self._curves(piece.margins, steps))
             for number, piece in enumerate(pieces)
-            for steps in (
-                [*some] for _, some in groupby(piece.steps, lambda one: len(one[0].nodes))
-            )
+            for steps in _together(piece.steps)
         ]
         if not courses:
             return
@@ -114,10 +122,13 @@ class MotionColumns:
         moves = slice(self.speeds.start, self.slips.stop)
         of = ranges(curves, [moves, self.torques, self.heat])
         for course, *times in zip(
-            courses, drawn_times(curves, of), extreme_times(curves, of), strict=True
+            courses,
+            drawn_times(curves, of, hurried=hurried),
+            extreme_times(curves, of),
+            strict=True,
         ):
             inside, margins = course.inside(np.concatenate(times)), pieces[course.piece].margins
-            if margins.shared:
+            if margins.shared and not hurried:
                 inside = self._with_corners(margins, course, inside, of.size)
             yield course, inside
 
@@ -156,6 +167,16 @@ class MotionColumns:
         nodes = np.arange(parts)[:, None] * size + np.arange(size + 1)
         places = (0.0, *first.nodes.tolist())
         return Curves(begins, times[:, -1] - begins, places, values[:, nodes])
+
+
+def _together(
+    steps: Sequence[tuple[TimeStep, float]],
+) -> Iterator[Sequence[tuple[TimeStep, float]]]:
+    """Steps with their instants at the same places, not too many at once."""
+    for _, some in groupby(steps, lambda one: len(one[0].nodes)):
+        alike = [*some]
+        for first in range(0, len(alike), _STEPS_TOGETHER):
+            yield alike[first : first + _STEPS_TOGETHER]
 
 
 def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str, Peak]:

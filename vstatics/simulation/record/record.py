@@ -116,12 +116,12 @@ class Record:
                 angle = float(at[equations.angles][equations.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle
 
-    def motion(self, stopped: Problem | None) -> Motion:
-        """All of it."""
+    def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
+        """All of it; hurried where the clock, or somebody who waits, has stopped it."""
         system, last = self.system, self.pieces[-1]
         table = MotionColumns(system)
         with np.errstate(all="ignore"):
-            times, columns = table.along(self.pieces)
+            times, columns = table.along(self.pieces, hurried=hurried)
         kept = _different(times, columns[: table.heat.start])
         times, columns = times[kept], columns[:, kept]
         speeds, slips, torques, heat = (columns[of].T.copy() for of in table.kinds)

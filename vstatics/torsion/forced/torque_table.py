@@ -45,7 +45,7 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     """
     source = decode(data, file, "a table of orders").source
     lines = [(number, line) for number, line in enumerate(source.lines, 1) if line.strip()]
-    rows = [(number, next(csv.reader([line]), [])) for number, line in lines]
+    rows = [(number, _cells(line, number, source)) for number, line in lines]
     (first, headings), *others = rows
     columns = _columns(headings, first, source)
     problems: list[Problem] = []
@@ -66,6 +66,14 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     if problems:
         raise ReadError(problems)
     return list(found.values())
+
+
+def _cells(line: str, number: int, source: Source) -> list[str]:
+    """The cells of a line."""
+    try:
+        return next(csv.reader([line]), [])
+    except csv.Error as error:
+        raise ReadError([_at(source, number, f"no CSV: {error}")]) from None
 
 
 def _columns(headings: list[str], number: int, source: Source) -> list[tuple[str, float]]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
+from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
@@ -133,16 +134,32 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
 
     A massless motion y that is damped follows by its own rate:
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
+
+    Raises
+    ------
+    CaseError
+        Of numbers that have no eigenvalues in floats.
     """
     count, size = pencil.modes, len(pencil.stiffness)
-    state = _state(pencil.stiffness, resistance, count)
-    values, vectors = linalg.eig(state)
+    state = _state(_finite(pencil.stiffness), _finite(resistance), count)
+    values, vectors = linalg.eig(_finite(state))
     values = settled(values)
     kept = np.flatnonzero(values.imag >= 0)
     values, vectors = values[kept], vectors[:size, kept].astype(np.complex128)
     order = order_of(values)
     shapes = vectors[:, order]
     return EigenPairs(values[order], shapes / pencil.lengths(shapes, values[order]))
+
+
+def _finite(matrix: Floats) -> Floats:
+    """A matrix, of which all are numbers."""
+    if not np.isfinite(matrix).all():
+        message = (
+            "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
+            "vibration can't be calculated: expected numbers nearer to each other"
+        )
+        raise CaseError(message)
+    return matrix
 
 
 def settled(values: Complex) -> Complex:

@@ -147,7 +147,7 @@ def modes(
     ValueError
         If there is no such gear.
     CaseError
-        If nothing has an inertia.
+        If nothing has an inertia, or numbers are too far apart for floats.
 
     Examples
     --------
@@ -172,7 +172,8 @@ def modes(
         case = replace(case, coast=coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
-    return [_gear_modes(case, gear, count) for gear in asked]
+    with np.errstate(all="ignore"):  # what is no number is told where it matters
+        return [_gear_modes(case, gear, count) for gear in asked]
 
 
 def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
