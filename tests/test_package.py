@@ -61,7 +61,9 @@ def test_faults_of_plain_data_are_told_by_their_keys_without_a_place() -> None:
     with pytest.raises(ReadError) as caught:
         Transmission.from_dict({**PAIR, "gears": {"drive": {"engaged": ["C"]}}})
     [problem] = caught.value.problems
-    assert str(problem) == ("gears.drive.engaged[1]: read 'C', but there are no shift elements [E107]")
+    assert str(problem) == (
+        "gears.drive.engaged[1]: read 'C', but there are no shift elements [E107]"
+    )
 
 
 def test_a_fault_in_a_text_has_its_line() -> None:

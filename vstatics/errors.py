@@ -105,7 +105,7 @@ DOUBTS = {
     "N319": "a wheel has so few teeth that a shifted profile does not save it from undercut",
     "N411": "losses turn the flow of power through a mechanism round",
     "N412": "several sets of directions of power agree with the losses",
-    "N413": "a differential turns as one piece: its torques with losses depend on the direction assumed",
+    "N413": "a differential turns as one piece: torques with losses depend on a direction",
     "N501": "a case of clutch dump is on the safe side",
     "N502": "a case of clutch dump does not come",
     "N503": "the torque with a clutch that stays stuck",

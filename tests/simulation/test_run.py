@@ -50,8 +50,8 @@ def test_a_wheel_that_nothing_moves_closes() -> None:
 def test_energy_that_is_lost_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """1e-6 of the work of 100 N*m at 50 rad/s for 1 s, 5000 J, is missing."""
 
-    def with_a_leak(record: Record, stopped: None) -> Motion:
-        made = whole(record, stopped)
+    def with_a_leak(record: Record, stopped: None, *, hurried: bool) -> Motion:
+        made = whole(record, stopped, hurried=hurried)
         return made._replace(energy=made.energy._replace(balance=5e-3))
 
     whole = Record.motion

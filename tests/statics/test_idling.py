@@ -15,7 +15,7 @@ def test_a_mechanism_idle_by_coincidence_is_told() -> None:
 
     First: a shaft of efficiency e beside a set; with u' = u eta**x equilibrium gives a torque
     1/(u' (1 - e) - 1) on the first link. Second: an axle whose wheels turn alike, of which
-    the one left open takes eta**x/(1 + eta**x).
+    the one left open takes eta**x/(1 + eta**x): a differential straight ahead, which is a note.
     """
     shaft = solve(NASTY["idle by coincidence, efficiency depends on it"])
     assert any(
@@ -23,7 +23,7 @@ def test_a_mechanism_idle_by_coincidence_is_told() -> None:
     )
     axle = Transmission(3, [], [Mechanism(2, 3, 1, -1.0, 0.98, 0.5)], [Gear(speeds={2: 1.0})])
     assert [text[:48] for text in texts(solve(axle))] == [
-        "warning: D1: no flow of power, by coincidence; t"
+        "note: D1: no flow of power, by coincidence; torq"
     ]
     curve = replace(axle, gears=[Gear(speeds={2: 1.1})])
     assert texts(solve(curve)) == []

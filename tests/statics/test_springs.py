@@ -164,7 +164,9 @@ def test_a_spring_that_ties_a_gear_up_is_named() -> None:
     results = solve(replace(SHAFT, springs=[*SHAFT.springs, mount]))
     assert results.tied_up.all()
     assert "mount" in str(results.messages[0])
-    assert str(results.messages[0]).endswith("can't give way here, only in `vstatics torsion` [E452]")
+    assert str(results.messages[0]).endswith(
+        "can't give way here, only in `vstatics torsion` [E452]"
+    )
 
 
 def test_what_only_vibrates_changes_no_result() -> None:

@@ -9,7 +9,7 @@ from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.problems import Telling
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import suffix_of
@@ -91,7 +91,7 @@ def convert(
     try:
         text, lost = write(reading.case, wanted)
     except CaseError as error:
-        raise ReadError([of_file("E001", source, str(error))]) from error
+        raise ReadError(one.in_file(source) for one in error.problems) from error
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")

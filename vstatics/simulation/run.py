@@ -97,17 +97,16 @@ def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard
     record = Record(system, start, step)
     told = (Message(one.id, one.message) for one in bare_capacities(scenario.case))
     record.messages += [*told, *messages]
-    stopped: Problem | None = None
+    stopped, hurried = None, False
     try:
         EventRun(system, record, rtol, watch).run(start)
     except CaseError as stop:
         [first, *_] = stop.problems
-        asked = watch is not None and watch(record.time)  # then nothing is at fault
-        stopped = first if first.path or asked else first._replace(path=_END)
+        hurried = bool(watch and watch(record.time))  # then nothing is at fault
+        stopped = first if first.path or hurried else first._replace(path=_END)
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - it can't end without a start
         raise CaseError([stopped])
-    hurried = bool(stopped and watch and watch(record.time))
     motion = record.motion(stopped, hurried=hurried)
     return motion if stopped else _closed(motion, record.turnover)
 

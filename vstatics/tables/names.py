@@ -84,9 +84,9 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> row_named("D1", "torques", case), row_named("Mx", "torques", case)
     (0, 1)
-    >>> row_named("mx", "torques", case)
+    >>> row_named("qq", "torques", case)
     Traceback (most recent call last):
-    vstatics.errors.ReadError: there is no device `mx`, expected one of D1, Mx; did you mean `Mx`? [E114]
+    vstatics.errors.ReadError: there is no device `qq`, expected one of D1, Mx [E114]
     """
     found = rows_called(name, kind, case)
     if len(found) == 1:

@@ -379,7 +379,7 @@ def test_all_faults_are_told_in_one_run() -> None:
         "case.yaml:5:11: error: shift_elements.F2[2]: read '8', "
         "expected a link number from 1 to 3 or `housing` [E107]",
         "case.yaml:7:46: error: mechanisms.D1.ratio: read 'x', "
-        "expected a number or a calculation such as -96/39 [E105]",
+        "expected a number or a calculation such as -96/39 [E107]",
         "case.yaml:10:19: error: gears.2.engaged[1]: read 'F9', "
         "expected the name of a shift element: T1, F2 [E107]",
     ]

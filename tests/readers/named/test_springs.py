@@ -110,7 +110,8 @@ def test_springs_that_are_none_change_nothing() -> None:
         assert loaded(text + nothing) == loaded(text)
         assert "springs" not in mapping(loaded(text + nothing))
     assert messages("springs: {}") == [
-        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms", "gears")
+        f"case.yaml:1:1: error: `{key}` is missing [E191]"
+        for key in ("links", "mechanisms", "gears")
     ]
 
 
@@ -261,7 +262,8 @@ mechanisms: {M: {first: a, second: b, ratio: 2, stiffness: 9e4}}
 @pytest.mark.parametrize("nothing", ["inertias: {}", "inertias:", "inertias: ~"])
 def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
     assert messages(nothing) == [
-        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms", "gears")
+        f"case.yaml:1:1: error: `{key}` is missing [E191]"
+        for key in ("links", "mechanisms", "gears")
     ]
 
 
@@ -276,7 +278,7 @@ def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
         ),
         (
             "inertias: {engine: 1, dics: 2}\nshift_elements: {C: [engine, disc]}",
-            "read 'dics', expected the name of a link or `housing`; did you mean `disc`? [W102]",
+            "read 'dics', expected the name of a link or `housing`; did you mean `disc`?",
         ),
     ],
 )

@@ -9,7 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli.convert import write
 from vstatics.cli.frame import files
-from vstatics.errors import CaseError, ReadError, of_file
+from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.tables.suffixes import suffix_of
 
@@ -58,7 +58,7 @@ def write_case(case: Transmission, target: str, form: str) -> bool:
     try:
         text, lost = write(case, form)
     except CaseError as error:
-        raise ReadError([of_file("E019", target, str(error))]) from error
+        raise ReadError(one.in_file(target) for one in error.problems) from error
     files.write_output(text, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")

@@ -73,7 +73,7 @@ def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> WhereC
     Traceback (most recent call last):
         ...
     vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
-pick a gear, or use min, max or sum
+pick a gear, or use min, max or sum [E105]
     """
     whole = _of_one(Excerpt(text, "--where"), subject, targets)
     spans = _between_ands(text)
