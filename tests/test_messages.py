@@ -120,3 +120,16 @@ def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(
     said = vstatics("run", "box.yaml")
     assert said.status == 1
     assert said.err.startswith(f"box.yaml:6:15: error: allow[2]: {why}")
+
+
+@pytest.mark.parametrize("kind", ["belt", "chain"])
+def test_a_belt_without_an_efficiency_is_told_by_check_alone(kind: str) -> None:
+    sizes = "diameters" if kind == "belt" else "teeth"
+    element = f"{{kind: {kind}, first: a, second: b, {sizes}: {{first: 20, second: 40}}}}"
+    text = f"input: a\noutput: b\nelements: {{E: {element}}}\ngears: {{1: []}}\n"
+    Path("drive.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("check", "drive.yaml").err
+    assert said.startswith("drive.yaml:3:12: note: elements.E: there is no `efficiency`")
+    assert vstatics("run", "drive.yaml").err == ""
+    Path("drive.yaml").write_text(text.replace("second: 40}", "second: 40}, efficiency: .97"))
+    assert vstatics("check", "drive.yaml").err == ""

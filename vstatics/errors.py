@@ -94,6 +94,7 @@ DOUBTS = {
     "N301": "several wheels share planets: losses of the reduced form are not exact",
     "N302": "two wheels turn alike, by a ratio of 1",
     "N303": "elements have a wheel and the carrier in common, as halves of one set",
+    "N304": "a belt or chain without an efficiency has no loss",
     "N311": "no standard planet fits between the wheels: its number of teeth is not whole",
     "N312": "axes coincide by shifted profiles only",
     "N313": "rims of a planet have different modules",

@@ -39,8 +39,11 @@ def problems(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def hints(drawing: DrawingFields) -> Iterator[Problem]:
-    """Wheels that are left out or alike, and planets that are shared in the reduced form."""
+    """Wheels that are left out or alike, planets that are shared, what has no loss."""
     for number, element in enumerate(drawing.elements, 1):
+        if element.kind in ("belt", "chain") and element.efficiency is None:
+            message = "there is no `efficiency`: belts and chains have no default, so no loss"
+            yield Problem("N304", message, ("elements", number))
         if isinstance(element.shape, Planetary):
             for wheel in element.shape.wheels:
                 if wheel in element.teeth and wheel not in element.members:
