@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -129,3 +131,17 @@ def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:
     clutch, brake = summarize(solve(case)).largest["AMLG"]
     assert_largest(clutch, 2.5 / 3.5, "direct")
     assert math.isnan(brake.value)
+
+
+def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed(tmp_path: Path) -> None:
+    """The long planet of a Ravigneaux set follows from large sun and ring, the short one not."""
+    file = tmp_path / "set.yaml"
+    file.write_text(
+        "links: [s, l, c, r]\noutput: r\nelements: {R: {kind: ravigneaux, small_sun: s, "
+        "large_sun: l, carrier: c, ring: r, teeth: {small_sun: 28, large_sun: 34, ring: 86}}}\n"
+        "shift_elements: {B: [c, housing]}\ngears: {1: [B]}\n",
+        encoding="utf-8",
+    )
+    said = vstatics("summary", file).out
+    assert re.search(r"^R\.short +-$", said, re.MULTILINE)
+    assert re.search(r"^R\.long +1\.077  1$", said, re.MULTILINE)

@@ -92,7 +92,11 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
     headings = "planet", headed("speed", shown.unit), "gear"
     lines = summary.largest.get(shown.key, ())  # those of gear pairs, say, are none
-    rows = [[one.row, *_cells(shown, one)] for one in lines if not math.isnan(one.value)]
+    devices = summary.results.case.own_devices
+    planets = [planet for device in devices for planet in device.planets]
+    without_teeth = {one.name for one in planets if math.isnan(one.speed)}
+    told = (one for one in lines if one.row in without_teeth or not math.isnan(one.value))
+    rows = [[one.row, *_cells(shown, one)] for one in told]
     title = "Largest speeds of planets against their carriers"
     return grid_of(title, headings, rows, key="planets" + WITH_LOAD * loaded)
 
