@@ -134,7 +134,7 @@ def test_a_gear_that_is_tied_up_has_no_largest_torque() -> None:
 
 
 def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed(tmp_path: Path) -> None:
-    """The long planet of a Ravigneaux set follows from large sun and ring, the short one not."""
+    """The long planet has (86 - 34)/2 = 26 teeth, so 28/86 86/26 of the input; the short is open."""
     file = tmp_path / "set.yaml"
     file.write_text(
         "links: [s, l, c, r]\noutput: r\nelements: {R: {kind: ravigneaux, small_sun: s, "
