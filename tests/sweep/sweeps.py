@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.commands import environment
+from tests.commands import ID, environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep import build
@@ -62,8 +62,8 @@ def begin(*arguments: object, cwd: Path, before: Callable[[], None] | None = Non
 
 
 def end(process: Any) -> tuple[int, str]:
-    """Exit status and stderr."""
-    said = process.communicate(timeout=120)[1]
+    """Exit status, and stderr without ids."""
+    said = ID.sub("", process.communicate(timeout=120)[1])
     return process.returncode, said
 
 
