@@ -220,6 +220,12 @@ def test_absurd_speeds_have_no_value(speed: float) -> None:
     assert np.isnan(gear.orders[0].amplitudes["1"]).all()
 
 
+def test_an_order_so_small_that_no_speed_meets_a_mode_has_no_resonance() -> None:
+    """It would be at 40 rad/s/1e-309, beyond any float."""
+    [gear] = response(one_mass(6.0), 1, [Harmonic(1e-309)], SPEEDS)
+    assert gear.resonances == []
+
+
 def test_orders_far_apart_meet_in_every_phase() -> None:
     found = summed([0.5, 2_000_000.5], [np.array([3.0 + 0j]), np.array([-4j])])
     assert found.largest[0] == pytest.approx(7)

@@ -193,9 +193,9 @@ def _resonances(
     """Where natural frequencies that are excited are met within the range of speeds."""
     low, high = speeds.min(initial=math.inf), speeds.max(initial=-math.inf)
     met = [
-        Resonance(one.order, mode, float(omega / one.order / RAD_PER_RPM), float(part))
+        Resonance(one.order, mode, omega / one.order / RAD_PER_RPM, part)
         for one in harmonics
-        for mode, (omega, part) in enumerate(zip(omegas, parts, strict=True), 1)
+        for mode, (omega, part) in enumerate(zip(omegas.tolist(), parts.tolist(), strict=True), 1)
         if part > LEAST_PARTICIPATION
     ]
     return [one for one in met if low * (1 - NO_POWER) <= one.speed <= high * (1 + NO_POWER)]
