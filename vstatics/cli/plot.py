@@ -11,6 +11,7 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.drawn_sweeps import plot_sweep
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.scenario_run import run_of
@@ -19,6 +20,8 @@ from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
 from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sweeps import SWEEP_PICTURES
+from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.statics.results import Language, Results
 from vstatics.tables.suffixes import known, suffix_of
 
@@ -31,7 +34,7 @@ BOXES = "boxes"
 @click.option(
     "-k",
     "--kind",
-    type=click.Choice([*PICTURES, BOXES]),
+    type=click.Choice([*PICTURES, BOXES, *SWEEP_PICTURES]),
     metavar="KIND",
     required=True,
     help="What is drawn, one of the above.",
@@ -43,6 +46,17 @@ BOXES = "boxes"
 @arguments.some_gears
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
 @click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one.")
+@click.option("--x", metavar="COLUMN", default="", help="Of a sweep: what is across.")
+@click.option(
+    "--y",
+    metavar="COLUMN",
+    multiple=True,
+    help="Of a map what is upward; of curves the columns that are drawn.",
+)
+@click.option("--z", metavar="COLUMN", default="", help="Of a map: the column that has contours.")
+@click.option(
+    "--by", metavar="COLUMN", default="", help="Of a sweep: a map or line for each value, or gear."
+)
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
@@ -53,6 +67,10 @@ def plot(
     gears: tuple[str, ...],
     wheels: bool,
     merge: bool,
+    x: str,
+    y: tuple[str, ...],
+    z: str,
+    by: str,
     dark: bool,
     settings: CaseOptions,
     lang: Language,
@@ -76,6 +94,10 @@ def plot(
                  time, with its events
     boxes        what `synth box -f json` found, in place of a case: mean loss
                  over the largest torque, families, stick diagrams
+    map          what `sweep -o` wrote, in place of a case: contours of a
+                 column over two varied numbers, and where operation ends
+    curves       of the same: columns over one varied number, a line for each
+                 gear, or for each value of another one
 
     \b
     Of a scenario plan shows its run, too; other kinds show its case.
@@ -85,6 +107,7 @@ def plot(
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       vstatics plot upshift.yaml --kind shift -o upshift.png
+      vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
     Needs matplotlib: pip install "vstatics[plot]"; modes and campbell need
@@ -102,11 +125,18 @@ def plot(
         raise click.UsageError("--wheels: only stick diagrams name them")
     if kind == "shift" and gears:
         raise click.UsageError("--gear: a run goes through all gears of its scenario")
+    asked = DrawnColumns(x, y, z, by)
+    if kind not in SWEEP_PICTURES and asked != DrawnColumns():
+        raise click.UsageError("--x, --y, --z, --by: only map and curves are of columns")
+    if kind in SWEEP_PICTURES and gears:
+        raise click.UsageError("--gear: expected --by gear, or the column of a gear")
     if output != STDOUT and not suffix_of(output) and len(cases) == 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
+    if kind in SWEEP_PICTURES:
+        return plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
     picture = partial(
         _shown,
         kind=kind,

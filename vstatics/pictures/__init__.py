@@ -10,11 +10,11 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration` and `boxes` have
-the kinds of pictures. A kind is a function ``draw(results, style, gears) -> Figure`` in a module of
-its own, which is imported when its picture is asked for: matplotlib is an extra. Kinds that
-show a run take its motion, too. Where gears have something in common it is ``each(results, style,
-shown)``, which makes this once for figures of several lists of gears.
+`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `boxes` and
+`sweeps` have the kinds of pictures. A kind is a function ``draw(results, style, gears) -> Figure``
+in a module of its own, which is imported when its picture is asked for: matplotlib is an extra.
+Kinds that show a run take its motion, too. Where gears have something in common it is
+``each(results, style, shown)``, which makes this once for figures of several lists of gears.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from typing import Any
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import missing
 from vstatics.tables.csv import unguarded
-from vstatics.tables.written_results import WrittenSweep
+from vstatics.tables.written_results import GEAR, WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
 
@@ -73,10 +73,18 @@ def _parquet(data: bytes) -> dict[str, Any]:
 
 def _of_columns(columns: Mapping[str, list[Any]]) -> WrittenSweep:
     """Numbers, of which NaN is none, under the names of their columns."""
-    variants = [int(number) for number in columns.get(NUMBER, ())]
-    others = {name: one for name, one in columns.items() if name not in (NUMBER, STATUS)}
+    names = list(columns)
+    place = names.index(STATUS) if STATUS in names else len(names)
+    by_gear = names[place + 1 : place + 2] == [GEAR]
     numbers = {
         name: [math.nan if one in (None, "") else float(one) for one in column]
-        for name, column in others.items()
+        for at, (name, column) in enumerate(columns.items())
+        if name not in (NUMBER, STATUS) and not (by_gear and at == place + 1)
     }
-    return WrittenSweep(variants, [str(one) for one in columns.get(STATUS, ())], numbers)
+    return WrittenSweep(
+        [int(number) for number in columns.get(NUMBER, ())],
+        [str(one) for one in columns.get(STATUS, ())],
+        numbers,
+        tuple(name for name in names[:place] if name != NUMBER),
+        [str(one) for one in columns[GEAR]] if by_gear else (),
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
+from itertools import zip_longest
 
 from vstatics.errors import plural
 from vstatics.tables.compare import ATOL, RTOL, is_same, shown
@@ -29,10 +30,10 @@ def sweep_differences(
         Keys of tables, `Quantity.key`, whose columns are not compared.
     """
     here, there = (
-        {number: place for place, number in enumerate(one.variants)} for one in (actual, expected)
+        {number: place for place, number in enumerate(_rows(one))} for one in (actual, expected)
     )
-    yield from _lacking("variant", [str(n) for n in there if n not in here], "expected")
-    yield from _lacking("variant", [str(n) for n in here if n not in there], "not expected")
+    yield from _lacking("variant", [n for n in there if n not in here], "expected")
+    yield from _lacking("variant", [n for n in here if n not in there], "not expected")
     found, wanted = (
         {name: column for name, column in one.columns.items() if _table(name) not in leave_out}
         for one in (actual, expected)
@@ -57,6 +58,12 @@ def sweep_differences(
             if not is_same(Figure(one), Figure(other), atol, rtol)
         ]
         yield from _first(told, name)
+
+
+def _rows(sweep: WrittenSweep) -> list[str]:
+    """What names each row: the number of its variant, and its gear where it has one."""
+    pairs = zip_longest(map(str, sweep.variants), sweep.gears, fillvalue="")
+    return [f"{number}, gear {gear}" if gear else number for number, gear in pairs]
 
 
 def _table(column: str) -> str:

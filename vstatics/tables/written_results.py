@@ -48,10 +48,18 @@ class WrittenResult(NamedTuple):
         return self.case.name if self.case else ""
 
 
+GEAR = "gear"
+"""The column of a sweep that has a row for each gear."""
+
+
 class WrittenSweep(NamedTuple):
-    """The columns of a sweep, a number for each variant in their order."""
+    """The columns of a sweep, a number for each row in their order."""
 
     variants: list[int]
     status: list[str]
     columns: dict[str, list[float]]
     """NaN stands for no number."""
+    varied: tuple[str, ...] = ()
+    """The columns that were varied."""
+    gears: Sequence[str] = ()
+    """By row, where there is a row for each gear."""

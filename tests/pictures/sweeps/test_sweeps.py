@@ -1,0 +1,139 @@
+"""Pictures of sweeps: which columns they show, where contours run, where operation ends."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.commands import vstatics
+from tests.pictures.drawn import texts, titled
+from vstatics.errors import CaseError
+from vstatics.pictures import settings_of
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sweeps import curves, map  # noqa: A004
+from vstatics.pictures.sweeps.columns import DrawnColumns
+from vstatics.readers import sweep_tables
+from vstatics.tables.written_results import WrittenSweep
+
+CASE = """
+links: [in, out, c]
+input: in
+output: c
+mechanisms:
+  set: {first: in, second: out, third: c, ratio: -2.5, efficiency: .96}
+shift_elements: {B: [out, housing], C: [in, out]}
+gears: {low: [B], high: [C]}
+"""
+
+
+def saddle(where: float = np.inf) -> WrittenSweep:
+    """``z = x y`` over a grid, without the rows where it is above a number."""
+    xs, ys = np.meshgrid(np.linspace(1, 4, 31), np.linspace(1, 4, 31))
+    z = xs * ys
+    kept = z <= where
+    columns = {"x": xs[kept].tolist(), "y": ys[kept].tolist(), "z": z[kept].tolist()}
+    rows = int(kept.sum())
+    return WrittenSweep(list(range(rows)), ["ok"] * rows, columns, ("x", "y"))
+
+
+def drawn(kind: object, sweep: WrittenSweep, **asked: object) -> object:
+    style = Style()
+    with settings_of(style):
+        return kind.draw(sweep, style, DrawnColumns(**asked))  # type: ignore[attr-defined, arg-type]
+
+
+def lines(figure: object, title: str) -> list[np.ndarray]:
+    """The lines of a title, by places in the figure [pt]."""
+    return [one.get_xydata() for said, one in titled(figure) if said == title]  # type: ignore[arg-type]
+
+
+def test_contours_run_where_the_number_is() -> None:
+    """On the contour of 4 of ``x y`` the product is 4, to the chords of a grid of .1."""
+    figure = drawn(map, saddle())
+    [line] = lines(figure, "4")
+    left, low = map.MAP_SCALE_WIDTH, map.MAP_SCALE_HEIGHT
+    x, y = ((line - (left, low)) / map.MAP_SIZE * 3 + 1).T
+    np.testing.assert_allclose(x * y, 4, atol=0.01)
+    assert "z: x, y" in texts(figure)  # type: ignore[arg-type]
+
+
+def test_where_operation_ends_is_marked() -> None:
+    """Outside 8 of ``x y`` there is no row."""
+    figure = drawn(map, saddle(where=8.0))
+    assert "limit of operation" in texts(figure)  # type: ignore[arg-type]
+    assert "limit of operation" not in texts(drawn(map, saddle()))  # type: ignore[arg-type]
+
+
+def test_scattered_points_are_drawn_as_a_map() -> None:
+    """The plane ``x + 2 y`` of random points: interpolation between three is exact."""
+    points = np.random.default_rng(1).random((400, 2))
+    z = points @ (1, 2)
+    columns = {"x": points[:, 0].tolist(), "y": points[:, 1].tolist(), "z": z.tolist()}
+    sweep = WrittenSweep(list(range(400)), ["ok"] * 400, columns, ("x", "y"))
+    figure = drawn(map, sweep)
+    longest = max(lines(figure, "1.5"), key=len)
+    low, high = points.min(axis=0), points.max(axis=0)
+    place = (longest - (map.MAP_SCALE_WIDTH, map.MAP_SCALE_HEIGHT)) / map.MAP_SIZE
+    np.testing.assert_allclose((place * (high - low) + low) @ (1, 2), 1.5, atol=1e-9)
+
+
+def test_curves_have_a_line_for_each_value_and_coinciding_ones_are_one() -> None:
+    sweep = saddle()
+    sweep.columns["double"] = [2 * x for x in sweep.columns["x"]]
+    figure = drawn(curves, sweep, x="x")
+    assert len([said for said, _ in titled(figure) if said.endswith(" z")]) == curves.MOST_CURVES  # type: ignore[arg-type]
+    assert len([said for said, _ in titled(figure) if said.endswith(" double")]) == 1  # type: ignore[arg-type]
+    assert "12 lines are drawn, of 31" in texts(figure)  # type: ignore[arg-type]
+
+
+def test_a_row_for_each_gear_gives_a_panel_or_a_line_for_each() -> None:
+    rows = [
+        (n, x, gear, x * k) for n, x in enumerate((1.0, 2.0)) for k, gear in ((1, "a"), (2, "b"))
+    ]
+    text = "variant,x,status,gear,z\n" + "".join(f"{n},{x},ok,{g},{z}\n" for n, x, g, z in rows)
+    sweep = sweep_tables.read(text.encode(), "s.csv")
+    assert (sweep.varied, sweep.gears) == (("x",), ["a", "b", "a", "b"])
+    assert [said for said, _ in titled(drawn(curves, sweep))] == ["a z", "b z"]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({"z": "zz"}, "no column `zz`; did you mean `z`?"),
+        ({"x": "z", "y": ["z"]}, "no column beside"),
+    ],
+)
+def test_what_cannot_be_drawn_is_told(asked: dict[str, object], said: str) -> None:
+    with pytest.raises(CaseError, match=said.replace("?", r"\?")):
+        drawn(map, saddle(), **asked)
+
+
+def test_several_rows_at_a_place_are_told() -> None:
+    with pytest.raises(CaseError, match="runs over y too: expected --by"):
+        drawn(curves, saddle(), x="x", by="x")
+    with pytest.raises(CaseError, match="runs over x, y: expected --x"):
+        drawn(curves, saddle())
+
+
+def test_a_sweep_becomes_a_picture(tmp_path: Path) -> None:
+    (tmp_path / "box.yaml").write_text(CASE)
+    vary = "--vary", "set.ratio=-4:-1.5:9", "--vary", "set.efficiency=.9:.98:5"
+    for name in ("s.csv", "s.npz"):
+        file = str(tmp_path / name)
+        out = "--out", "efficiency[low]", "-o", file
+        assert vstatics("sweep", str(tmp_path / "box.yaml"), *vary, *out).status == 0
+        picture = tmp_path / f"{name}.svg"
+        assert vstatics("plot", file, "-k", "map", "-o", str(picture)).status == 0
+        assert b"set.efficiency" in picture.read_bytes()
+
+
+def test_wrong_use(tmp_path: Path) -> None:
+    (tmp_path / "box.yaml").write_text(CASE)
+    case, to = str(tmp_path / "box.yaml"), str(tmp_path / "a.svg")
+    ran = vstatics("plot", case, "-k", "map", "-o", to)
+    assert (ran.status, "no table of variants" in ran.err) == (1, True)
+    ran = vstatics("plot", case, "-k", "plan", "--x", "a", "-o", to)
+    assert (ran.status, "only map and curves" in ran.err) == (2, True)
+    assert not Path(to).exists()

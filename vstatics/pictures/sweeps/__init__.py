@@ -1,0 +1,57 @@
+"""Written sweeps as pictures: contours over two varied numbers, lines over one.
+
+The columns of a sweep and the names of axes go in (`columns` picks what is not named), a figure
+comes out; `map` and `curves` draw one kind each.
+
+>>> from vstatics.pictures.sheet.style import Style
+>>> from vstatics.tables.written_results import WrittenSweep
+>>> columns = {"u": [1.0, 2.0], "eta": [0.9, 0.8]}
+>>> drawn = render_sweep(WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",)), "curves", "svg",
+...                      Style(), DrawnColumns())
+>>> drawn[:5]
+b'<?xml'
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from vstatics.extras import require
+from vstatics.pictures.sweeps.columns import DrawnColumns
+
+if TYPE_CHECKING:
+    from vstatics.pictures import Format
+    from vstatics.pictures.sheet.style import Style
+    from vstatics.tables.written_results import WrittenSweep
+
+SWEEP_PICTURES = {
+    "map": "vstatics.pictures.sweeps.map",
+    "curves": "vstatics.pictures.sweeps.curves",
+}
+"""Kind of picture of a sweep -> module."""
+
+
+def render_sweep(
+    sweep: WrittenSweep, kind: str, form: Format, style: Style, asked: DrawnColumns
+) -> bytes:
+    """The picture of a sweep as a file.
+
+    Parameters
+    ----------
+    kind : {"map", "curves"}
+    asked : DrawnColumns
+        The columns that are drawn, as far as they are named.
+
+    Raises
+    ------
+    CaseError
+        If there is no such column, nothing to draw, or matplotlib is not installed.
+    """
+    require("plot", "a picture")
+    from vstatics.pictures import settings_of, written
+
+    module = import_module(SWEEP_PICTURES[kind])
+    with settings_of(style):
+        figure = module.draw(sweep, style, asked)
+    return written(figure, form, style, f"sweep: {kind}")

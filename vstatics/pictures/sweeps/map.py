@@ -1,0 +1,256 @@
+"""A map: contours of a column over two varied numbers, and where operation ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from contourpy import contour_generator
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from matplotlib.tri import LinearTriInterpolator, Triangulation
+
+from vstatics.errors import CaseError
+from vstatics.numerics.arrays import Floats
+from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.labels import Point, height, ticks, widest, width
+from vstatics.pictures.sheet.line_styles import Look, mixed
+from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.sheet.style import MARGIN, SMALL_NUMBER, Style
+from vstatics.pictures.sweeps.columns import (
+    DrawnColumns,
+    DrawnRows,
+    axis,
+    numbers,
+    parts,
+    results_of,
+    running,
+)
+from vstatics.tables.numbers import typeset
+from vstatics.tables.written_results import WrittenSweep
+
+MAP_SIZE = (300.0, 230.0)
+"""Width and height of a panel. [pt]"""
+MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
+"""For the scales. [pt]"""
+MAP_HEAD_HEIGHT = 22.0
+"""For the gear over a panel. [pt]"""
+MAP_LEVELS = 9
+"""Contours, about."""
+CROWDED_BAND = 0.35
+"""Levels are no even steps where more than this part of all values lies between two."""
+LEAST_BAND = 0.02
+"""No band is narrower than this part of all values."""
+LEAST_FILLED = 0.5
+"""A table of all x and y of which at least this part has rows is a grid."""
+GRID_OF_POINTS = 121
+"""Points that are no grid are drawn on one of so many values in each direction."""
+
+
+class Surface(NamedTuple):
+    """A column over a grid: NaN where there is no operation."""
+
+    name: str
+    x: Floats
+    y: Floats
+    z: Floats
+    """(y, x)."""
+
+
+def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
+    """Draw a map of each gear, or of each value of a column, all to the same levels.
+
+    Raises
+    ------
+    CaseError
+        If a column is none, or there is nothing to draw.
+    """
+    upward = next(iter(asked.y), "")
+    left = running(sweep, [upward, asked.by])
+    x = asked.x or (left[0] if len(left) == 2 - bool(upward) else "")
+    x = axis(sweep, x, [upward, asked.by], "--x")
+    y = axis(sweep, upward, [x, asked.by], "--y")
+    z = asked.z or next(iter(results_of(sweep, [x, y, asked.by])), "")
+    if not z:
+        raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
+    surfaces = [
+        _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))
+        for one in parts(sweep, asked, (x, y))
+    ]
+    every = np.concatenate([one.z[np.isfinite(one.z)] for one in surfaces])
+    if not every.size:
+        raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
+    levels = contour_levels(every)
+    ends = _ends(surfaces, "x"), _ends(surfaces, "y")
+    limits = any(not np.isfinite(one.z).all() for one in surfaces)
+    (wide, high), count = MAP_SIZE, len(surfaces)
+    columns = min(count, 2)
+    head = MAP_HEAD_HEIGHT * bool(surfaces[0].name)
+    across, up = MAP_SCALE_WIDTH + wide, head + high + MAP_SCALE_HEIGHT
+    limit = "limit of operation", "граница работы"
+    meanings = [(limits, *limit, _limit_look(style))]
+    size = columns * (across + MARGIN) + MARGIN, math.ceil(count / columns) * up
+    pen = headed(f"{z}: {x}, {y}", "", meanings, size, style)
+    for place, surface in enumerate(surfaces):
+        row, column = divmod(place, columns)
+        corner = (
+            column * (across + MARGIN) + MAP_SCALE_WIDTH,
+            (math.ceil(count / columns) - 1 - row) * up + MAP_SCALE_HEIGHT,
+        )
+        panel = pen.panel(corner, (wide, high), *(AxisScale(*one) for one in ends))
+        _draw(panel, surface, levels, (x, y))
+    return pen.figure
+
+
+def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:
+    """The least and the largest of an axis."""
+    every = np.concatenate([getattr(one, name) for one in surfaces])
+    return float(every.min()), float(every.max())
+
+
+def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
+    """The rows of a panel as a grid.
+
+    Raises
+    ------
+    CaseError
+        If they lie on a line.
+    """
+    known = np.isfinite(x) & np.isfinite(y)
+    x, y, z = x[known], y[known], z[known]
+    xs, column = np.unique(x, return_inverse=True)
+    ys, row = np.unique(y, return_inverse=True)
+    if min(len(xs), len(ys)) < 2:
+        raise CaseError("E434", "a map needs two numbers that vary: expected --kind curves")
+    if len(x) >= LEAST_FILLED * len(xs) * len(ys):
+        table = np.full((len(ys), len(xs)), np.nan)
+        table[row, column] = z
+        return Surface(part.name, xs, ys, table)
+    xs, ys = (np.linspace(one.min(), one.max(), GRID_OF_POINTS) for one in (x, y))
+    exists = np.isfinite(z)
+    try:
+        net = Triangulation(x[exists], y[exists])
+        drawn = LinearTriInterpolator(net, z[exists])(*np.meshgrid(xs, ys))
+    except (ValueError, RuntimeError):
+        raise CaseError("E434", "the points of the sweep span no area to draw a map on") from None
+    return Surface(part.name, xs, ys, np.ma.filled(drawn, np.nan))
+
+
+def contour_levels(values: Floats) -> list[float]:
+    """Round numbers between values: even steps, or as many values between any two.
+
+    So an efficiency of .5 in a corner does not take the levels from .9 to .97.
+
+    >>> contour_levels(np.linspace(0.0, 10.0, 101))
+    [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    >>> contour_levels(1 - 0.5 * np.linspace(0.0, 1.0, 1001) ** 8)
+    [0.8, 0.9, 0.98]
+    """
+    low, high = float(values.min()), float(values.max())
+    even = [one for one in ticks(low, high, MAP_LEVELS + 1) if low < one < high]
+    between, _ = np.histogram(values, [-math.inf, *even, math.inf])
+    if between.max() <= CROWDED_BAND * len(values):
+        return even
+    quantiles = np.quantile(values, np.linspace(0.0, 1.0, MAP_LEVELS + 2)).tolist()
+    found: list[float] = []
+    for before, one, after in zip(quantiles, quantiles[1:], quantiles[2:], strict=False):
+        gap = min(one - before, after - one)
+        if gap > LEAST_BAND * (high - low):
+            unit = 10.0 ** math.floor(math.log10(gap))
+            step = max(digit * unit for digit in (1, 2, 5) if digit * unit <= gap)
+            level = float(f"{round(one / step) * step:.12g}")
+            if before < level < after and level not in found:
+                found.append(level)
+    return found
+
+
+def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str, str]) -> None:
+    (wide, high), style = pen.size, pen.style
+    xs, ys = (
+        (values - scale.low) / (scale.high - scale.low) * length
+        for values, scale, length in (
+            (surface.x, pen.x, wide),
+            (surface.y, pen.y, high),
+        )
+    )
+    hidden = np.ma.masked_invalid(surface.z)
+    made: Any = contour_generator(xs, ys, hidden, fill_type="OuterOffset")
+    edges = [-math.inf, *levels, math.inf]
+    for place, (low, up) in enumerate(pairwise(edges)):
+        colour = mixed(style.power, style.paper, 0.1 + 0.9 * place / max(len(levels), 1))
+        _fill(pen, made.filled(low, up), colour)
+    taken: list[tuple[float, float, float, float]] = []
+    for level in levels:
+        text = typeset(f"{level:g}")
+        lines = made.lines(level)
+        for piece in lines:
+            places = [(float(x), float(y)) for x, y in piece]
+            pen.line(*places, width=0.7, color=style.ink, title=f"{surface.name} {text}".strip())
+        _label(pen, lines, text, taken)
+    if hidden.mask is not np.ma.nomask and hidden.mask.any():
+        bounds: Any = contour_generator(xs, ys, np.where(np.isfinite(surface.z), 1.0, 0.0))
+        for piece in bounds.lines(0.5):
+            pen.line(*((float(x), float(y)) for x, y in piece), **_limit_look(style))
+    _scales(pen, names)
+    pen.text(0, high + 8, surface.name, va="bottom", bold=True)
+
+
+def _limit_look(style: Style) -> Look:
+    return {"color": style.lost, "width": 1.8}
+
+
+def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) -> None:
+    """The polygons of a band, each with its holes."""
+    left, low = pen.corner
+    for points, offsets in zip(*filled, strict=True):
+        codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
+        codes[offsets[:-1]] = Path.MOVETO
+        codes[offsets[1:] - 1] = Path.CLOSEPOLY
+        path = Path(points + np.array([left, low]), codes)
+        pen.add(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.2, zorder=0.2))
+
+
+def _label(
+    pen: Pen,
+    lines: Sequence[Floats],
+    text: str,
+    taken: list[tuple[float, float, float, float]],
+) -> None:
+    """The number of a level where it covers no other: on its longest line, near the middle."""
+    long, tall = width(text, SMALL_NUMBER) + 3, 1.2 * SMALL_NUMBER
+    for x, y in _places(lines):
+        box = x - long / 2, y - tall / 2, x + long / 2, y + tall / 2
+        inside = box[0] > 0 and box[1] > 0 and box[2] < pen.size[0] and box[3] < pen.size[1]
+        if inside and not any(
+            box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]
+            for other in taken
+        ):
+            taken.append(box)
+            centred: Look = {"ha": "center", "va": "center_baseline"}
+            pen.text(x, y, text, size=SMALL_NUMBER, over=True, **centred)
+            return
+
+
+def _places(lines: Sequence[Floats]) -> Iterator[Point]:
+    """Points of lines where a number may stand, the middle of the longest first."""
+    by_length = sorted(lines, key=lambda one: -float(np.hypot(*np.diff(one, axis=0).T).sum()))
+    for piece in by_length:
+        order = sorted(range(len(piece)), key=lambda at: abs(at - len(piece) / 2))
+        for at in order[:: max(len(order) // 12, 1)]:
+            yield float(piece[at][0]), float(piece[at][1])
+
+
+def _scales(pen: Pen, names: tuple[str, str]) -> None:
+    """Both scales with the names of what they are of."""
+    wide, high = pen.size
+    across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
+    up = ticks(pen.y.low, pen.y.high, max(int(high / (3 * height(""))), 2))
+    pen.scale("bottom", across)
+    pen.scale("left", up)
+    pen.frame()
+    pen.name("bottom", names[0], 26)
+    pen.name("left", names[1], widest(tick_texts(up)) + 16)
