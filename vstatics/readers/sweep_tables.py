@@ -57,8 +57,12 @@ def _npz(data: bytes) -> dict[str, Any]:
 
     with np.load(io.BytesIO(data), allow_pickle=False) as archive:
         columns = {name: archive[name].tolist() for name in archive.files}
-    statuses = columns.pop("statuses")
-    return {**columns, STATUS: [statuses[code] for code in columns[STATUS]]}
+    words = {STATUS: columns.pop("statuses")}
+    if "gears" in columns:
+        words[GEAR] = columns.pop("gears")
+    return columns | {
+        name: [texts[code] for code in columns[name]] for name, texts in words.items()
+    }
 
 
 def _parquet(data: bytes) -> dict[str, Any]:

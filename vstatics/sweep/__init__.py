@@ -37,6 +37,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     variants: Mapping[str, ArrayLike] | None = None,
     out: str | Sequence[str] = "ratio,efficiency",
     where: str | None = None,
+    by: Literal["gear"] | None = None,
     coast: bool | None = None,
     idle: IdleConvention | None = None,
     jobs: int = 1,
@@ -66,6 +67,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         The columns, as in ``--out`` of the command line.
     where : str, optional
         Which variants get a row.
+    by : {"gear"}, optional
+        A row for each gear of a variant; `Chunk.of_gear` tells which.
     coast, idle : optional
         As in `vstatics.solve`.
     jobs : int
@@ -120,6 +123,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         seed=seed,
         out=out,
         where=where,
+        by=by,
         coast=coast,
         idle=idle,
     )

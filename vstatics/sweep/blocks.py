@@ -13,6 +13,7 @@ import numpy as np
 
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.statics.gear_steps import spread, steps
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.sweep.chunk import (
@@ -29,6 +30,7 @@ from vstatics.sweep.chunk import (
     rows_of,
 )
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
+from vstatics.sweep.kept.meanings import SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
@@ -50,6 +52,10 @@ class BlockTables(NamedTuple):
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
         assert self.results is not None  # noqa: S101 - the plan has looked
+        if name == STEP:
+            return steps(self.results.case, self.results.ratio)
+        if name == SPREAD:
+            return spread(self.results.case, self.results.ratio)[..., np.newaxis]
         return self.results.existing(name)
 
 
@@ -155,18 +161,19 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.targets, values)
     tables = block_tables(plan, possible)
-    status = _status(tables, own, len(values))
+    status = _status(tables, own, plan, len(values))
     status[invalid] = INVALID
     return rows_of(plan, start, values, status, tables, invalid)
 
 
-def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
-    """The worst that can be said of the gears of each variant.
+def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:
+    """The worst that can be said of the gears of each variant, or of each gear.
 
     Whole arrays are asked first: most often nothing is to be said of any variant. Where modes
-    alone are asked for it is said of the gears that are asked for.
+    alone are asked for it is said of the gears that are asked for, together.
     """
-    status = np.zeros(variants, dtype=np.uint8)
+    by_gear = plan.by_gear
+    status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
     results, modes = tables
     if results is None or own is None:
         if modes is not None:
@@ -183,5 +190,5 @@ def _status(tables: BlockTables, own: Results | None, variants: int) -> Codes:
         (CONFLICT, results.conflict),
     ):
         if said.any():
-            status[said.any(axis=1)] = code
+            status[said if by_gear else said.any(axis=1)] = code
     return status

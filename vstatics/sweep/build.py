@@ -14,6 +14,7 @@ from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.columns import read_columns
+from vstatics.sweep.kept.expressions import Terms
 from vstatics.sweep.kept.selection import read_objective, read_where
 from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
@@ -23,6 +24,7 @@ from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
 from vstatics.sweep.variants.table import load_table
 from vstatics.sweep.variants.variation import Variation, read_variation
+from vstatics.tables.written_results import GEAR
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -139,17 +141,27 @@ def _with_expressions(subject: Subject, options: SweepOptions, variants: Variant
     problems: list[Problem] = []
 
     def read(texts: Iterable[Text], reader: Callable[..., Read], *more: str) -> list[Read]:
-        return _all(texts, lambda text: reader(text, subject, targets, *more), problems)
+        return _all(texts, lambda text: reader(text, subject, terms, *more), problems)
 
+    by_gear = options.by == GEAR
+    if by_gear and not isinstance(subject, Transmission):
+        raise CaseError(
+            "E719", "a row for each gear: expected a case, a run goes through its gears"
+        )
+    terms = Terms(targets, by_gear=by_gear)
     out = OUT if isinstance(subject, Transmission) else OUT_OF_RUNS
     columns = read([options.out or Text(out)], read_columns)
+    terms = terms._replace(named=columns[0].named if columns else {})
     where = read(filter(None, [options.where]), read_where)
     least = read(options.min, read_objective, "--min")
     most = read(options.max, read_objective, "--max")
     if problems:
         raise ReadError(problems)
     condition = where[0] if where else None
-    made = SweepPlan(subject, variants, columns[0], condition, (*least, *most), options.best)
+    objectives = (*least, *most)
+    made = SweepPlan(
+        subject, variants, columns[0], condition, objectives, options.best, by_gear=by_gear
+    )
     if isinstance(subject, Transmission):
         return made
     return _of_runs(made, subject)

@@ -15,12 +15,13 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
 from vstatics.sweep.kept.columns import output_headings
+from vstatics.sweep.kept.meanings import GearRows, Tables
+from vstatics.tables.written_results import GEAR
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from vstatics.jobs.pieces import Account
-    from vstatics.sweep.kept.meanings import Tables
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
@@ -34,7 +35,7 @@ STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid", "stopped")
 DRAGGED, OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
 
 
-OF_ROWS = ("variants", "values", "status", "columns", "objectives")
+OF_ROWS = ("places", "values", "status", "columns", "objectives")
 """The fields of a chunk that have a row for each of its variants."""
 
 
@@ -43,8 +44,8 @@ class Chunk(NamedTuple):
 
     start: int
     """The first variant of the part, from 0."""
-    variants: Integers
-    """(rows,) numbers of the variants."""
+    places: Integers
+    """(rows,) in the order of all variants, or of all their gears where these have rows."""
     values: Floats
     """(rows, targets): the varied numbers. [-]"""
     status: Codes
@@ -61,6 +62,21 @@ class Chunk(NamedTuple):
     """Of the columns."""
     removed: tuple[int, ...] = ()
     """Of those that are left, how many each part of the condition removed."""
+    gears: tuple[str, ...] = ()
+    """Names of the gears of a variant, where each has a row."""
+
+    @property
+    def variants(self) -> Integers:
+        """(rows,) numbers of the variants."""
+        return self.places // len(self.gears) if self.gears else self.places
+
+    @property
+    def of_gear(self) -> Codes:
+        """(rows,) index of the gear; none where a row is of a variant."""
+        gears: Codes = (
+            (self.places % len(self.gears)).astype("<u2") if self.gears else np.zeros(0, "<u2")
+        )
+        return gears
 
     def to_dataframe(self) -> pd.DataFrame:
         """One row per variant, which is the index, with columns named as in a file.
@@ -78,12 +94,23 @@ class Chunk(NamedTuple):
         columns: dict[str, Any] = self.output_columns()
         codes = self.status.astype(np.int64)
         columns["status"] = pd.Categorical.from_codes(codes, categories=pd.Index(STATUS))
+        if self.gears:
+            of_gear = self.of_gear.astype(np.int64)
+            columns[GEAR] = pd.Categorical.from_codes(of_gear, categories=pd.Index(self.gears))
         return pd.DataFrame(columns, index=pd.Index(columns.pop("variant"), name="variant"))
 
     def output_columns(self) -> dict[str, Floats | Integers | Codes]:
         """What is written of the rows, by the headings of the output."""
-        tables = self.variants, *self.values.T, self.status, *self.columns.T
-        return dict(zip(output_headings(self.names, self.headings), tables, strict=True))
+        by_gear = bool(self.gears)
+        tables = (
+            self.variants,
+            *self.values.T,
+            self.status,
+            *[self.of_gear] * by_gear,
+            *self.columns.T,
+        )
+        headings = output_headings(self.names, self.headings, by_gear=by_gear)
+        return dict(zip(headings, tables, strict=True))
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
         """The chunk with these rows only."""
@@ -102,12 +129,16 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
         The first variant.
     values : ndarray, shape (variants, targets)
         The varied numbers.
-    status : ndarray, shape (variants,)
+    status : ndarray, shape (variants[, gears])
     tables : Tables
         What was calculated of these variants.
     unknown : ndarray, shape (variants,)
         Of which variants nothing is known: they have NaN, and pass no condition.
     """
+    if gears := len(plan.gears):
+        tables, status = GearRows(tables, gears), status.ravel()
+        values, unknown = np.repeat(values, gears, axis=0), np.repeat(unknown, gears)
+        start *= gears
     with np.errstate(all="ignore"):
         columns = _existing(plan.columns(tables, values), unknown)
         objectives = _existing(plan.objective_values(tables, values), unknown)
@@ -127,6 +158,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
         plan.names,
         plan.headings,
         removed,
+        plan.gears,
     )
     return chunk if passed is None or passed.all() else chunk.rows(passed)
 

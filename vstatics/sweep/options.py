@@ -122,6 +122,7 @@ class SweepOptions:
     where: Text | None = _option(  # noqa: RUF009 (a field)
         "text", "Keep variants for which this is true.", metavar="EXPR"
     )
+    by: str | None = _option("choice", "A row for each gear of a variant.", choices=("gear",))
     min: tuple[Text, ...] = _option("texts", "Keep those with the least.", metavar="EXPR")
     max: tuple[Text, ...] = _option("texts", "Keep those with the most.", metavar="EXPR")
     best: int | None = _option("count", "So many.  [default: 20]", metavar="N")

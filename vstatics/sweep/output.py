@@ -14,7 +14,7 @@ from vstatics.jobs.alone import Alone, Workers
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.pieces import Account, Copy
 from vstatics.sweep import chunk, tasks
-from vstatics.sweep.chunk import Chunk
+from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text
 from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
@@ -30,13 +30,13 @@ class SweepReport(NamedTuple):
 
     rows: int
     counts: dict[str, int]
-    """How many variants have a status."""
+    """How many variants, or gears of them, have a status."""
     removed: tuple[int, ...] = ()
     """How many of those that are left each part of the condition removed."""
 
     @property
     def variants(self) -> int:
-        """All variants that were calculated."""
+        """All variants, or gears of them, that were calculated."""
         return sum(self.counts.values())
 
 
@@ -62,7 +62,11 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
 def column_types(plan: SweepPlan) -> list[ColumnType]:
     """Names and types of the columns of the output."""
     types = {"variant": "<i8", "status": "u1"}
-    return [ColumnType(name, np.dtype(types.get(name, "<f8"))) for name in plan.output_headings]
+    place = 2 + len(plan.names)
+    return [
+        ColumnType(name, np.dtype("<u2" if plan.by_gear and n == place else types.get(name, "<f8")))
+        for n, name in enumerate(plan.output_headings)
+    ]
 
 
 class Output:
@@ -86,7 +90,7 @@ class Output:
         """Variants of the pieces that are there, also of those that nobody has told of yet."""
         plan = self.task.plan
         spans = [plan.span(piece) for piece in self.store.finished() if piece < plan.pieces]
-        return sum(stop - start for start, stop in spans)
+        return sum(stop - start for start, stop in spans) * (len(plan.gears) or 1)
 
     def calculate(self, workers: Workers, advance: Advance) -> None:
         """Calculate what is not there.
@@ -143,14 +147,16 @@ class Output:
         rows = self.task.plan.output_headings, self._chunks(accounts)
         with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
             if self.task.form == "parquet":
-                tables.write_parquet(file, *rows)
+                tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
             else:
-                file.write(tables.text(self.task.form, *rows))
+                by_gear = self.task.plan.by_gear
+                file.write(tables.text(self.task.form, *rows, by_gear=by_gear))
 
     def _layout(self, accounts: Sequence[Account]) -> ArchiveLayout:
         plan, form = self.task.plan, self.task.form
         if form == "npz":
-            return npz_layout(column_types(plan), accounts)
+            codes = {"statuses": STATUS, **({"gears": plan.gears} if plan.gears else {})}
+            return npz_layout(column_types(plan), accounts, codes)
         head = text.head(form, plan.output_headings, raw=self.task.raw)
         copies, place = [], len(head)
         for account in accounts:

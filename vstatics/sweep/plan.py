@@ -45,6 +45,8 @@ class SweepPlan:
         So many at most. When not given 20 by one objective, all by several.
     piece : int
         Variants of a piece.
+    by_gear : bool
+        Whether each gear of a variant has a row.
     """
 
     subject: Subject
@@ -54,6 +56,17 @@ class SweepPlan:
     objectives: tuple[Objective, ...] = ()
     best: int | None = None
     piece: int = PIECE
+    by_gear: bool = False
+
+    @property
+    def gears(self) -> tuple[str, ...]:
+        """The gears of each variant that have a row; none where a row is of all of them."""
+        return tuple(gear.name for gear in self.case.gears) if self.by_gear else ()
+
+    @property
+    def count(self) -> int:
+        """Of what may have a row: variants, or their gears."""
+        return self.variants.count * (len(self.gears) or 1)
 
     @property
     def case(self) -> Transmission:
@@ -79,7 +92,7 @@ class SweepPlan:
     @property
     def output_headings(self) -> list[str]:
         """Of all that is written of a variant."""
-        return output_headings(self.names, self.headings)
+        return output_headings(self.names, self.headings, by_gear=self.by_gear)
 
     @property
     def pieces(self) -> int:
@@ -111,7 +124,8 @@ class SweepPlan:
         for expression in self.expressions:
             for part in expression.selections:
                 if part.table == OMEGA:
-                    gears = range(len(self.case.gears)) if part.gear is None else [part.gear]
+                    of_all = part.gear is None or self.by_gear
+                    gears = range(len(self.case.gears)) if of_all else [part.gear or 0]
                     every = range(part.rows) if part.row is None else [part.row]
                     for gear in gears:
                         asked.setdefault(gear, set()).update(every)

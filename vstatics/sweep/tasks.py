@@ -127,22 +127,28 @@ def read_chunk(task: SweepTask, account: Account) -> Chunk:
     """A piece of columns back from disk."""
     with open(pieces.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
         data = [file.read(segment.length) for segment in account.segments]
-    names, headings = task.plan.names, task.plan.headings
-    values, columns = 1 + len(names), 2 + len(names) + len(headings)
+    names, headings, gears = task.plan.names, task.plan.headings, task.plan.gears
+    values = 1 + len(names)
+    first = values + 1 + bool(gears)
+    columns = first + len(headings)
+    places = np.frombuffer(data[0], dtype="<i8")
+    if gears:
+        places = places * len(gears) + np.frombuffer(data[values + 1], dtype="<u2")
 
     def table(texts: Sequence[bytes]) -> Any:
         arrays = [np.frombuffer(one, dtype="<f8") for one in texts]
         return np.array(arrays).reshape(len(arrays), account.rows).T
 
     return Chunk(
-        account.piece * task.plan.piece,
-        np.frombuffer(data[0], dtype="<i8"),
+        account.piece * task.plan.piece * (len(gears) or 1),
+        places,
         table(data[1:values]),
         np.frombuffer(data[values], dtype=np.uint8),
-        table(data[values + 1 : columns]),
+        table(data[first:columns]),
         table(data[columns:]),
         account.counts,
         names,
         headings,
         account.removed,
+        gears,
     )

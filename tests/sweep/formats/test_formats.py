@@ -194,7 +194,7 @@ def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> 
         half = Segment(8 * rows // 2, zero) if million == 1200 else half
     accounts = [Account(piece, rows // 2, {}, (half, half)) for piece in range(2)]
     columns = [npz.ColumnType(name, np.dtype("<f8")) for name in ("a", "b")]
-    made = npz.layout(columns, accounts)
+    made = npz.layout(columns, accounts, {"statuses": STATUS})
     path = tmp_path / "large.npz"
     with path.open("wb") as file:
         file.truncate(made.length)

@@ -38,9 +38,9 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
         return
     free += pieces.size()
     longest = sum(LONGEST_NUMBER + len(name.encode()) for name in plan.output_headings)
-    if longest * plan.variants.count <= free:
+    if longest * plan.count <= free:
         return
-    size = _row_bytes(plan, form) * plan.variants.count
+    size = _row_bytes(plan, form) * plan.count
     if size > free:
         what = "its pieces would have" if form == "parquet" else "would have"
         message = (
@@ -57,12 +57,12 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
     parts = [blocks.calculate(plan, *two) for two in ends]
     length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
-    return length / sum(len(part.variants) for part in parts)
+    return length / sum(len(part.places) for part in parts)
 
 
 def most_rows(plan: SweepPlan) -> int:
     """The rows that there may be."""
-    count = plan.variants.count
+    count = plan.count
     if not plan.objectives:
         return count
     return min(count, plan.best or (BEST if len(plan.objectives) == 1 else count))
@@ -78,13 +78,13 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)
     seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
-    part = len(rows.variants) / max(stop - start, 1)
+    part = len(rows.places) / max(stop - start, 1)
     count = round(part * variants)
     if plan.objectives:
         expected = f"the best, at most {min(count, most_rows(plan))}"
     else:
         expected = str(count) if plan.where is None else f"about {count}"
-    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.variants), 1)
+    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.places), 1)
     size = "small" if plan.objectives else f"about {size_text(length * count)}"
     said = {
         "variants": str(variants),

@@ -66,7 +66,8 @@ def to_file(run: SweepRun, output: str) -> int:
     with FinishedPieces(output) as store:
         check_room(plan, run.form, output, store)
         written = Output(plan, run.form, store, raw=run.raw)
-        whole = f"{plan.variants.count} variants"
+        what = _counted(plan)
+        whole = f"{plan.count} {what}"
         with going_on_later(
             output, store, lambda: kept_pieces(written.finished, whole, store, output)
         ):
@@ -74,7 +75,7 @@ def to_file(run: SweepRun, output: str) -> int:
             sharing.open(store, output, made, plan.pieces, "variant is calculated", quiet=quiet)
             kept = written.finished
             called = written.task.workers(sharing.processes, sharing.scheduler)
-            with called, progress(plan.variants.count, "variants", quiet=quiet) as advance:
+            with called, progress(plan.count, what, quiet=quiet) as advance:
                 advance(kept)
                 written.calculate(called, advance)
                 report = written.assemble(called)
@@ -93,9 +94,7 @@ def to_stream(run: SweepRun) -> int:
         with (
             files.stream(run.output) as write,
             task.workers(sharing.processes, sharing.scheduler) as called,
-            progress(
-                plan.variants.count, "variants", beside_stdout=True, quiet=run.quiet
-            ) as advance,
+            progress(plan.count, _counted(plan), beside_stdout=True, quiet=run.quiet) as advance,
         ):
 
             def advanced(variants: int) -> None:
@@ -105,13 +104,14 @@ def to_stream(run: SweepRun) -> int:
 
             report = stream(task, called, advanced, write)
     except StoppedError as stopped:
-        files.say(f"stopped after {done} of {plan.variants.count} variants")
+        files.say(f"stopped after {done} of {plan.count} {_counted(plan)}")
         return stopped_by(stopped.signal)
     return _summary(run, report, time.perf_counter() - began)
 
 
 def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> int:
     """Say what became of the variants; the exit status."""
+    what = _counted(run.plan)
     output = "<stdout>" if run.output in (None, STDOUT) else run.output
     reasons = [
         f"{report.counts[status]} {status}"
@@ -123,8 +123,8 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
     rate = (report.variants - kept) / max(seconds, 1e-9)
     if reasons or not run.quiet:
         files.say(
-            f"{output}: {report.rows} rows of {report.variants} variants{unlike}{before}; "
-            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} variants a second"
+            f"{output}: {report.rows} rows of {report.variants} {what}{unlike}{before}; "
+            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} {what} a second"
         )
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
@@ -136,6 +136,11 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
     if run.plan.where is not None:
         _tell_removed(run.plan.where, report)
     return EMPTY if run.fail_empty else DONE
+
+
+def _counted(plan: SweepPlan) -> str:
+    """What a row may be of."""
+    return "gears of variants" if plan.by_gear else "variants"
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:

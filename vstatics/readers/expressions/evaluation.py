@@ -20,7 +20,7 @@ from vstatics.readers.expressions.operands import Constant
 Values: TypeAlias = Floats | Booleans
 Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
-FUNCTIONS = ("min", "max", "abs", "sum")
+FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
 REDUCTIONS = ("min", "max", "sum")
 """Functions that make one number of all gears and rows of one operand."""
 LAST = "last"

@@ -10,14 +10,13 @@ from __future__ import annotations
 import io
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.jobs.pieces import Account, Copy
-from vstatics.sweep.chunk import STATUS
 
 _LOCAL = struct.Struct("<4s5H3L2H")
 _LOCAL_SIZES = struct.Struct("<2H2Q")
@@ -48,7 +47,11 @@ class ArchiveLayout(NamedTuple):
     length: int
 
 
-def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> ArchiveLayout:
+def layout(
+    columns: Sequence[ColumnType],
+    accounts: Sequence[Account],
+    codes: Mapping[str, Sequence[str]],
+) -> ArchiveLayout:
     """Where everything goes in the archive.
 
     Parameters
@@ -57,6 +60,8 @@ def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> Archiv
         In the order of the segments of the pieces.
     accounts : sequence of Account
         Of all pieces, in order.
+    codes : mapping of str to sequence of str
+        Further members: what the numbers of some columns stand for.
     """
     rows = sum(account.rows for account in accounts)
     texts: list[tuple[int, bytes]] = []
@@ -79,13 +84,15 @@ def layout(columns: Sequence[ColumnType], accounts: Sequence[Account]) -> Archiv
             copies.append(Copy(account.piece, starts[number], place, segment.length))
             starts[number] += segment.length
             place += segment.length
-    file = io.BytesIO()
-    np.lib.format.write_array(file, np.array(STATUS))
-    codes = file.getvalue()
-    local, entry = _heads("statuses.npy", zlib.crc32(codes), len(codes), place)
-    texts.append((place, local + codes))
-    place += len(local) + len(codes)
-    end = _end([*central, entry], place)
+    for name, words in codes.items():
+        file = io.BytesIO()
+        np.lib.format.write_array(file, np.array(words))
+        data = file.getvalue()
+        local, entry = _heads(f"{name}.npy", zlib.crc32(data), len(data), place)
+        central.append(entry)
+        texts.append((place, local + data))
+        place += len(local) + len(data)
+    end = _end(central, place)
     texts.append((place, end))
     return ArchiveLayout(texts, copies, place + len(end))
 

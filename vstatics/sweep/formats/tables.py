@@ -16,12 +16,15 @@ from vstatics.sweep.formats import Format
 from vstatics.tables import latex, markdown, xlsx
 from vstatics.tables.grid import Cell, Column, Values, exact, grid_of
 from vstatics.tables.grid import text as words
+from vstatics.tables.written_results import GEAR
 
 GROUP = 262_144
 """Rows of a row group, at most one piece more."""
 
 
-def write_parquet(file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk]) -> None:
+def write_parquet(
+    file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool
+) -> None:
     """Write chunks to a Parquet file, one row group at a time.
 
     Raises
@@ -30,6 +33,8 @@ def write_parquet(file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chu
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     kinds = {"variant": pa.int64(), "status": pa.dictionary(pa.int8(), pa.string())}
+    if by_gear:
+        kinds[GEAR] = pa.dictionary(pa.int32(), pa.string())
     schema = pa.schema(
         pa.field(one, kinds.get(one, pa.float64()), nullable=one not in kinds) for one in headings
     )
@@ -55,9 +60,12 @@ def _groups(chunks: Iterable[Chunk]) -> Iterator[list[Chunk]]:
 
 def _batch(chunk: Chunk, schema: Any) -> Any:
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
-    status = pa.DictionaryArray.from_arrays(chunk.status.astype("i1"), list(STATUS))
+    coded = pa.DictionaryArray.from_arrays
+    codes = {"status": coded(chunk.status.astype("i1"), list(STATUS))}
+    if chunk.gears:
+        codes[GEAR] = coded(chunk.of_gear.astype("i4"), list(chunk.gears))
     arrays = [
-        status if name == "status" else pa.array(column, from_pandas=True)
+        codes.get(name) if name in codes else pa.array(column, from_pandas=True)
         for name, column in chunk.output_columns().items()
     ]
     return pa.record_batch(arrays, schema=schema)
@@ -67,9 +75,10 @@ CELL_DIGITS = 12
 """Significant ones, as in CSV."""
 
 
-def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk]) -> bytes:
+def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool) -> bytes:
     """Chunks as one table."""
-    columns = (words(one) if one == "status" else Column(one) for one in headings)
+    told = ("status", GEAR) if by_gear else ("status",)
+    columns = (words(one) if one in told else Column(one) for one in headings)
     grid = grid_of("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
         return xlsx.write([("", [grid])], several=False)
@@ -81,6 +90,8 @@ def _rows(chunk: Chunk) -> Iterator[Values]:
     columns = [column.tolist() for column in chunk.output_columns().values()]
     place = 1 + len(chunk.names)
     columns[place] = [STATUS[code] for code in columns[place]]
+    if chunk.gears:
+        columns[place + 1] = [chunk.gears[code] for code in columns[place + 1]]
     for row in zip(*columns, strict=True):
         yield [_cell(one) if isinstance(one, float) else one for one in row]
 

@@ -51,25 +51,31 @@ def rows(form: Format, chunk: Chunk) -> bytes:
     bytes
         A line for each row, in UTF-8.
     """
-    row = _Row(form, chunk.names, chunk.headings)
+    row = _Row(form, chunk.names, chunk.headings, chunk.gears)
     parts = []
     for start in range(0, len(chunk.variants), ROWS_AT_ONCE):
         part = slice(start, start + ROWS_AT_ONCE)
-        parts.append(_formatted(row, _numbers(chunk, part), chunk.status[part].tolist()))
+        codes = chunk.status[part].tolist()
+        gears = chunk.of_gear[part].tolist() if chunk.gears else [0] * len(codes)
+        parts.append(_formatted(row, _numbers(chunk, part), list(zip(codes, gears, strict=True))))
     return "".join(parts).encode()
 
 
-def _formatted(row: _Row, numbers: Floats, status: list[int]) -> str:
+WordCodes = tuple[int, int]
+"""Of a status, and of a gear."""
+
+
+def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
     """Rows as text; a column of one number throughout is formatted once."""
     alike = (numbers == numbers[0]).all(axis=0)
     row.begin(numbers[0], alike.tolist())
     varied = numbers[:, ~alike]
     exists = np.isfinite(varied)
     if not exists.all():
-        patterns = map(row.pattern, status, map(bytes, exists))
+        patterns = map(row.pattern, words, map(bytes, exists))
         return "".join(patterns) % tuple(varied[exists].tolist())
-    several = any(status)
-    pattern = "".join(map(row.pattern, status)) if several else row.pattern(0) * len(status)
+    several = any(one != words[0] for one in words)
+    pattern = "".join(map(row.pattern, words)) if several else row.pattern(words[0]) * len(words)
     return pattern % tuple(varied.ravel().tolist())
 
 
@@ -84,22 +90,33 @@ def _numbers(chunk: Chunk, part: slice) -> Floats:
     return numbers
 
 
+def _quoted(form: Format, name: str) -> str:
+    """The name of a gear as a cell, in a format that is filled by `%`."""
+    if form == "csv":
+        return csv.lines([[name]]).rstrip("\n").replace("%", "%%")
+    return json.dumps(name, ensure_ascii=False).replace("%", "%%")
+
+
 class _Row:
     """The format of a row, with what is known of the rows that are formatted together."""
 
-    def __init__(self, form: Format, names: Sequence[str], headings: Sequence[str]) -> None:
+    def __init__(
+        self, form: Format, names: Sequence[str], headings: Sequence[str], gears: Sequence[str]
+    ) -> None:
+        by_gear = bool(gears)
+        self.gears = [_quoted(form, one) for one in gears]
         if form == "csv":
-            self.keys = ["", *"," * (len(names) + 1 + len(headings))]
+            self.keys = ["", *"," * (len(names) + 1 + by_gear + len(headings))]
             self.end, self.null, self.quote = "\n", "", ""
         else:
-            keys = output_headings(names, headings)
+            keys = output_headings(names, headings, by_gear=by_gear)
             texts = [json.dumps(key, ensure_ascii=False).replace("%", "%%") for key in keys]
             self.keys = [f"{', ' if number else '{'}{key}: " for number, key in enumerate(texts)]
             self.end, self.null, self.quote = "}\n", "null", '"'
         self.place = 1 + len(names)  # of the status
         self.cells: list[str] = []
         self.varied: list[int] = []
-        self.patterns: dict[tuple[int, bytes], str] = {}
+        self.patterns: dict[tuple[WordCodes, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
         """Begin with rows of which some columns are those of the first row throughout."""
@@ -111,16 +128,18 @@ class _Row:
                 self.cells[column] = self.cells[column] % first[column] if known else self.null
         self.patterns.clear()
 
-    def pattern(self, status: int, exists: bytes = b"") -> str:
-        """The format of a row of a status; `exists` tells which of the varied numbers there are."""
-        pattern = self.patterns.get((status, exists))
+    def pattern(self, words: WordCodes, exists: bytes = b"") -> str:
+        """The format of a row of a status and gear; `exists`: which varied numbers there are."""
+        status, gear = words
+        pattern = self.patterns.get((words, exists))
         if pattern is None:
             cells = self.cells.copy()
             for column, mark in zip(self.varied, exists, strict=False):
                 if not mark:
                     cells[column] = self.null
-            cells.insert(self.place, f"{self.quote}{STATUS[status]}{self.quote}")
+            told = [f"{self.quote}{STATUS[status]}{self.quote}"]
+            cells[self.place : self.place] = told + ([self.gears[gear]] if self.gears else [])
             pairs = zip(self.keys, cells, strict=True)
             pattern = "".join(key + cell for key, cell in pairs) + self.end
-            self.patterns[status, exists] = pattern
+            self.patterns[words, exists] = pattern
         return pattern

@@ -45,9 +45,9 @@ def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Ch
         return
     variants = _front(plan, chunks())
     for chunk in chunks():
-        if len(chunk.variants):
-            ends = np.searchsorted(variants, chunk.variants[[0, -1]] + (0, 1))
-            yield chunk.rows(np.isin(chunk.variants, variants[slice(*ends)], assume_unique=True))
+        if len(chunk.places):
+            ends = np.searchsorted(variants, chunk.places[[0, -1]] + (0, 1))
+            yield chunk.rows(np.isin(chunk.places, variants[slice(*ends)], assume_unique=True))
 
 
 def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
@@ -57,7 +57,7 @@ def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
     for chunk in chunks:
         old, new = fronts.merged(objectives, chunk.objectives)
         objectives = np.concatenate([objectives[old], chunk.objectives[new]])
-        variants = np.concatenate([variants[old], chunk.variants[new]])
+        variants = np.concatenate([variants[old], chunk.places[new]])
     if plan.best is not None:
         variants = variants[selection.limited(objectives, plan.best)]
     return variants

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -15,11 +15,23 @@ from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.sweep.kept.expressions import Expression, NameFinder, names_of, read_expression
-from vstatics.sweep.kept.meanings import Selection, Tables, VariedNumber
+from vstatics.sweep.frequencies import OMEGA
+from vstatics.sweep.kept.expressions import (
+    CONSTANTS,
+    Expression,
+    NameFinder,
+    ResolvedPart,
+    Terms,
+    names_of,
+    resolved_expression,
+    terms_of,
+)
+from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, Selection, Tables, VariedNumber
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
-from vstatics.tables.names import written
+from vstatics.tables.names import NAME, written
+from vstatics.tables.quantities import BY_NAME
+from vstatics.tables.written_results import GEAR
 
 OPTION = "--out"
 
@@ -48,6 +60,8 @@ class OutputColumns:
 
     headings: tuple[str, ...]
     parts: tuple[ColumnGroup, ...]
+    named: Mapping[str, ResolvedPart] = field(default_factory=dict)
+    """What names of columns stand for."""
 
     def __call__(self, tables: Tables, values: Floats) -> Floats:
         """Calculate all columns.
@@ -74,19 +88,24 @@ class OutputColumns:
         return columns
 
 
-def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> OutputColumns:
+_NAMED = re.compile(rf"\s*({NAME.pattern})\s*=(?!=)")
+"""What stands before an expression that names its column."""
+
+
+def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> OutputColumns:
     """Read a list of expressions, separated by commas outside brackets.
 
     Each gives a column, or one for each gear and row that it has: all gears of the first
     row, then of the second. What is asked for twice is written once, and varied numbers not
-    at all, since they have columns of their own.
+    at all, since they have columns of their own. ``NAME=EXPR`` names a column, which later ones
+    may speak of.
 
     Parameters
     ----------
     text : str
     subject : Transmission or VariedScenario
         Whose names the text uses.
-    targets : sequence of Varied
+    targets : sequence of Varied, or Terms
         What is varied.
 
     Raises
@@ -105,22 +124,30 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> Outp
     >>> columns.headings[4:]
     ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
     """
-    names = names_of(Excerpt(text, OPTION), subject, targets)
-    varied = {one.name for one in targets}
+    terms = terms_of(targets)
+    names = names_of(Excerpt(text, OPTION), subject, terms)
+    varied = {one.name for one in terms.targets}
     known = set(varied)
     headings: list[str] = []
     parts: list[ColumnGroup] = []
     problems: list[Problem] = []
+    named: dict[str, ResolvedPart] = {}
     for start, stop in _items(text):
+        own = _NAMED.match(text, start, stop)
+        source = Excerpt(text, OPTION, own.end() if own else start, stop)
         try:
-            expression = read_expression(Excerpt(text, OPTION, start, stop), subject, targets)
+            terms = terms._replace(named=named)
+            expression, part = resolved_expression(source, subject, terms)
+            if own:
+                _check_name(own[1], names, own.start(1), {*known, *named})
+                named[own[1]] = part
         except ReadError as error:
             problems += error.problems
             if len(problems) >= MOST_PROBLEMS:
                 break
             continue
         cells = []
-        for cell, heading in _headings(expression, names, targets):
+        for cell, heading in _headings(expression, names, terms.targets, own[1] if own else ""):
             if heading in varied and not isinstance(expression.node, VariedNumber):
                 heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
             if heading not in known:
@@ -130,12 +157,31 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied]) -> Outp
         parts.append(ColumnGroup(expression, tuple(cells)))
     if problems:
         raise ReadError(problems)
-    return OutputColumns(tuple(headings), tuple(parts))
+    return OutputColumns(tuple(headings), tuple(parts), named)
 
 
-def output_headings(names: Sequence[str], headings: Sequence[str]) -> list[str]:
+def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -> None:
+    """Make sure that a column may have a name.
+
+    Raises
+    ------
+    ReadError
+        If it means something else, or another column has it.
+    """
+    if name in (*BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS):
+        message = f"`{name}` means something already, expected another name"
+    elif name in known:
+        message = f"two columns are called `{name}`, expected another name"
+    else:
+        return
+    raise names.source.error(message, at)
+
+
+def output_headings(
+    names: Sequence[str], headings: Sequence[str], *, by_gear: bool = False
+) -> list[str]:
     """The headings of the output: of variants by varied numbers and columns."""
-    return ["variant", *names, "status", *headings]
+    return ["variant", *names, "status", *[GEAR] * by_gear, *headings]
 
 
 def _items(text: str) -> Iterator[tuple[int, int]]:
@@ -157,11 +203,11 @@ def _items(text: str) -> Iterator[tuple[int, int]]:
 
 
 def _headings(
-    expression: Expression, names: NameFinder, targets: Sequence[Varied]
+    expression: Expression, names: NameFinder, targets: Sequence[Varied], own: str
 ) -> Iterator[tuple[tuple[int, int], str]]:
-    """Gear and row of each column, and its heading."""
-    node, text = expression.node, _BLANK.sub(" ", expression.text)
-    if isinstance(node, VariedNumber):
+    """Gear and row of each column, and its heading; `own` is the name that it was given."""
+    node, text = expression.node, own or _BLANK.sub(" ", expression.text)
+    if isinstance(node, VariedNumber) and not own:
         yield (0, 0), targets[node.column].name
         return
     gears: Sequence[str] = expression.gears or ()
@@ -169,11 +215,13 @@ def _headings(
     own_gear = own_row = None
     if isinstance(node, Applied) and node.name == LAST and expression.table:
         (node,) = node.operands
-    call = isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST)
+    call = own or (isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST))
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
-        gears, rows = names.gears, names.written_rows(node.table)
-        own_gear, own_row, before = node.gear, node.row, expression.table
+        before = own or expression.table or node.table
+        if not own and node.table != SPREAD:
+            gears, rows = names.gears, names.written_rows(node.table)
+            own_gear, own_row = node.gear, node.row
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):
             picked = ((own_row, row, rows), (own_gear, gear, gears))

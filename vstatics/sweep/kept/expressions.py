@@ -15,8 +15,10 @@ of --out of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
@@ -36,6 +38,8 @@ if TYPE_CHECKING:
     from vstatics.sweep.kept.names import SweepNames
 
 Node: TypeAlias = Name | Constant | Applied
+CONSTANTS = {"pi": math.pi}
+"""Numbers with a name."""
 NameFinder: TypeAlias = "SweepNames | MotionNames"
 
 
@@ -108,8 +112,22 @@ class Expression:
         return " and ".join([self.row] * bool(self.row) + ["gear"] * bool(self.gears))
 
 
+class Terms(NamedTuple):
+    """What an expression may speak of besides tables and numbers of its subject."""
+
+    targets: Sequence[Varied] = ()
+    """What is varied, in the order of the values."""
+    named: Mapping[str, ResolvedPart] = MappingProxyType({})
+    """Columns with names of their own."""
+    by_gear: bool = False
+    """A row is of a gear, so that tables have none to be picked."""
+
+
 def read_expression(
-    text: str | Excerpt, subject: Subject, targets: Sequence[Varied], option: str = ""
+    text: str | Excerpt,
+    subject: Subject,
+    targets: Sequence[Varied] | Terms,
+    option: str = "",
 ) -> Expression:
     """Read an expression.
 
@@ -119,7 +137,7 @@ def read_expression(
         All of a text, or a part of it.
     subject : Transmission or VariedScenario
         Whose names the text uses.
-    targets : sequence of Varied
+    targets : sequence of Varied, or Terms
         What is varied, in the order of the values; other numbers are the subject's own.
     option : str
         Where a whole text was given, for messages: ``--where``.
@@ -144,33 +162,49 @@ def read_expression(
            [2.  , 1.2 ]])
     """
     source = Excerpt(text, option) if isinstance(text, str) else text
-    names = names_of(source, subject, targets)
+    return resolved_expression(source, subject, terms_of(targets))[0]
+
+
+def terms_of(targets: Sequence[Varied] | Terms) -> Terms:
+    """The terms where nothing but varied numbers is told."""
+    return targets if isinstance(targets, Terms) else Terms(targets)
+
+
+def resolved_expression(
+    source: Excerpt, subject: Subject, terms: Terms
+) -> tuple[Expression, ResolvedPart]:
+    """An expression, and what stands for it in others; parameters as of `read_expression`."""
+    names = names_of(source, subject, terms)
     tree = parse(source, names.language)
-    node, per_gear, table = _resolve(tree, names)
-    if per_gear and not names.gears:  # along time: what is left of it is the end
-        node, per_gear = Applied(LAST, (node,), 0, 1), False
-    return Expression(
+    part = _resolve(tree, names, terms.named)
+    if part.per_gear and not names.gears:  # along time: what is left of it is the end
+        part = part._replace(node=Applied(LAST, (part.node,), 0, 1), per_gear=False)
+    node, per_gear, table = part
+    picked = isinstance(tree, TableName) and tree.name not in terms.named
+    expression = Expression(
         source.part.strip(),
         node,
         tuple(names.gears) if per_gear else None,
         tuple(names.rows(table)) if table else None,
         names.row(table) if table else "",
-        tree.name if isinstance(tree, TableName) else "",
+        tree.name if isinstance(tree, TableName) and picked else "",
     )
+    return expression, part
 
 
-def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied]) -> NameFinder:
+def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms) -> NameFinder:
     """Who knows the names in a text."""
+    terms = terms_of(targets)
     if isinstance(subject, Transmission):
         from vstatics.sweep.kept.names import SweepNames
 
-        return SweepNames(source, subject, targets)
+        return SweepNames(source, subject, terms.targets, by_gear=terms.by_gear)
     from vstatics.sweep.kept.motion_names import MotionNames
 
-    return MotionNames(source, subject, targets)
+    return MotionNames(source, subject, terms.targets)
 
 
-class _Resolved(NamedTuple):
+class ResolvedPart(NamedTuple):
     """A part whose names are resolved, and the axes that it has."""
 
     node: Node
@@ -179,22 +213,22 @@ class _Resolved(NamedTuple):
     """A table whose rows it has, if it has rows."""
 
 
-def _resolve(tree: Tree, names: NameFinder) -> _Resolved:
+def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -> ResolvedPart:
     """Ask what the names in a tree mean, and whether operands go together."""
     if not isinstance(tree, Applied):
-        return _named(tree, names)
-    name, operands = tree.name, [_resolve(operand, names) for operand in tree.operands]
-    if name in ("abs", "sum", LAST) and len(operands) > 1:
+        return _named(tree, names, named)
+    name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]
+    if name in ("abs", "sum", "sqrt", LAST) and len(operands) > 1:
         message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
         raise names.source.error(message, tree.at)
     node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
     if name == LAST:
-        return _Resolved(node, per_gear=False, table=operands[0].table)
+        return ResolvedPart(node, per_gear=False, table=operands[0].table)
     if name in REDUCTIONS and len(operands) == 1:
         if name == "sum" and operands[0].per_gear and not names.gears:
             message = "a sum over all instants means nothing: take min, max or last"
             raise names.source.error(message, tree.at)
-        return _Resolved(node)
+        return ResolvedPart(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
         one, two = names.row(tables[0]), names.row(other)
@@ -206,15 +240,24 @@ def _resolve(tree: Tree, names: NameFinder) -> _Resolved:
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)
-    return _Resolved(node, per_gear, tables[0] if tables else "")
+    return ResolvedPart(node, per_gear, tables[0] if tables else "")
 
 
-def _named(tree: Constant | DottedName | TableName, names: NameFinder) -> _Resolved:
+def _named(
+    tree: Constant | DottedName | TableName,
+    names: NameFinder,
+    named: Mapping[str, ResolvedPart],
+) -> ResolvedPart:
     """What a number or a name means."""
     if isinstance(tree, TableName):
+        if tree.name in (*named, *CONSTANTS):
+            if tree.subscripts:
+                message = f"`{tree.name}` is a number, so nothing of it can be picked"
+                raise names.source.error(message, tree.subscripts[0].at)
+            return named.get(tree.name) or ResolvedPart(Constant(CONSTANTS[tree.name]))
         part = names.table(tree)
         if not isinstance(part, Selection):
-            return _Resolved(part)
+            return ResolvedPart(part)
         has_rows = part.rows and part.row is None
-        return _Resolved(part, part.gear is None, part.table if has_rows else "")
-    return _Resolved(tree if isinstance(tree, Constant) else names.number(tree))
+        return ResolvedPart(part, part.gear is None, part.table if has_rows else "")
+    return ResolvedPart(tree if isinstance(tree, Constant) else names.number(tree))

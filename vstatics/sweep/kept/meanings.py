@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
+import numpy as np
+
 from vstatics.numerics.arrays import Floats
+
+STEP, SPREAD = "step", "spread"
+OF_RATIOS = (STEP, SPREAD)
+"""Tables that follow from the ratios of all gears; only sweeps have them."""
 
 
 class Selection(NamedTuple):
@@ -33,6 +39,22 @@ class Tables(Protocol):
 
     def existing(self, name: str) -> Floats:
         """A table of shape (..., gears[, rows]), with NaN where there is nothing to be said."""
+
+
+class GearRows(NamedTuple):
+    """Tables whose rows are of a gear: first all gears of the first variant."""
+
+    tables: Tables
+    gears: int
+
+    def existing(self, name: str) -> Floats:
+        """A table of shape (variants * gears, 1[, rows])."""
+        table: Any = self.tables.existing(name)
+        if name == SPREAD:
+            table = np.repeat(table, self.gears, axis=1)
+        variants, gears, *rows = table.shape
+        whole: Floats = table.reshape(variants * gears, 1, *rows)
+        return whole
 
 
 def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:

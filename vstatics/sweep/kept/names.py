@@ -14,7 +14,7 @@ from vstatics.readers.expressions.operands import Constant, DottedName, Subscrip
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
-from vstatics.sweep.kept.meanings import Selection, VariedNumber
+from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, STEP, Selection, VariedNumber
 from vstatics.sweep.variants.targets import Target, Varied, own_number, target
 from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
 from vstatics.tables.quantities import BY_NAME
@@ -39,12 +39,21 @@ class SweepNames:
     Selection(table='losses', gear=None, row=0, rows=1)
     """
 
-    def __init__(self, source: Excerpt, case: Transmission, targets: Sequence[Varied]) -> None:
+    def __init__(
+        self,
+        source: Excerpt,
+        case: Transmission,
+        targets: Sequence[Varied],
+        *,
+        by_gear: bool = False,
+    ) -> None:
         self.source = source
         self.language = LANGUAGE
         self.case = case
         self.targets = [one for one in targets if isinstance(one, Target)]
-        self.gears = [gear.name for gear in case.gears]
+        self.by_gear = by_gear
+        self.gears = [] if by_gear else [gear.name for gear in case.gears]
+        """None where a row is of a gear."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
         """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
@@ -60,6 +69,11 @@ class SweepNames:
         """A table, or a part of it."""
         if read.name == OMEGA:
             return self._frequency(read)
+        if read.name in OF_RATIOS:
+            subscripts = list(read.subscripts)
+            gear = 0 if read.name == SPREAD else self._gear(subscripts)
+            self._nothing_more(subscripts, STEP + "[gear]" if read.name == STEP else SPREAD)
+            return Selection(read.name, gear, None, 0)
         known = BY_NAME.get(read.name)
         if known is None:
             raise self.source.error(self._no_table(read.name), read.at)
@@ -75,15 +89,28 @@ class SweepNames:
                 message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
                 raise self.source.error(message, read.at)
             row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
-        gear = self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
-        if subscripts:
-            parts = "[gear]" if kind == "one" else f"[{ROWS[kind].one}, gear]"
-            message = f"read one part too many, expected {read.name}{parts}"
-            raise self.source.error(message, subscripts[0].at)
+        gear = self._gear(subscripts)
+        parts = [ROWS[kind].one] * (kind != "one") + ["gear"] * (not self.by_gear)
+        self._nothing_more(subscripts, f"{read.name}[{', '.join(parts)}]" if parts else read.name)
         return Selection(known.name, gear, row, len(rows))
+
+    def _gear(self, subscripts: list[Subscript]) -> int | None:
+        """The gear that the next subscript picks; that of the row where each is of a gear."""
+        if self.by_gear:
+            return 0
+        return self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
+
+    def _nothing_more(self, subscripts: Sequence[Subscript], expected: str) -> None:
+        """Make sure that no subscript is left."""
+        if subscripts:
+            gears = "each row is of a gear, " * self.by_gear
+            message = f"read one part too many, {gears}expected {expected}"
+            raise self.source.error(message, subscripts[0].at)
 
     def rows(self, table: str) -> Sequence[str]:
         """The names of a table's rows in the case; none if it has one value per gear."""
+        if table in OF_RATIOS:
+            return []
         return self._modes if table == OMEGA else table_rows(table, self.case)
 
     def written_rows(self, table: str) -> Sequence[str]:
@@ -114,10 +141,9 @@ class SweepNames:
                 message = f"read {quoted(written)}, expected the number of a mode, 1 to {most[-1]}"
                 raise self.source.error(message, subscripts[0].at)
             mode = number - 1
-        gear = self._index(subscripts[1], self.gears, "one") if len(subscripts) > 1 else None
-        if len(subscripts) > 2:
-            message = "read one part too many, expected omega[mode, gear]"
-            raise self.source.error(message, subscripts[2].at)
+        subscripts = subscripts[1:]
+        gear = self._gear(subscripts)
+        self._nothing_more(subscripts, "omega[mode]" if self.by_gear else "omega[mode, gear]")
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
@@ -161,7 +187,7 @@ class SweepNames:
             hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
         else:
             hint = (
-                nearest_quantity(name, (*FUNCTIONS, OMEGA))
+                nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS))
                 or "; such as ratio, efficiency, speeds[C1]"
             )
         return f"there is no table {quoted(name)}{hint}"

@@ -16,7 +16,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.fronts import scaled
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied
-from vstatics.sweep.kept.expressions import Expression, read_expression
+from vstatics.sweep.kept.expressions import Expression, Terms, read_expression
 from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
@@ -57,7 +57,7 @@ class WhereCondition(NamedTuple):
         return left, tuple(removed)
 
 
-def read_where(text: str, subject: Subject, targets: Sequence[Varied]) -> WhereCondition:
+def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> WhereCondition:
     """Read a condition.
 
     Raises
@@ -105,7 +105,7 @@ def _between_ands(text: str) -> list[tuple[int, int]]:
 
 
 def read_objective(
-    text: str, subject: Subject, targets: Sequence[Varied], option: str
+    text: str, subject: Subject, targets: Sequence[Varied] | Terms, option: str
 ) -> Objective:
     """Read what is to be small (`option` ``--min``) or large (``--max``).
 
@@ -118,7 +118,7 @@ def read_objective(
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(source: Excerpt, subject: Subject, targets: Sequence[Varied]) -> Expression:
+def _of_one(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms) -> Expression:
     """An expression, if it has one value for each variant."""
     expression = read_expression(source, subject, targets)
     if not expression.per:
