@@ -1,0 +1,187 @@
+"""Tables in CSV whose headings tell units: `speed [rpm],torque [N*m]`."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.errors import Problem, ReadError, nearest, quoted, spoken
+from vstatics.model.shape import Measure
+from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
+from vstatics.readers.named.si_units import UNIT_OF, measured
+from vstatics.readers.reading import Source
+
+MOST_TABLE_ROWS = 1_000_000
+"""Rows of a table; a day in tenths of a second has 864,000."""
+
+
+class TableColumn(NamedTuple):
+    """A column that a table may have."""
+
+    name: str
+    measure: Measure | None = None
+    """What its numbers are in SI; None: of numbers without a unit, or of texts."""
+    is_text: bool = False
+    optional: bool = False
+    may_be_bare: bool = False
+    """Whether a heading without a unit means the unit of SI."""
+
+    @property
+    def heading(self) -> str:
+        """As it may be written.
+
+        >>> TableColumn("speed", "si_speed").heading
+        'speed [rad/s]'
+        """
+        return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
+
+
+class UnitTable(NamedTuple):
+    """A table that was read: numbers in SI, and the line of each row."""
+
+    numbers: dict[str, list[float]]
+    texts: dict[str, list[str]]
+    lines: list[int]
+    source: Source
+    id: str
+    """Of what is wrong in it."""
+
+    def problem(self, row: int, message: str) -> Problem:
+        """What is wrong in a row, counted from 0."""
+        return Problem(self.id, message, (), self.source.place(self.lines[row]))
+
+
+def read_unit_table(
+    data: bytes,
+    file: str,
+    what: str,
+    columns: Sequence[TableColumn],
+    id: str,  # noqa: A002
+) -> UnitTable:
+    """Read a table.
+
+    Parameters
+    ----------
+    data : bytes
+        A line of headings, then a line for each row.
+    file : str
+        Its name, for messages.
+    what : str
+        What it is, in words: ``a duty cycle``.
+    columns : sequence of TableColumn
+        Those that it may have, in any order.
+    id : str
+        Of what is wrong in it.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> columns = [TableColumn("speed", "si_speed"), TableColumn("gear", is_text=True)]
+    >>> table = read_unit_table(b"gear,speed [rpm]\\n1,30\\nR,60", "a.csv", "a cycle", columns, "E120")
+    >>> table.numbers["speed"][0].__round__(6), table.texts["gear"]
+    (3.141593, ['1', 'R'])
+    """
+    source = decode(data, file, what).source
+    lines = [(number, line) for number, line in enumerate(source.lines, 1) if line.strip()]
+    if not lines:
+        raise ReadError([Problem(id, f"read nothing, expected {what}", (), source.place(1))])
+    problems: list[Problem] = []
+    (first, headings), *rows = lines
+    try:
+        found = _headings(_cells(headings), what, columns)
+    except ValueError as error:
+        raise ReadError([Problem(id, str(error), (), source.place(first))]) from None
+    if not rows:
+        message = f"there is no row below the headings, expected {what}"
+        problems.append(Problem(id, message, (), source.place(first)))
+    if len(rows) > MOST_TABLE_ROWS:
+        message = f"read {len(rows)} rows, expected {MOST_TABLE_ROWS} at most"
+        raise ReadError([Problem(id, message, (), source.place(first))])
+    table = UnitTable(
+        {one.name: [] for one, _ in found if not one.is_text},
+        {one.name: [] for one, _ in found if one.is_text},
+        [number for number, _ in rows],
+        source,
+        id,
+    )
+    for number, line in rows:
+        try:
+            _add(table, _cells(line), found)
+        except ValueError as error:
+            problems.append(Problem(id, str(error), (), source.place(number)))
+            if len(problems) >= MOST_PROBLEMS:
+                break
+    if problems:
+        raise ReadError(problems)
+    return table
+
+
+def _cells(line: str) -> list[str]:
+    try:
+        return [cell.strip() for cell in next(csv.reader([line]), [])]
+    except csv.Error as error:
+        raise ValueError(f"no CSV: {error}") from None
+
+
+def _headings(
+    cells: Sequence[str], what: str, columns: Sequence[TableColumn]
+) -> list[tuple[TableColumn, float]]:
+    """The columns in their order, each with the size of its unit in SI."""
+    by_name = {one.name: one for one in columns}
+    found: list[tuple[TableColumn, float]] = []
+    for cell in cells:
+        name, bracket, unit = (part.strip() for part in cell.partition("["))
+        known = by_name.get(name)
+        if known is None:
+            expected = spoken([quoted(one.heading) for one in columns], "or")
+            hint = nearest(name, by_name)
+            raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
+        if any(one is known for one, _ in found):
+            raise ValueError(f"two columns are called {quoted(name)}")
+        found.append((known, _size(known, unit.removesuffix("]").strip(), bool(bracket))))
+    names = [one.name for one, _ in found]
+    missing = [one.heading for one in columns if not one.optional and one.name not in names]
+    if missing:
+        raise ValueError(f"{spoken(map(quoted, missing))} is missing, expected {what}")
+    return found
+
+
+def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
+    """The unit of a column in SI."""
+    if column.measure is None:
+        if told:
+            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected none")
+        return 1.0
+    if not told and column.may_be_bare:
+        return 1.0
+    if not unit:
+        raise ValueError(f"{column.name}: its unit is missing, such as {quoted(column.heading)}")
+    try:
+        return measured(f"1 {unit}", column.measure)
+    except ValueError as error:
+        raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, {error}") from None
+
+
+def _add(
+    table: UnitTable, cells: Sequence[str], found: Sequence[tuple[TableColumn, float]]
+) -> None:
+    """Add a row; a ValueError says what of it can't be read."""
+    if len(cells) != len(found):
+        raise ValueError(f"read {len(cells)} cells, expected {len(found)}, as the headings")
+    for cell, (column, unit) in zip(cells, found, strict=True):
+        if column.is_text:
+            table.texts[column.name].append(cell)
+            continue
+        try:
+            number = float(cell) * unit if "_" not in cell else math.nan
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            raise ValueError(f"{column.name}: read {cell[:40]!r}, expected a number")
+        table.numbers[column.name].append(number)

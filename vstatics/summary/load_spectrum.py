@@ -1,0 +1,334 @@
+"""A duty cycle by points: gear, speed and torque of the input, each with its time or share.
+
+Energies of all ports and losses, and what each link, member and clutch carries over the cycle.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.parts import Load, OfLoad
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.statics.matrix import held_links
+from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
+
+EXPONENT = 3.0
+"""Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
+SAME_TORQUE = 1e-9
+"""A sum of torques that leaves this part of the largest is none. [-]"""
+
+
+class DutyPoints(NamedTuple):
+    """Points of a duty cycle; arrays of one length."""
+
+    gears: Integers
+    """Index of each point's gear."""
+    speeds: Floats
+    """Of the input. [rad/s]"""
+    torques: Floats
+    """Of the input. [N*m]"""
+    weights: Floats
+    """Durations [s], or shares of any sum."""
+    are_shares: bool = False
+
+
+class LargestValue(NamedTuple):
+    """The value that is largest without its sign, and the row that has it, from 1."""
+
+    largest: float
+    row: int
+
+
+class MemberLoad(NamedTuple):
+    """What a link, a member of a mechanism, or a shift element carries over a duty cycle."""
+
+    torque: LargestValue
+    """[N*m]; of a link the sum of the torques above 0 on it."""
+    speed: LargestValue
+    """[rpm]; of a member against the third link, of a shift element its slip."""
+    revolutions: float
+    """Of that speed; of shares in a second."""
+    equivalent_torque: float
+    """``(sum |T|^p n t / sum n t)^(1/p)`` with that speed n [N*m]; NaN where nothing turns."""
+
+
+class DutyEnergy(NamedTuple):
+    """Energies of a duty cycle [J]; of shares mean powers [W]."""
+
+    in_: float
+    out: float
+    lost: Mapping[str, float]
+    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+
+
+class Spectrum(NamedTuple):
+    """What a duty cycle by points does."""
+
+    energy: DutyEnergy
+    efficiency: float
+    members: Mapping[str, MemberLoad]
+
+
+def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
+    """Calculate a duty cycle by points.
+
+    Parameters
+    ----------
+    case : Transmission
+        Loads of its own do not count.
+    points : DutyPoints
+    exponent : float
+        Of the equivalent torque. [-]
+
+    Raises
+    ------
+    CaseError
+        If a point has no torques; the paths of problems are the indices of points.
+
+    Examples
+    --------
+    A pair of .9 and ratio 2 for 10 s at 100 rad/s and 20 N*m: 20 kJ, of which 2 are lost.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0, 0.9, name="pair")], [Gear()])
+    >>> one = np.ones(1)
+    >>> made = spectrum(case, DutyPoints(np.zeros(1, int), 100 * one, 20 * one, 10 * one))
+    >>> round(made.energy.in_, 6), round(made.energy.lost["pair"], 6), round(made.efficiency, 9)
+    (20000.0, 2000.0, 0.9)
+    >>> round(made.members["2"].torque.largest, 6), round(made.members["2"].revolutions, 3)
+    (36.0, 79.577)
+    """
+    loads = _Loads.of(case, points)
+    weights = points.weights / points.weights.sum() if points.are_shares else points.weights
+    losses, drags = loads.losses(), loads.drag_losses()
+    lost = {name: float(powers @ weights) for name, powers in (losses | drags).items()}
+    entering, leaving = (float(powers @ weights) for powers in loads.port_powers())
+    members = {
+        name: _member(torques, speeds, weights, exponent)
+        for name, (torques, speeds) in loads.members()
+    }
+    efficiency = leaving / entering if entering > 0 else math.nan
+    return Spectrum(DutyEnergy(entering, leaving, lost), efficiency, members)
+
+
+def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
+    """What one of them carries; torques [N*m], speeds [rad/s]."""
+    sizes = np.abs(torques)
+    turned = np.abs(speeds) * weights
+    whole = float(turned.sum())
+    top = float(np.nanmax(sizes, initial=0.0))
+    with np.errstate(all="ignore"):
+        mean = float(((sizes / top) ** exponent) @ turned / whole) if top and whole else math.nan
+    if top == 0 and whole:
+        mean = 0.0
+    return MemberLoad(
+        _largest(torques),
+        _largest(speeds * 30 / math.pi),
+        whole / (2 * math.pi),
+        top * mean ** (1 / exponent),
+    )
+
+
+def _largest(values: Floats) -> LargestValue:
+    if np.isnan(values).all():
+        return LargestValue(math.nan, 0)
+    row = int(np.nanargmax(np.abs(values)))
+    return LargestValue(float(values[row]) + 0.0, row + 1)
+
+
+class _Loads(NamedTuple):
+    """The results of all points, each in its gear; arrays of shape (points, ...)."""
+
+    case: Transmission
+    points: DutyPoints
+    results: Results
+
+    @classmethod
+    def of(cls, case: Transmission, points: DutyPoints) -> _Loads:
+        """Solve all points in all gears that have any."""
+        gears = [gear._replace(load=None) for gear in case.gears]
+        bare = replace(case, gears=gears, load=Load(1000.0, 1.0))
+        vary = {"load.speed": points.speeds, "load.torque": points.torques}
+        made = cls(bare, points, solve(bare, vary=vary))
+        lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
+        problems = [
+            Problem("E421", made.reason(row), (row,)) for row in np.flatnonzero(lacking).tolist()
+        ]
+        if problems:
+            raise CaseError(problems)
+        return made
+
+    def reason(self, row: int) -> str:
+        """Why a point has no torques."""
+        gear = self.case.gears[int(self.points.gears[row])].name
+        return f"gear {gear} has no torques with losses at this speed and torque"
+
+    def taken(self, array: Floats) -> Floats:
+        """An array of results by point, in the gear of each."""
+        return array[np.arange(len(self.points.gears)), self.points.gears]
+
+    def losses(self) -> dict[str, Floats]:
+        """By mechanism or element: power lost at each point [W]."""
+        powers = 1e3 * self.taken(self.results.losses_kW)
+        names = [device.name for device in self.case.own_devices]
+        return {name: np.nan_to_num(column) for name, column in zip(names, powers.T, strict=True)}
+
+    def port_powers(self) -> tuple[Floats, Floats]:
+        """What enters by all ports, and what leaves [W]."""
+        results = self.results
+        both = results.input_power_kW, results.output_power_kW
+        entering, leaving = (1e3 * self.taken(powers) for powers in both)
+        return entering, leaving
+
+    @property
+    def speeds(self) -> Floats:
+        """(points, links), the housing first [rad/s]."""
+        own = self.taken(self.results.speeds_rpm) * math.pi / 30
+        return np.concatenate([np.zeros((len(own), 1)), own], axis=1)
+
+    def elements(self) -> Iterator[tuple[str, Floats, Floats]]:
+        """Of each shift element: torque on its first link [N*m], slip [rad/s]."""
+        torques = self.taken(self.results.lossy_torques_Nm)
+        slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
+        for place, element in enumerate(self.case.shift_elements):
+            yield element.name, torques[:, place], slips[:, place]
+
+    def member_torques(self) -> dict[tuple[int, str], Floats]:
+        """Device and member -> torque that its link gives to it [N*m]."""
+        torques = self.taken(self.results.lossy_torques_Nm)
+        first = len(self.case.shift_elements)
+        places = [
+            (number, member.name)
+            for number, device in enumerate(self.case.own_devices)
+            for member in device.members
+        ]
+        if self.case.drawing is not None:
+            return {place: torques[:, first + n] for n, place in enumerate(places)}
+        found = {}
+        for number, mechanism in enumerate(self.case.mechanisms):
+            on_first = torques[:, first + number]
+            factor = self._loss_factor(number, on_first)
+            second = -mechanism.ratio * factor * on_first
+            by_name = {"first": on_first, "second": second, "third": -on_first - second}
+            for device, name in places:
+                if device == number:
+                    found[device, name] = by_name[name]
+        return found
+
+    def _loss_factor(self, number: int, on_first: Floats) -> Floats:
+        """``n**x`` of a mechanism, from what it loses of the power by its first link; else 1."""
+        mechanism, speeds = self.case.mechanisms[number], self.speeds
+        power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
+        lost = list(self.losses().values())[number]
+        with np.errstate(all="ignore"):
+            factor = np.where(np.abs(lost) > 0, 1 - lost / power, 1.0)
+        return np.where(np.isfinite(factor), factor, 1.0)
+
+    def link_torques(self) -> tuple[dict[int, list[Floats]], dict[int, Floats]]:
+        """Link -> torques on it by devices and from outside, and link -> its own drag [N*m]."""
+        case, results, count = self.case, self.results, len(self.points.gears)
+        found: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
+        for place, (_, torque, _) in enumerate(self.elements()):
+            element = case.shift_elements[place]
+            found[element.first].append(-torque)
+            found[element.second].append(torque)
+        for (device, name), torque in self.member_torques().items():
+            links = {one.name: one.link for one in case.own_devices[device].members}
+            found[links[name]].append(-torque)
+        torques = self.taken(results.lossy_torques_Nm)
+        for place, spring in enumerate(case.springs, torques.shape[1] - 1 - len(case.springs)):
+            for link, part in spring.form.items():
+                found[link].append(-part * torques[:, place])
+        held = np.nan_to_num(self.taken(results.lossy_holding_torques_Nm))
+        for index, gear in enumerate(case.gears):
+            here = self.points.gears == index
+            unit = np.where(here, self.points.torques, 0.0)
+            found[case.gear_input(gear)].append(unit)
+            found[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
+            for link, torque in gear.torques.items():
+                given = (
+                    np.where(here, torque.given, 0.0)
+                    if isinstance(torque, OfLoad)
+                    else torque * unit
+                )
+                found[link].append(given)
+            for link in held_links(case, gear):
+                found[link].append(np.where(here, held[:, link - 1], 0.0))
+        drags = {}
+        for link in range(1, case.own_links + 1):
+            known = [np.nan_to_num(one) for one in found[link]] or [np.zeros(count)]
+            left = -np.sum(known, axis=0)
+            size = np.max(np.abs(known), axis=0)
+            drags[link] = np.where(np.abs(left) > SAME_TORQUE * size, left, 0.0)
+            found[link] = [*known, drags[link]]
+        return found, drags
+
+    def drag_losses(self) -> dict[str, Floats]:
+        """By ``drag.NAME``: power that links and open elements with drag take [W]."""
+        _, drags = self.link_torques()
+        has = {link for gear in self.case.gears for link in gear.drag}
+        found = {
+            f"drag.{self.case.link_name(link)}": np.abs(drags[link] * self.speeds[:, link])
+            for link in sorted(has)
+        }
+        holds = self.taken(self.results.holds)
+        for place, (name, torque, slip) in enumerate(self.elements()):
+            powers = np.where(holds[:, place], 0.0, np.abs(np.nan_to_num(torque * slip)))
+            if powers.any():
+                found[f"drag.{name}"] = powers
+        return found
+
+    def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
+        """Names with torques [N*m] and speeds [rad/s]: links, members, shift elements."""
+        case, speeds = self.case, self.speeds
+        found, _ = self.link_torques()
+        for link in range(1, case.own_links + 1):
+            through = np.sum([np.maximum(one, 0.0) for one in found[link]], axis=0)
+            yield case.link_name(link), (through, speeds[:, link])
+        torques: dict[tuple[int, str], Any] = self.member_torques()
+        for number, device in enumerate(case.own_devices):
+            third = case.mechanisms[device.mechanisms[0]].third
+            for member in device.members:
+                relative = speeds[:, member.link] - speeds[:, third]
+                yield f"{device.name}.{member.name}", (torques[number, member.name], relative)
+        for name, torque, slip in self.elements():
+            yield name, (torque, slip)
+
+
+def points_of(
+    case: Transmission, gears: Sequence[str], numbers: Mapping[str, Sequence[float]]
+) -> DutyPoints:
+    """The points of columns by name: speed, torque, and time or share.
+
+    Raises
+    ------
+    CaseError
+        If a gear is none of the case, or a duration is below 0.
+    """
+    names = [gear.name for gear in case.gears]
+    problems = [
+        Problem("E416", f"there is no gear {gear!r} in the case", (row,))
+        for row, gear in enumerate(gears)
+        if gear not in names
+    ]
+    kind = "share" if "share" in numbers else "time"
+    problems += [
+        Problem("E422", f"{kind}: read {value:g}, expected 0 or more", (row,))
+        for row, value in enumerate(numbers[kind])
+        if value < 0
+    ]
+    if not problems and not sum(numbers[kind]) > 0:
+        problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]
+    if problems:
+        raise CaseError(problems)
+    speeds, torques, weights = (np.array(numbers[one]) for one in ("speed", "torque", kind))
+    indices = np.array([names.index(gear) for gear in gears])
+    return DutyPoints(indices, speeds, torques, weights, kind == "share")
