@@ -165,7 +165,7 @@ def _can_hold(state: GearState, number: int) -> bool:
     torques, columns = ideal.torques_with_drag, ideal.variant.columns
     if not is_nan(lossy.torques.on_first_link[number - 1]):
         torques, columns = lossy.torques, matrix.columns(state.case, state.lossy_ratios)
-    turns = ideal.variant.direction * input_direction(state.case, state.gear)
+    turns = ideal.direction * input_direction(state.case, state.gear)
     pull = sign(torques.on_first_link[number - 1]) * turns
     return bool(pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number)))
 

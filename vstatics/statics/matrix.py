@@ -251,11 +251,6 @@ class Variant(NamedTuple):
     columns: Sequence[Column]
     """Of the structural-distribution matrix, without losses."""
 
-    @property
-    def direction(self) -> int:
-        """+1, or -1 when coasting: all flows turn."""
-        return -1 if self.case.coast else 1
-
 
 def variant_of(
     case: Transmission,

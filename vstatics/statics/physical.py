@@ -40,9 +40,7 @@ def scales(case: Transmission) -> dict[str, Floats]:
     """
     loads = [case.gear_load(gear) for gear in case.gears]
     rpm = np.array([math.nan if load.speed is None else float(load.speed) for load in loads])
-    torque = np.array([float(load.torque_unit) or math.nan for load in loads])
-    if case.coast:
-        torque = -torque
+    torque = np.array([float(case.torque_unit(gear)) or math.nan for gear in case.gears])
     with np.errstate(over="ignore"):
         return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
 

@@ -79,12 +79,9 @@ def solve(
         advice = "vstatics.load reads a file" if isinstance(case, str | PathLike) else ""
         read = f"solve of {type_and_value(case)}: expected a Transmission"
         raise TypeError("; ".join(filter(None, [read, advice])))
-    if coast not in (None, case.coast) or idle not in (None, case.idle):
-        case = replace(
-            case,
-            coast=case.coast if coast is None else coast,
-            idle=case.idle if idle is None else idle,
-        )
+    case = case.with_coast(coast)
+    if idle not in (None, case.idle):
+        case = replace(case, idle=idle)
     axes, u, eta = _variants(case, ratios, efficiencies)
     if axes == () and (u is not None or eta is not None):
         case = _with_numbers(case, u, eta)

@@ -132,7 +132,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
     Gear: frozenset({"name", "load"}),
 }
-"""Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
+"""Fields that no result depends on; a drawing acts through its devices, a load by its signs."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -170,7 +170,7 @@ def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)
-    return (*own, *ends, turned, *_loads(case, gear))
+    return (*own, *ends, turned, case.coasts(gear), *_loads(case, gear))
 
 
 def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:

@@ -143,6 +143,6 @@ def _margin(
 def _loads(results: Results) -> Floats:
     """The unit of torque of each gear by that of the case; 1 where one of them is not told."""
     case = results.case
-    common = 0.0 if case.load is None else case.load.torque_unit
-    own = (case.gear_load(gear).torque_unit for gear in case.gears)
+    common = 0.0 if case.load is None else case.load.torque_size
+    own = (case.gear_load(gear).torque_size for gear in case.gears)
     return np.array([abs(torque / common) if torque and common else 1.0 for torque in own])
