@@ -13,10 +13,10 @@ import pytest
 from tests.commands import vstatics
 from tests.summary.capacities import CASE, case
 from tests.summary.gearboxes import assert_largest, differential, summary_of
-from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.readers.named.reader import read_json, read_yaml
 from vstatics.summary import summarize
-from vstatics.summary.extremes import margins
+from vstatics.summary.extremes import margins, needed_capacities
 from vstatics.writers import deck, named
 
 
@@ -145,3 +145,13 @@ def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed(tmp_path: P
     said = vstatics("summary", file).out
     assert re.search(r"^R\.short +-$", said, re.MULTILINE)
     assert re.search(r"^R\.long +1\.077  1$", said, re.MULTILINE)
+
+
+def test_needed_capacities_are_the_largest_torques_with_the_reserve() -> None:
+    """Ring held: -u of the input, 250 N*m of 100."""
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    gears = [Gear([2], name="low"), Gear([1])]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], gears, load=Load(torque=-100.0))
+    _, brake = needed_capacities(solve(case), 1.2)
+    assert (brake.element, brake.gear) == ("B", "low")
+    assert (brake.capacity, brake.capacity_Nm) == pytest.approx((3.0, 300.0))

@@ -8,7 +8,7 @@ import pytest
 from tests.commands import CASES
 from tests.summary.gearboxes import differential
 from vstatics import Gear, Mechanism, Transmission, load, solve
-from vstatics.summary.sensitivity import sensitivities
+from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 
 
 @pytest.mark.parametrize("u", [-4.0, -2.5, -0.3, 0.4, 3.0])
@@ -45,3 +45,21 @@ def test_a_further_torque_changes_no_sensitivity() -> None:
     loaded = [gear._replace(torques={2: 0.7}) for gear in case.gears]
     other = Transmission(3, case.shift_elements, case.mechanisms, loaded)
     assert sensitivities(solve(other)) == pytest.approx(sensitivities(solve(case)))
+
+
+@pytest.mark.parametrize("u", [-4.0, -2.5, -0.3])
+@pytest.mark.parametrize("n", [1.0, 0.96, 0.5])
+def test_efficiency_of_a_set_answers_to_its_own_in_closed_form(u: float, n: float) -> None:
+    """``ETA = (1 - u n)/(1 - u)`` with the ring held, so it is ``-u n/(1 - u n)``."""
+    case = differential(u)
+    case = case.replace(mechanisms=[case.mechanisms[0]._replace(efficiency=n)])
+    low, direct = efficiency_sensitivities(solve(case))
+    assert low == pytest.approx(-u * n / (1 - u * n), rel=1e-9)
+    assert direct == 0
+
+
+def test_the_efficiency_of_pairs_in_a_row_is_their_product() -> None:
+    pairs = [Mechanism(1, 2, 0, -2.0, 0.9), Mechanism(2, 3, 0, -3.0, 0.97)]
+    case = Transmission(3, [], pairs, [Gear()])
+    for coast in (False, True):
+        np.testing.assert_allclose(efficiency_sensitivities(solve(case, coast=coast)), [[1, 1]])

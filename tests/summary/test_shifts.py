@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from tests.summary.gearboxes import differential, summary_of
-from vstatics import Mechanism, Transmission, solve
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.summary import Summary, summarize
+from vstatics.summary.shifts import transitions
 
 
 def test_each_shift_of_the_8hp_changes_one_element(zf: Summary) -> None:
@@ -57,3 +60,19 @@ def test_gears_are_neighbours_by_ratio_and_not_by_place() -> None:
     made = summarize(solve(turned))
     assert made.design.forward == ["low", "direct"]
     assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
+
+
+def test_slip_power_is_the_torque_after_by_the_slip_before() -> None:
+    """Ring held: -u n on the brake, slip 1 of the clutch; direct: u/(u - 1) on it, slip 1."""
+    u, n = -2.5, 0.96
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+        [Mechanism(1, 2, 3, u, n)],
+        [Gear([2]), Gear([1])],
+        load=Load(1000.0, 100.0),
+    )
+    [shift] = transitions(solve(case))
+    assert shift.slip_power == pytest.approx({"C": u / (u - 1), "B": -u * n})
+    power = 100 * 1000 * math.pi / 30 / 1000
+    assert shift.slip_power_kW == pytest.approx({k: v * power for k, v in shift.slip_power.items()})

@@ -64,6 +64,12 @@ def _torque(text: str) -> float:
     help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
 )
 @click.option(
+    "--reserve",
+    type=click.FloatRange(min=0, min_open=True, max=1e6),
+    metavar="FACTOR",
+    help="Capacities that shift elements need: the largest torque by so much, 1.2.",
+)
+@click.option(
     "--box",
     "boxes",
     multiple=True,
@@ -79,6 +85,7 @@ def summary(
     at_most: int,
     duty: str | None,
     output_torque: float | None,
+    reserve: float | None,
     boxes: tuple[int, ...],
     settings: CaseOptions,
 ) -> int:
@@ -117,6 +124,7 @@ def summary(
         at_most=at_most if combinations else None,
         duty=cycle,
         output_torque=output_torque or 0.0,
+        reserve=reserve,
     )
     listed = listing_in(cases[0]) if len(cases) == 1 else None
     if listed:
@@ -184,12 +192,13 @@ def _summarized(
     at_most: int | None,
     duty: DutyFile | None,
     output_torque: float,
+    reserve: float | None,
 ) -> Summary:
     """The summary of a case; too many combinations are a problem of its file."""
     from vstatics.summary import summarize
 
     with files.problems_of_file(outcome.file, "; see --at-most"):
-        summary = summarize(results, at_most=at_most, output_torque=output_torque)
+        summary = summarize(results, at_most=at_most, output_torque=output_torque, reserve=reserve)
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 

@@ -27,9 +27,9 @@ from vstatics.numerics.arrays import Floats
 from vstatics.statics.results import Results, expect_results
 from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
-from vstatics.summary.extremes import Largest, Margin, largest, margins
+from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
 from vstatics.summary.inertia import GearInertia, reduced_inertias
-from vstatics.summary.sensitivity import sensitivities
+from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.summary.shifts import Transition, transitions
 from vstatics.summary.unused_sets import Combination, combinations
 
@@ -46,6 +46,8 @@ class Summary(NamedTuple):
     """By the name of the table that they are the largest values of."""
     sensitivities: Floats
     """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+    efficiency_sensitivities: Floats
+    """(gears, mechanisms), ``(n/ETA) dETA/dn``. [-]"""
     margins: Sequence[Margin]
     """Of the shift elements that have a capacity."""
     combinations: Sequence[Combination] | None = None
@@ -54,10 +56,16 @@ class Summary(NamedTuple):
     """If there is a duty cycle."""
     inertias: Sequence[GearInertia] = ()
     """If anything has an inertia."""
+    needed: Sequence[Needed] = ()
+    """What shift elements must carry, if a reserve is asked for."""
 
 
 def summarize(
-    results: Results, *, at_most: int | None = None, output_torque: float = 0.0
+    results: Results,
+    *,
+    at_most: int | None = None,
+    output_torque: float = 0.0,
+    reserve: float | None = None,
 ) -> Summary:
     """The summary of a case.
 
@@ -69,6 +77,8 @@ def summarize(
         So many further combinations of shift elements may be tried; none when not given.
     output_torque : float
         Outside torque on the output, for accelerations; below 0 it resists. [N*m]
+    reserve : float, optional
+        By so much capacities shall be above the largest torques. [-]
 
     Raises
     ------
@@ -82,7 +92,9 @@ def summarize(
         transitions(results),
         largest(results),
         sensitivities(results),
+        efficiency_sensitivities(results),
         margins(results),
         None if at_most is None else combinations(results, at_most),
         inertias=reduced_inertias(results, output_torque),
+        needed=() if reserve is None else needed_capacities(results, reserve),
     )

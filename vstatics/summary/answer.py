@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.summary import Summary
 from vstatics.summary.design_table import Design
 from vstatics.summary.duty import Cycle
-from vstatics.summary.extremes import Largest, Margin
+from vstatics.summary.extremes import Largest, Margin, Needed
 from vstatics.summary.inertia import GearInertia
 from vstatics.summary.shifts import Transition
 from vstatics.summary.unused_sets import Combination
@@ -26,7 +26,9 @@ class SummaryAnswer(NamedTuple):
     ports: Sequence[PortTable]
     largest: Mapping[str, Sequence[Largest]]
     sensitivity: Mapping[str, Sequence[float]]
+    efficiency_sensitivity: Mapping[str, Sequence[float]]
     margins: Sometimes[Sequence[Margin]]
+    needed_capacity: Sometimes[Sequence[Needed]]
     inertia: Sometimes[Sequence[GearInertia]]
     duty: Sometimes[Cycle]
     combinations: Sometimes[Sequence[Combination]]
@@ -43,7 +45,9 @@ def summary_answer(summary: Summary) -> SummaryAnswer:
         port_tables(summary.results),
         summary.largest,
         dict(zip(names, summary.sensitivities.T.tolist(), strict=True)),
+        dict(zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)),
         summary.margins or None,
+        summary.needed or None,
         summary.inertias or None,
         summary.cycle,
         summary.combinations,

@@ -115,16 +115,58 @@ def margins(results: Results) -> list[Margin]:
     [Margin(element='B', capacity=4.0, by_gear=[1.6, nan], least=1.6, gear='low')]
     """
     case = results.case
-    count = len(case.shift_elements)
-    names = "torques", "lossy_torques"
-    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
-    torques = np.fmax(*both) * _loads(results)[:, np.newaxis]
-    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
+    torques, carrying = _carried(results)
     return [
         _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
         for number, element in enumerate(case.shift_elements)
         if element.capacity  # one with a unit, without a load, is 0 of it
     ]
+
+
+class Needed(NamedTuple):
+    """What a shift element must be able to carry."""
+
+    element: str
+    capacity: float
+    """Its largest torque with the reserve, relative to the input torque of the case. [-]"""
+    gear: str
+    """The first gear with the largest torque; empty if it carries nothing."""
+    capacity_Nm: float  # noqa: N815
+    """The same with the load of the case [N*m]; NaN without one."""
+
+
+def needed_capacities(results: Results, reserve: float) -> list[Needed]:
+    """The largest torque of each shift element, times a reserve; torques as of `margins`.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2], name="low"), Gear([1])])
+    >>> needed_capacities(solve(case), 1.2)[1]
+    Needed(element='B', capacity=3.0, gear='low', capacity_Nm=nan)
+    """
+    case = results.case
+    torques, carrying = _carried(results)
+    sizes = np.where(carrying, torques, 0.0)
+    unit = abs(case.load.torque_unit) if case.load and case.load.torque_unit else math.nan
+    found = []
+    for element, column in zip(case.shift_elements, sizes.T, strict=True):
+        top = float(column.max(initial=0.0))
+        first = int(np.argmax(column >= top * (1 - SAME_RATIO)))
+        gear = case.gears[first].name if top > 0 else ""
+        found.append(Needed(element.name, top * reserve, gear, top * reserve * unit))
+    return found
+
+
+def _carried(results: Results) -> tuple[Floats, Booleans]:
+    """(gears, shift elements): torques by the case's input torque, and whether there are any."""
+    count = len(results.case.shift_elements)
+    names = "torques", "lossy_torques"
+    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
+    torques = np.fmax(*both) * _loads(results)[:, np.newaxis]
+    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
+    return torques, carrying
 
 
 def _margin(

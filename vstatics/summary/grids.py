@@ -35,12 +35,15 @@ def grids(summary: Summary) -> Iterator[Grid]:
         _design(summary),
         _spread(summary),
         _transitions(summary),
+        _slip_powers(summary),
         ports_grid(port_tables(summary.results)),
         *_largest(summary),
         *_margins(summary),
+        _needed(summary),
         _duty(summary),
         _inertias(summary),
         _sensitivities(summary),
+        _efficiency_sensitivities(summary),
     )
     yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
@@ -80,6 +83,21 @@ def _transitions(summary: Summary) -> Grid:
     ]
     headings = "from", "to", "jumps", "kind", "released", "engaged"
     return grid_of("Transitions", headings, rows, key="transitions")
+
+
+def _slip_powers(summary: Summary) -> Grid:
+    """Of the shifts that jump no gear, and of elements that have any."""
+    shifts = [one for one in summary.transitions if not one.jumped]
+    loaded = any(math.isfinite(power) for one in shifts for power in one.slip_power_kW.values())
+    rows = [
+        (one.start, one.end, name, "up" if name in one.engaged else "down", exact(power, 3))
+        for one in shifts
+        for name, power in (one.slip_power_kW if loaded else one.slip_power).items()
+        if power > 0
+    ]
+    headings = "from", "to", "element", "shift", headed("power", "kW" if loaded else "")
+    title = "Slip power where an element closes: its torque after, its slip before"
+    return grid_of(title, headings, rows, key="slip power")
 
 
 def _largest(summary: Summary) -> Iterator[Grid]:
@@ -128,6 +146,13 @@ def _sensitivities(summary: Summary) -> Grid:
     return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
 
 
+def _efficiency_sensitivities(summary: Summary) -> Grid:
+    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
+    by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
+    title = "Sensitivity (n/ETA) dETA/dn of efficiencies ETA to each efficiency n"
+    return _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
+
+
 def _by_gear(
     summary: Summary,
     title: str,
@@ -166,6 +191,17 @@ def _margins(summary: Summary) -> Iterator[Grid]:
     yield grid_of("Least margin, capacity by torque", headings, rows, key="margins")
     by_element = [(one.element, one.by_gear) for one in summary.margins]
     yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
+
+
+def _needed(summary: Summary) -> Grid:
+    loaded = any(math.isfinite(one.capacity_Nm) for one in summary.needed)
+    unit, decimals = ("Nm", UNITS["Nm"].decimals) if loaded else ("", 3)
+    rows = [
+        (one.element, exact(one.capacity_Nm if loaded else one.capacity, decimals), one.gear)
+        for one in summary.needed
+    ]
+    headings = "element", headed("capacity", unit), "gear"
+    return grid_of("Needed capacity, with the reserve", headings, rows, key="needed capacity")
 
 
 def _duty(summary: Summary) -> Grid:

@@ -1,4 +1,4 @@
-"""How much the ratio of each gear changes with the internal ratio of each mechanism."""
+"""How much ratio and efficiency of each gear change with those of each mechanism."""
 
 from __future__ import annotations
 
@@ -57,3 +57,44 @@ def sensitivities(results: Results) -> Floats:
     idle &= np.isfinite(alone.ratio)[:, np.newaxis]
     relative = np.where(idle, 0.0, relative)
     return np.where(np.isfinite(relative), relative + 0.0, np.nan)
+
+
+EFFICIENCY_DIFFERENCE = 1e-3
+"""Of an efficiency, as a part of it: differences of fourth order then have ten digits."""
+NO_DIFFERENCE = 1e-10
+"""What is less is rounding of the differences. [-]"""
+BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
+"""The first derivative by numbers at 0, -1, -2, -3, -4 differences (Fornberg 1988, table 3)."""
+
+
+def efficiency_sensitivities(results: Results) -> Floats:
+    """By how many per cent the efficiency of a gear changes by one per cent of a mechanism's.
+
+    Differences to lower efficiencies, as none is above 1. The results are of one case.
+
+    Returns
+    -------
+    ndarray, shape (gears, mechanisms)
+        ``(n/ETA) dETA/dn``; NaN where a gear has no efficiency. [-]
+
+    Examples
+    --------
+    In a set whose ring is held the part ``-u n/(1 - u n)`` of the power goes through the teeth.
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1])])
+    >>> efficiency_sensitivities(solve(case)).round(9), round(2.4 / 3.4, 9)
+    (array([[0.70588235]]), 0.705882353)
+    """
+    case = results.case
+    own = np.array([one.efficiency for one in case.mechanisms])
+    count, steps = len(own), len(BACKWARD)
+    efficiencies = np.tile(own, (count, steps, 1))
+    lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)
+    efficiencies[range(count), :, range(count)] = own[:, np.newaxis] * lower
+    found = solve(case, efficiencies=efficiencies).efficiency  # (mechanisms, steps, gears)
+    slopes = np.tensordot(found, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE
+    with np.errstate(all="ignore"):
+        relative: Floats = (slopes / results.efficiency).T
+    relative[np.abs(relative) < NO_DIFFERENCE] = 0.0
+    return np.where(np.isfinite(relative), relative, np.nan)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
+from vstatics.statics.physical import gear_scales
 from vstatics.statics.results import Results
 from vstatics.summary.design_table import ranges
 from vstatics.tables.answer import told
@@ -12,7 +15,10 @@ from vstatics.tables.answer import told
 WORDS = ("none", "single", "double", "triple")
 
 
-@told("start", "end", "jumped", "released", "engaged", "changes", kind="word")
+@told(
+    *("start", "end", "jumped", "released", "engaged", "changes", "slip_power", "slip_power_kW"),
+    kind="word",
+)
 class Transition(NamedTuple):
     """A shift from one gear to another, upward; downward the two lists change places."""
 
@@ -22,6 +28,11 @@ class Transition(NamedTuple):
     """The gear between the two, if one is jumped."""
     released: Sequence[str]
     engaged: Sequence[str]
+    slip_power: Mapping[str, float]
+    """Of each element that is engaged upward, its torque after by its slip before, and of those
+    released, which engage downward, the other way; by the input power. [-]"""
+    slip_power_kW: Mapping[str, float]  # noqa: N815
+    """The same with the load before the shift, NaN without one [kW]."""
 
     @property
     def changes(self) -> int:
@@ -32,7 +43,7 @@ class Transition(NamedTuple):
     def word(self) -> str:
         """Of a single transition one element goes out and one in, of a double one two.
 
-        >>> Transition("1", "2", "", ["A", "B"], ["C"]).word
+        >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'
         """
         return WORDS[self.changes] if self.changes < len(WORDS) else f"{self.changes} at once"
@@ -75,4 +86,22 @@ def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[T
             case.gears[indices[place + 1]].name if distance == 2 else "",
             [name for name, was, holds in states if was and not holds],
             [name for name, was, holds in states if holds and not was],
+            *_slip_powers(results, start, end),
         )
+
+
+def _slip_powers(
+    results: Results, start: int, end: int
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Of the elements that change: by the input power, and in kW."""
+    case = results.case
+    count = len(case.shift_elements)
+    torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])
+    slips, unit = np.abs(results.slip_speeds), abs(gear_scales(case)[start]["kW"])
+    found = {}
+    for place, element in enumerate(case.shift_elements):
+        was, holds = results.holds[start, place], results.holds[end, place]
+        if was != holds:
+            closed, open_ = (end, start) if holds else (start, end)
+            found[element.name] = float(torques[closed, place] * slips[open_, place])
+    return found, {name: power * unit for name, power in found.items()}
