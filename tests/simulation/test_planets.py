@@ -93,3 +93,15 @@ def test_planets_as_links_have_the_same_torques(kind: str, held: str) -> None:
         wheel = names.get(name, name).partition("-")[0]
         expected = meshes.torques[-1, wheels[wheel]]
         assert own.torques[-1, place] == pytest.approx(expected, rel=1e-9, abs=1e-7)
+
+
+def test_planets_of_a_group_are_sped_up_by_the_wheel_that_they_mesh_with() -> None:
+    """Sun 28 on rim 14, ring 70 on rim 28: ``M = T - J dw/dt`` of the sun, as above."""
+    case = loads(
+        "links: [a, b, c]\noutput: c\ninertias: {a: 0.02, b: 0.4, c: 2}\nelements:\n"
+        "  G: {kind: planet_group, carrier: c, planets: 3, rims: {x: {A: 14, B: 28}},\n"
+        "      suns: [{link: a, teeth: 28, rim: A}], rings: [{link: b, teeth: 70, rim: B}],\n"
+        "      planet: {x: {inertia: 0.3, mass: 2, radius: 0.1}}}\n"
+    )
+    motion = speed_up(case, {"a": 50.0, "c": -20.0})
+    assert motion.torques[-1, 0] == pytest.approx(50 - 0.02 * motion.speeds[-1, 0], rel=1e-9)

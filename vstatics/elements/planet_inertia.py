@@ -58,21 +58,22 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
         for planet, one in element.planet_masses.items():
             name, count = f"{element.name}.{planet}", element.planets or 0
             if one.inertia:
-                wheel, ratio = _by_wheel(element, planet)
+                wheel, link, ratio = _by_wheel(element, planet)
                 carried = 1 if isinstance(element.shape, Planetary) else 0
-                spin = {element.link(wheel): ratio, carrier: carried - ratio}.items()
+                spin = {link: ratio, carrier: carried - ratio}.items()
                 speed = {link: float(part) for link, part in spin if link != HOUSING}
                 yield PlanetInertia(name, count * one.inertia, speed, wheel, float(ratio))
             if one.mass and carrier != HOUSING:
                 yield PlanetInertia(name, count * one.mass * one.radius**2, {carrier: 1.0})
 
 
-def _by_wheel(element: Element, planet: str) -> tuple[str, Fraction]:
-    """A wheel, and the speed of a planet by that of it, both against the carrier (Willis)."""
+def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
+    """A wheel, its link, and the speed of a planet by that of it, both against the carrier (Willis)."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
-        return first, Fraction(element.teeth[first]) / Fraction(element.teeth[planet])
+        ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])
+        return first, element.link(first), ratio
     group = group_of(element)
     train = next(train for train in group.trains if planet in train)
     wheel = group.wheels_of(train)[0]
-    return wheel.member, train[planet] / group.relative(wheel, train)
+    return wheel.member, wheel.link, train[planet] / group.relative(wheel, train)
