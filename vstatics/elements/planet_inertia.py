@@ -68,7 +68,7 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """A wheel, its link, and the speed of a planet by that of it, both against the carrier (Willis)."""
+    """A wheel, its link, and a planet by it, both against the carrier (Willis)."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])
