@@ -17,4 +17,4 @@ def test_tables_are_80_columns_wide_with_many_gears() -> None:
     said = vstatics("summary", CASES / "ford-10r80.yaml")
     assert said.status == 0
     assert max(map(len, said.out.splitlines())) <= 80
-    assert said.out.count("mechanism ") == 2
+    assert said.out.count("mechanism ") == 4

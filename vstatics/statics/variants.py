@@ -279,7 +279,11 @@ def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
 
 
 def _function(
-    case: Transmission, gear: Gear, fixed: Sequence[float | None], names: Sequence[str], own: _OwnNumbers
+    case: Transmission,
+    gear: Gear,
+    fixed: Sequence[float | None],
+    names: Sequence[str],
+    own: _OwnNumbers,
 ) -> Function:
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)

@@ -149,7 +149,7 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     case = results.case
     torques, carrying = _carried(results)
     sizes = np.where(carrying, torques, 0.0)
-    unit = abs(case.load.torque_unit) if case.load and case.load.torque_unit else math.nan
+    unit = (case.load and case.load.torque_size) or math.nan
     found = []
     for element, column in zip(case.shift_elements, sizes.T, strict=True):
         top = float(column.max(initial=0.0))
