@@ -105,7 +105,7 @@ def test_what_is_given_in_place_of_something_else_is_told(call: Any, said: str) 
 def test_a_case_is_replaced_in_part() -> None:
     case = Transmission.from_dict(PAIR)
     assert case.replace(load=Load(2000, 300)).load == Load(2000, 300)
-    assert case.replace(coast=True).replace(coast=False) == case
+    assert case.replace(coast=True).replace(coast=None) == case
     with pytest.raises(vstatics.CaseError):
         case.replace(output=7)
 

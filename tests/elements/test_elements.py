@@ -120,11 +120,6 @@ FAULTS = {
     "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
     "a unit": ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
     "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
-    "a load that leaves": (
-        "input: sun",
-        "load: {speed: -9 rpm, torque: 3 N*m}\ninput: sun",
-        "read 3 N*m at -9 rpm, so power would leave at the input",
-    ),
     "negative drag": (
         "input: sun",
         "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",

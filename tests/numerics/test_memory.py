@@ -27,7 +27,7 @@ CASE = Transmission(
     [Mechanism(1, 2, 3, -2.5, 0.96)],
     [Gear([1]), Gear([2])],
 )
-ARRAYS = [name for name in Results._fields if name not in ("case", "messages")]
+ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
 
 
 @pytest.fixture(autouse=True)

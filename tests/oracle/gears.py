@@ -179,7 +179,7 @@ def _lossy(flow: Flow, trial: Trial) -> dict[str, object]:
     return {
         "lossy_torques": _listed(trial.torques),
         "lossy_holding_torques": _holding(trial.torques),
-        "efficiency": trial.eta,
+        "efficiency": flow.told_eta(trial.torques),
         "losses": trial.losses,
         "power_balance": balance(flow, trial),
     }
@@ -212,7 +212,7 @@ def _guessed(flow: Flow) -> OracleGear:
         lossy_holding_torques={
             link: _agreed([one[link] for one in holding]) for link in flow.ideal.holding
         },
-        efficiency=same(lambda i: guesses[i].eta),
+        efficiency=same(lambda i: flow.told_eta(guesses[i].torques)),
         losses=each([trial.losses for trial in guesses]),
     )
 

@@ -123,6 +123,17 @@ class Flow:
             return None
         return -leaving / entering
 
+    def told_eta(self, torques: Torques) -> Fraction | None:
+        """As it is told: of several ports power out by power in, by their flows with losses."""
+        if not self.gear.speeds and not self.gear.torques:
+            return self.eta(torques)
+        powers = [torques.power(self.speeds, [link]) for link in torques.ports()]
+        if None in powers:
+            return None
+        flows = [self.turn * power for power in powers if power is not None]
+        entering = sum((flow for flow in flows if flow > 0), ZERO)
+        return -sum((flow for flow in flows if flow < 0), ZERO) / entering if entering else None
+
 
 class Trial:
     """One set of signs, and what the lossy torques say about it."""

@@ -19,7 +19,7 @@ from vstatics.statics import variants as solver
 
 Array = np.ndarray[Any, Any]
 
-ARRAYS = [name for name in Results._fields if name not in ("case", "messages")]
+ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
 
 
 def ratios(rng: np.random.Generator, case: Transmission, count: int, kind: str) -> Floats:

@@ -8,11 +8,6 @@ from vstatics.statics.matrix import variant_of
 PAIR = Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])
 
 
-def test_coasting_turns_all_flows() -> None:
-    assert variant_of(PAIR).direction == 1
-    assert variant_of(Transmission(2, [], PAIR.mechanisms, [Gear()], coast=True)).direction == -1
-
-
 def test_numbers_that_are_not_given_are_those_of_the_case() -> None:
     assert variant_of(PAIR).ratios == [-4.0]
     assert variant_of(PAIR).efficiencies[0].forward == 0.98

@@ -8,7 +8,7 @@ from vstatics.statics.result_arrays import ARRAYS, ResultFields
 
 
 def test_the_arrays_are_declared_in_the_order_of_the_fields() -> None:
-    assert ResultFields._fields == ("case", *ARRAYS, "messages")
+    assert ResultFields._fields == ("case", *ARRAYS, "messages", "points")
 
 
 def test_the_output_torque_is_the_last_row_of_the_torques() -> None:

@@ -179,7 +179,7 @@ def test_what_only_vibrates_changes_no_result() -> None:
     )
     one, other = solve(SHAFT), solve(stiff)
     for name in Results._fields:
-        if name not in ("case", "messages"):
+        if name not in ("case", "messages", "points"):
             assert np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True)
 
 

@@ -638,6 +638,7 @@ OTHER: dict[type, dict[str, object]] = {
         "load": Load(100.0, 9.0),
         "input_turns": "backward",
         "kind": "point",
+        "coast": True,
     },
     Transmission: {
         "links": 5,

@@ -172,7 +172,6 @@ def test_with_a_negative_speed_the_torque_is_negative() -> None:
         ("{power: 90 kW, speed: 0 rpm}", "load: read a power, speed or torque of 0, expected"),
         ("{power: 90, speed: 3000 rpm}", "load.power: read '90', expected a power with its unit"),
         ("{power: 0 kW, speed: 3 rpm}", "load: read a power, speed or torque of 0, expected"),
-        ("{power: -1 kW, speed: 3 rpm}", "so power would leave at the input"),
     ],
 )
 def test_a_load_that_is_none_is_told_once(load: str, words: str) -> None:

@@ -23,11 +23,17 @@ class PlanetInertia(NamedTuple):
         [kg*m^2]
     speed : mapping of int to float
         The speed, as a sum of those of links with these coefficients. [-]
+    wheel : str
+        The member whose speed and the carrier's give it; none of what turns with the carrier.
+    by_wheel : float
+        Coefficient of the speed of that member. [-]
     """
 
     name: str
     inertia: float
     speed: Mapping[int, float]
+    wheel: str = ""
+    by_wheel: float = 0.0
 
 
 def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
@@ -52,22 +58,22 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
         for planet, one in element.planet_masses.items():
             name, count = f"{element.name}.{planet}", element.planets or 0
             if one.inertia:
-                spin = _spin(element, planet).items()
+                wheel, link, ratio = _by_wheel(element, planet)
+                carried = 1 if isinstance(element.shape, Planetary) else 0
+                spin = {link: ratio, carrier: carried - ratio}.items()
                 speed = {link: float(part) for link, part in spin if link != HOUSING}
-                yield PlanetInertia(name, count * one.inertia, speed)
+                yield PlanetInertia(name, count * one.inertia, speed, wheel, float(ratio))
             if one.mass and carrier != HOUSING:
                 yield PlanetInertia(name, count * one.mass * one.radius**2, {carrier: 1.0})
 
 
-def _spin(element: Element, planet: str) -> dict[int, Fraction]:
-    """The speed of a planet about its own axis, by its teeth (Willis)."""
-    carrier = element.link("carrier")
+def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
+    """A wheel, its link, and a planet by it, both against the carrier (Willis)."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])
-        return {element.link(first): ratio, carrier: -ratio}
+        return first, element.link(first), ratio
     group = group_of(element)
     train = next(train for train in group.trains if planet in train)
     wheel = group.wheels_of(train)[0]
-    ratio = train[planet] / group.relative(wheel, train)
-    return {wheel.link: ratio, carrier: 1 - ratio}
+    return wheel.member, wheel.link, train[planet] / group.relative(wheel, train)

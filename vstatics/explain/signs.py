@@ -79,8 +79,8 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
         by_convention = case.idle == "published" and sign in chosen
         by = "convention `published`" if by_convention else "flow with losses"
         return f"{why}; x by the {by}"
-    ideal = power * (-1 if case.coast else 1)
-    way = "coasting, power" if case.coast else "power"
+    ideal = power * state.ideal.direction
+    way = "coasting, power" if state.ideal.direction < 0 else "power"
     if math.isnan(ideal):
         return f"{way} {'enters' if sign > 0 else 'leaves'} by the first link"
     why = f"{way} {'enters' if ideal > 0 else 'leaves'} by the first link"

@@ -184,7 +184,7 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
     losses: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.mechanism_losses[index]) for index in device.mechanisms)
-        loss = lost * state.ideal.variant.direction + 0.0
+        loss = lost * state.ideal.direction + 0.0
         losses[Node("mechanism", number, device.name)] = loss
     for one in exchanged:
         drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements

@@ -65,11 +65,11 @@ def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, 
     """What enters a mechanism by its first or by its second link, and its loss."""
     torques = state.lossy_torques if lossy else state.torques
     torque = torques.on_first_link[len(state.case.shift_elements) + index]
-    by_first = state.ideal.variant.direction * plain(power(torque, state.relative_speeds[index]))
+    by_first = state.ideal.direction * plain(power(torque, state.relative_speeds[index]))
     if not lossy:
         return abs(by_first), 0.0
     efficiency, sign = state.ideal.variant.efficiencies[index], state.signs[index]
-    loss = state.ideal.variant.direction * plain(state.mechanism_losses[index]) + 0.0
+    loss = state.ideal.direction * plain(state.mechanism_losses[index]) + 0.0
     by_second = -plain(power(by_first, lossy_ratio(1.0, efficiency, sign)))
     return (by_second if by_first < 0 else by_first), loss
 
@@ -81,7 +81,7 @@ def _of_wheels(state: GearState, number: int, device: OwnDevice, *, lossy: bool)
     torques = state.member_torques(lossy=lossy)[number - 1]
     wheels = (one for one in device.members if {place for _, place in one.places} != {2})
     found = [
-        state.ideal.variant.direction
+        state.ideal.direction
         * plain(power(plain(torques[one.name]), speeds[one.link] - speeds[carrier]))
         for one in wheels
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -61,7 +62,7 @@ class TransmissionFields:
     input: int = 1
     output: int = 0
     idle: IdleConvention = "exact"
-    coast: bool = False
+    coast: bool | None = None
     name: str = ""
     description: str = ""
     source: str = ""
@@ -130,8 +131,38 @@ class TransmissionFields:
         return [link for link in self.outputs if link not in ends]
 
     def gear_load(self, gear: Gear) -> Load:
-        """The load of a gear: its own, filled up with that of the case."""
-        return (gear.load or Load()).or_else(self.load or Load())
+        """The load of a gear: its own, filled up with that of the case.
+
+        `coast` turns its torque against the input's speed, or along it if it is false.
+        """
+        load = (gear.load or Load()).or_else(self.load or Load())
+        coast = self.gear_coast(gear)
+        if coast is None or not load.torque:
+            return load
+        against = load.torque * (load.speed or 1.0) < 0
+        return load if against == coast else load._replace(torque=-load.torque)
+
+    def gear_coast(self, gear: Gear) -> bool | None:
+        """What a gear, or else the case, says of power that enters at the output."""
+        return self.coast if gear.coast is None else gear.coast
+
+    def coasts(self, gear: Gear) -> bool:
+        """Whether the input is driven: the sign of its power says so, else `coast`."""
+        load = self.gear_load(gear) if gear.load or self.load else Load()
+        if load.speed and load.torque:
+            return load.speed * load.torque < 0
+        return bool(self.gear_coast(gear))
+
+    def torque_unit(self, gear: Gear) -> float:
+        """What torques of a gear are related to: that of the input with its sign [N*m].
+
+        1 N*m where the load gives none, along its speed unless the gear coasts; 0 if no load
+        tells a torque.
+        """
+        load = self.gear_load(gear)
+        if load.torque is None or load.torque:
+            return load.torque or 0.0
+        return math.copysign(1.0, load.speed or 1.0) * (-1.0 if self.coasts(gear) else 1.0)
 
     def input_torque(self, gear: Gear) -> float:
         """The torque of the input in the unit of all torques: 1, or 0 where the load gives none."""

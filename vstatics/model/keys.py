@@ -189,6 +189,12 @@ LOAD = ByKey(
     load_fault,
 )
 
+COAST = KeyShape(
+    "coast",
+    FLAG,
+    "Power enters at the output (engine braking): the torque of the load is turned against the "
+    "speed of the input, or along it if false; when not given the sign of its power says it.",
+)
 ENGAGED = ListOf(Leaf("element"), "shift elements")
 """What a gear engages."""
 
@@ -233,6 +239,7 @@ GEAR = ByKey(
         ),
         KeyShape("output", LINK, "This gear's own output link."),
         KeyShape("load", LOAD, "This gear's own load."),
+        COAST,
         KeyShape(
             "kind",
             Leaf("choice", GEAR_KINDS),
@@ -278,7 +285,7 @@ CASE = ByKey(
             Numbers("link", TORQUE, {"minimum": 0}),
             "Drag of bearings and oil on links, in all gears that give none of that link.",
         ),
-        KeyShape("coast", FLAG, "Power enters at the output (engine braking).", default=False),
+        COAST,
         KeyShape(
             "shift_elements",
             ByName("shift element", Either(Ends(), "links", ELEMENT, written=True)),

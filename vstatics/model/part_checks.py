@@ -272,12 +272,6 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
         elif value == 0 and quantity == "speed":
             message = "read 0, expected a speed other than 0, as of an input that turns"
             yield Problem("E241", message, (*path, "load", quantity))
-    if (load.speed or 0) * (load.torque or 0) < 0:
-        message = (
-            f"read {load.torque:g} N*m at {load.speed:g} rpm, so power would leave at the input; "
-            "expected equal signs (`coast: true` turns the torque by itself)"
-        )
-        yield Problem("E242", message, (*path, "load"))
 
 
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:

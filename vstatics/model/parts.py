@@ -253,13 +253,13 @@ class Load(NamedTuple):
     torque: float | None = None
 
     @property
-    def torque_unit(self) -> float:
-        """What torques are related to: that of the input, 1 N*m beside none, 0 if it is not told.
+    def torque_size(self) -> float:
+        """What drag is related to: the torque without sign, 1 N*m beside none, 0 if not told.
 
-        >>> Load(torque=300).torque_unit, Load(torque=0).torque_unit, Load().torque_unit
+        >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
         """
-        return 0.0 if self.torque is None else self.torque or 1.0
+        return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
         """The load with what it leaves open as in another."""
@@ -395,6 +395,8 @@ class Gear(NamedTuple):
         the load says when not given, and forward if that says nothing either.
     kind : {"gear", "point"}
         An operating point has no step to another, and no part in the spread.
+    coast : bool, optional
+        Power enters at the output; as the case or the sign of its load says when not given.
     """
 
     engaged: Sequence[int] = ()
@@ -408,6 +410,7 @@ class Gear(NamedTuple):
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
+    coast: bool | None = None
 
 
 def element_name(number: int, element: ShiftElement) -> str:

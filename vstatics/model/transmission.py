@@ -48,8 +48,9 @@ class Transmission(TransmissionFields):
         Link numbers; the output is the last link when not given.
     idle : {"exact", "published"}
         Convention for the sign of idle mechanisms.
-    coast : bool
-        Power enters at the output (engine braking).
+    coast : bool, optional
+        Power enters at the output (engine braking): the torque of the load is turned against
+        the speed of the input, or along it if false. When not given the sign of its power says it.
     link_names : sequence of str
         The link numbers when not given.
     load : Load, optional
@@ -114,6 +115,12 @@ class Transmission(TransmissionFields):
             if name not in known:
                 raise TypeError(f"a transmission has no {name!r}{nearest(name, known)}")
         return replace(self, **changes)
+
+    def with_coast(self, coast: bool | None) -> Transmission:  # noqa: FBT001
+        """The same where power enters at the output of all gears, or of none; as it is for None."""
+        gears = [gear._replace(coast=None) for gear in self.gears]
+        unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
+        return replace(self, coast=coast, gears=gears) if unlike else self
 
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
         """The same transmission with other ratios, efficiencies and planet ratios.
@@ -222,12 +229,11 @@ def _completed(case: Transmission) -> dict[str, object]:
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
     """A gear with its numbers as parts of its load's, where they were given with a unit."""
     load = case.gear_load(gear) if case.load or gear.load else Load()
-    torque = load.torque_unit
+    torque = case.torque_unit(gear) if case.load or gear.load else 0.0
     return gear._replace(
         engaged=tuple(gear.engaged),
         speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
-        # when coasting, the torque of the load is against its speed
-        torques=_by_load(gear.torques, -torque if case.coast else torque),
+        torques=_by_load(gear.torques, torque),
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
@@ -243,7 +249,7 @@ def _related(number: float, whole: float | None) -> float:
 
 
 def _by_torque(number: float, load: Load | None) -> float:
-    return _related(number, abs(load.torque_unit) if load else None)
+    return _related(number, load.torque_size if load else None)
 
 
 def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:

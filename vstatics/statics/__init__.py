@@ -13,6 +13,7 @@ gear as an object.
 The modules follow docs/method.md: `matrix`, `speeds`, `torques` (with drag), `ideal` (a gear
 without losses), `efficiency`, `losses`, `signs` (first without losses, then searched for),
 `freewheels`, `state` (all of it as one object and as numbers, with `power`, `bodies` and
-`status`), `variants` (arrays of it), `result_arrays`, `results`, `solve`. `diagnosis`, `idling`
+`status`), `variants` (arrays of it), `result_arrays`, `results`, `solve`. In the
+room `points` any number varies, in SI. `diagnosis`, `idling`
 and `digits` say what is to be noticed.
 """

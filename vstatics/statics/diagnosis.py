@@ -348,7 +348,7 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
     """Friction locks, and flows that losses turn round."""
     case = results.case
     if results.locked[number]:
-        way = " when coasting" if case.coast else ""
+        way = " when coasting" if case.coasts(case.gears[number]) else ""
         yield Said("W421", f"{LOCKED.english}{way}: no directions of power agree with the losses")
     elif results.dragged[number]:
         yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")

@@ -39,20 +39,22 @@ class Efficiency(NamedTuple):
 
 
 def efficiencies_by_direction(
-    case: Transmission, efficiencies: Sequence[Number] | None = None
+    case: Transmission, efficiencies: Sequence[Number | Efficiency] | None = None
 ) -> list[Efficiency]:
     """The efficiencies of the mechanisms, where a case may give others for the way back.
 
     Parameters
     ----------
-    efficiencies : sequence of Number, optional
-        Forward; the case's own when not given. [-]
+    efficiencies : sequence of Number or Efficiency, optional
+        Forward, or of both directions; the case's own when not given. [-]
     """
     if efficiencies is None:
         efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
     backs = (mechanism.back_efficiency for mechanism in case.mechanisms)
     return [
-        Efficiency(forward, forward if back is None else back)
+        forward
+        if isinstance(forward, Efficiency)
+        else Efficiency(forward, forward if back is None else back)
         for forward, back in zip(efficiencies, backs, strict=True)
     ]
 

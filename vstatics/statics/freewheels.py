@@ -19,6 +19,7 @@ from vstatics.numerics.tape import Untraceable
 from vstatics.numerics.traced import Number, absolute, is_nan, is_traced, plain, sign
 from vstatics.statics import matrix
 from vstatics.statics.digits import is_nearly_one
+from vstatics.statics.efficiency import Efficiency
 from vstatics.statics.ideal import IdealGear, ideal_gear, is_nothing
 from vstatics.statics.matrix import Variant, variant_of
 from vstatics.statics.signs import find_signs
@@ -26,9 +27,12 @@ from vstatics.statics.speeds import Speeds, is_tie, solve_speeds
 from vstatics.statics.state import GearState
 from vstatics.statics.torques import NO_DRAG, Torques
 
+Losses = Sequence[Number | Efficiency]
+"""Efficiencies: of one direction, where a mechanism has its own for the other; or of both."""
+
 
 def find_state(
-    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
     """The gear with its freewheels where they belong.
 
@@ -41,19 +45,28 @@ def find_state(
     Parameters
     ----------
     ratios, efficiencies : sequence of Number
-        Of each mechanism: floats, or traced numbers. [-]
+        Of each mechanism: floats, or traced numbers, as those of the gear may be. [-]
     """
     if not is_nearly_one(case, ratios):
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
             return state
-    elif any(map(is_traced, (*ratios, *efficiencies))):
+    if any(map(is_traced, _numbers(gear, ratios, efficiencies))):
         raise Untraceable
     return _exact_state(case, gear, ratios, efficiencies)
 
 
+def _numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:
+    """All numbers that may be traced."""
+    yield from ratios
+    for one in efficiencies:
+        yield from one if isinstance(one, Efficiency) else (one,)
+    for by_part in (gear.speeds, gear.torques, gear.drag, gear.open_drag):
+        yield from by_part.values()
+
+
 def _exact_state(
-    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
     """The state of a gear of which rounding leaves too few digits, calculated in fractions.
 
@@ -63,7 +76,12 @@ def _exact_state(
 
     from vstatics.numerics.exact import rounded
 
-    exact: Any = [[Fraction(plain(one)) for one in numbers] for numbers in (ratios, efficiencies)]
+    def exactly(one: Number | Efficiency) -> Any:
+        if isinstance(one, Efficiency):
+            return Efficiency(*map(exactly, one))
+        return Fraction(plain(one))
+
+    exact = [list(map(exactly, numbers)) for numbers in (ratios, efficiencies)]
     try:
         state: GearState = rounded(_find_state(case, gear, *exact))
     except OverflowError:  # beyond any float, where the search asks for one
@@ -72,7 +90,7 @@ def _exact_state(
 
 
 def _find_state(
-    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Sequence[Number]
+    case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
     """The state in the arithmetic of the given numbers."""
     variant = variant_of(case, ratios, efficiencies)
@@ -165,7 +183,7 @@ def _can_hold(state: GearState, number: int) -> bool:
     torques, columns = ideal.torques_with_drag, ideal.variant.columns
     if not is_nan(lossy.torques.on_first_link[number - 1]):
         torques, columns = lossy.torques, matrix.columns(state.case, state.lossy_ratios)
-    turns = ideal.variant.direction * input_direction(state.case, state.gear)
+    turns = ideal.direction * input_direction(state.case, state.gear)
     pull = sign(torques.on_first_link[number - 1]) * turns
     return bool(pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number)))
 

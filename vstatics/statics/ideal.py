@@ -38,6 +38,11 @@ class IdealGear(NamedTuple):
         return self.variant.case
 
     @property
+    def direction(self) -> int:
+        """+1, or -1 when coasting: all flows turn."""
+        return -1 if self.case.coasts(self.gear) else 1
+
+    @property
     def without_drag(self) -> IdealGear:
         """The same gear where nothing drags."""
         return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)

@@ -66,7 +66,7 @@ def check_signs(
     losses = list(_losses(by_first_link, ideal, signs))
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
-    directions = tuple(sign(entered) * ideal.variant.direction for entered in by_first_link)
+    directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
     agrees: Condition = True
     for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
         if not (x == 0 or own.lossless):
@@ -124,16 +124,34 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
-        one, other = (lossy, lossless) if ideal.variant.direction > 0 else (lossless, lossy)
+        one, other = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
         return math.nan if other == 0 else one / other
     received: Number = 0.0
     given: Number = 0.0
     for flow, actual in zip(_entering(ideal, ideal.torques), entering, strict=True):
         if is_nan(flow):
             return math.nan
-        side = flow * ideal.variant.direction
+        side = flow * ideal.direction
         received = received + chosen(side > 0, actual, 0.0)
         given = given - chosen(side < 0, actual, 0.0)
+    return math.nan if received == 0 else given / received
+
+
+def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
+    """Efficiency as it is told: of several ports the power that leaves by that which enters.
+
+    Each port is on the side of its own flow with losses; signs are chosen by `_efficiency`.
+    """
+    if not ideal.gear.speeds and not ideal.gear.torques:
+        return lossy.efficiency
+    received: Number = 0.0
+    given: Number = 0.0
+    for entering in _entering(ideal, lossy.torques):
+        if is_nan(entering):
+            return math.nan
+        flow = entering * ideal.direction
+        received = received + chosen(flow > 0, flow, 0.0)
+        given = given + chosen(flow < 0, -flow, 0.0)
     return math.nan if received == 0 else given / received
 
 

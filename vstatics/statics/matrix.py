@@ -12,15 +12,16 @@ the output torque equals the ratio.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import RIGHT, Coefficient, Equation
 from vstatics.numerics.traced import Number
 from vstatics.statics.efficiency import Efficiency, efficiencies_by_direction
@@ -142,6 +143,37 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
     return array
 
 
+Quantity = Literal["ratio", "efficiency"]
+"""What of a mechanism can differ from variant to variant."""
+
+EXPECTED = {
+    "ratio": "a finite ratio other than 0",
+    "efficiency": "an efficiency above 0 and up to 1",
+}
+
+
+def impossible(quantity: Quantity, numbers: Floats) -> Booleans:
+    """Which numbers can be no ratio, or no efficiency, of a mechanism.
+
+    Parameters
+    ----------
+    numbers : ndarray, shape (variants,)
+        [-]
+
+    Examples
+    --------
+    >>> impossible("ratio", np.array([-2.0, 0.0, 1.0, np.nan]))
+    array([False,  True, False,  True])
+    """
+    if quantity == "efficiency":
+        return ~((numbers > 0) & (numbers <= 1))
+    low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
+    if -math.inf < low <= high < 0 or 0 < low <= high < math.inf:  # as it is nearly always
+        return np.zeros_like(numbers, np.bool_)
+    wrong: Booleans = ~np.isfinite(numbers) | (numbers == 0)
+    return wrong
+
+
 def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Equation]:
     """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
 
@@ -236,9 +268,14 @@ def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
     return torques
 
 
-def given_torque(case: Transmission, gear: Gear, torque: float) -> float:
-    """A given torque [-]: where the load gives none, 0 if it is a part of that."""
-    return torque if isinstance(torque, OfLoad) else torque * case.input_torque(gear)
+def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
+    """A given torque [-]: where the load gives none, 0 if it is a part of that.
+
+    One that varies, traced or an array, stands in the unit of the load as `OfLoad` does.
+    """
+    if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
+        return torque
+    return torque * case.input_torque(gear)
 
 
 class Variant(NamedTuple):
@@ -251,16 +288,11 @@ class Variant(NamedTuple):
     columns: Sequence[Column]
     """Of the structural-distribution matrix, without losses."""
 
-    @property
-    def direction(self) -> int:
-        """+1, or -1 when coasting: all flows turn."""
-        return -1 if self.case.coast else 1
-
 
 def variant_of(
     case: Transmission,
     ratios: Sequence[Number] | None = None,
-    efficiencies: Sequence[Number] | None = None,
+    efficiencies: Sequence[Number | Efficiency] | None = None,
 ) -> Variant:
     """A variant; what is not given is the case's own."""
     if ratios is None:

@@ -40,9 +40,7 @@ def scales(case: Transmission) -> dict[str, Floats]:
     """
     loads = [case.gear_load(gear) for gear in case.gears]
     rpm = np.array([math.nan if load.speed is None else float(load.speed) for load in loads])
-    torque = np.array([float(load.torque_unit) or math.nan for load in loads])
-    if case.coast:
-        torque = -torque
+    torque = np.array([float(case.torque_unit(gear)) or math.nan for gear in case.gears])
     with np.errstate(over="ignore"):
         return {"rpm": rpm, "Nm": torque, "kW": rpm * torque * KW_OF_RPM_NM}
 
@@ -154,11 +152,11 @@ class PhysicalResults(ResultFields):
 
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
         """An array in a unit."""
-        if unit not in known_units(self.case):
+        if not self.points and unit not in known_units(self.case):
             raise CaseError("E414", lacking_load(f"{name}_{unit}", unit))
-        scale = scales(self.case)[unit]
+        scale = (self.points.scales if self.points else scales(self.case))[unit]
         if relative.ndim > self.ratio.ndim:
-            scale = scale[:, np.newaxis]
+            scale = scale[..., np.newaxis]
         with np.errstate(over="ignore", invalid="ignore"):
             values = relative * scale
         return np.where(np.isfinite(values), values + 0.0, np.nan)
@@ -174,13 +172,16 @@ class PhysicalResults(ResultFields):
         """(..., gears, links): what enters at each link by all external torque on it [kW]."""
         case = self.case
         power = np.zeros((*self.speeds.shape[:-1], case.links))
-        for number, gear in enumerate(case.gears):
+        for number, gear in enumerate(self.points.gears if self.points else case.gears):
             held: dict[int, Any] = {
                 link: self.in_own_unit("lossy_holding_torques")[..., number, link - 1]
                 for link in held_links(case, gear)
             }
             output: Any = self.in_own_unit("lossy_output_torque")[..., number]
             torques: Any = port_torques(case, gear, held, output)
+            if self.points:
+                change = self.points.loaded[:, number] - case.input_torque(gear)
+                torques[case.gear_input(gear)] = torques[case.gear_input(gear)] + change
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]
                 at_rest = (torque == 0) | (speed == 0)  # then nothing flows, even if unknown
@@ -202,10 +203,16 @@ def _relative(name: str) -> property:
 
     def by_input(results: PhysicalResults) -> Floats:
         array, case = results.in_own_unit(name), results.case
-        if not case.unloaded:
+        if results.points:
+            known = results.points.loaded
+        elif case.unloaded:
+            known = np.array([case.input_torque(gear) != 0 for gear in case.gears])
+        else:
             return array
-        known = np.array([case.input_torque(gear) != 0 for gear in case.gears])
-        return np.where(known.reshape(-1, *[1] * (array.ndim - results.ratio.ndim)), array, np.nan)
+        if known.all():
+            return array
+        further = [1] * (array.ndim - results.ratio.ndim)
+        return np.where(known.reshape(*known.shape, *further), array, np.nan)
 
     return property(by_input, doc=getattr(ResultFields, name).__doc__)
 

@@ -56,7 +56,7 @@ def ports(state: GearState) -> GearPorts:
     >>> round(found.meshes, 3), found.drag
     (0.029, 0.0)
     """
-    case, gear, direction = state.case, state.gear, state.ideal.variant.direction
+    case, gear, direction = state.case, state.gear, state.ideal.direction
     torques = state.lossy_torques
     acting = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
     ends = [case.gear_input(gear), case.gear_output(gear)]

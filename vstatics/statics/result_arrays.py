@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.errors import Severity, severity
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 
 
@@ -29,6 +29,17 @@ class Message(NamedTuple):
         """The message in one line, with the gear it speaks of."""
         gear = f"gear {self.gear}: " if self.gear else ""
         return f"{self.severity}: {gear}{self.text} [{self.id}]"
+
+
+class OperatingPoints(NamedTuple):
+    """Loads that vary, and the gears with numbers that vary: arrays over the variants."""
+
+    scales: Mapping[str, Floats]
+    """By unit (rpm, Nm, kW), (variants, gears): see `scales` of `vstatics.statics.physical`."""
+    loaded: Booleans
+    """(variants, gears): the load gives a torque, or does not tell it."""
+    gears: Sequence[Gear]
+    """With arrays, of shape (variants,), where their numbers vary."""
 
 
 class ResultFields(NamedTuple):
@@ -115,6 +126,9 @@ class ResultFields(NamedTuple):
 
     messages: Sequence[Message] = ()
     """What was noticed; for one case only, not for arrays of variants."""
+
+    points: OperatingPoints | None = None
+    """The loads, and what else of the gears varies, if more than ratios and efficiencies do."""
 
     @property
     def output_torque(self) -> Floats:

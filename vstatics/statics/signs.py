@@ -29,7 +29,7 @@ from vstatics.numerics.traced import (
 )
 from vstatics.statics.efficiency import Signs, is_possible
 from vstatics.statics.ideal import IdealGear, mechanism_torques
-from vstatics.statics.losses import LossyTorques, no_solution, torques_for_signs
+from vstatics.statics.losses import LossyTorques, no_solution, power_ratio, torques_for_signs
 from vstatics.statics.matrix import external_torques
 from vstatics.statics.power import power
 from vstatics.statics.torques import Torques
@@ -87,6 +87,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     dragged = lossy.admissible is True and _is_dragged(ideal, lossy)
     if dragged:
         lossy = lossy._replace(efficiency=math.nan)
+    elif lossy.admissible is True:
+        lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
     # of an idle one the sign is a convention; one object stands for what no search has changed
     turned = [
@@ -122,7 +124,7 @@ def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
     """Whether power enters at the output to overcome drag, and none leaves at the input."""
     if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
-    case, gear, direction = ideal.case, ideal.gear, ideal.variant.direction
+    case, gear, direction = ideal.case, ideal.gear, ideal.direction
     at_input = external_torques(case, gear)[case.gear_input(gear)]
     output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
     entering = -power(lossy.torques.on_first_link[-1], output_speed)
@@ -279,7 +281,7 @@ def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
         ),
         directions=tuple(map(_same_sign, zip(*(one.directions for one in tried), strict=True))),
         losses=list(map(_same, zip(*(one.losses for one in tried), strict=True))),
-        efficiency=_same([one.efficiency for one in tried]),
+        efficiency=_same([power_ratio(ideal, one) for one in tried]),
         drag_losses=tried[0].drag_losses,
         balance=_same([one.balance for one in tried]),
         admissible=False,
@@ -345,7 +347,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
     """Of the signs that should turn, only the one whose mechanism gains most."""
     gains = [
-        -loss * ideal.variant.direction if x != y else -math.inf
+        -loss * ideal.direction if x != y else -math.inf
         for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
     ]
     worst = max(range(len(gains)), key=gains.__getitem__)
@@ -386,7 +388,7 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
     signs = [
         _of_idle(ideal, place, is_unloaded=unloaded[place])
         if unloaded[place] or still[place]
-        else sign(power(torques[place], relative_speeds[place])) * ideal.variant.direction
+        else sign(power(torques[place], relative_speeds[place])) * ideal.direction
         for place in range(len(torques))
     ]
     return IdealSigns(tuple(signs), unloaded, still)

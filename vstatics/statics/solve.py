@@ -5,32 +5,32 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from os import PathLike
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import ArrayLike
 
 from vstatics.errors import CaseError, Problem, type_and_value
 from vstatics.model.transmission import IdleConvention, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
-from vstatics.statics.matrix import by_mechanism
+from vstatics.statics.matrix import EXPECTED, Quantity, by_mechanism, impossible
 from vstatics.statics.results import Results
 from vstatics.statics.variants import solve_variants
 
-Quantity = Literal["ratio", "efficiency"]
-"""What of a mechanism can differ from variant to variant."""
 
-
-def solve(
+def solve(  # noqa: PLR0913
     case: Transmission,
     *,
     ratios: ArrayLike | None = None,
     efficiencies: ArrayLike | None = None,
     coast: bool | None = None,
     idle: IdleConvention | None = None,
+    vary: Mapping[str, ArrayLike] | None = None,
 ) -> Results:
     """Calculate every gear of a transmission, or of many variants of it.
 
@@ -44,12 +44,16 @@ def solve(
         Power enters at the output; the case's own when not given.
     idle : {"exact", "published"}, optional
         Convention for idle mechanisms; the case's own when not given.
+    vary : mapping of str to array_like, optional
+        Other numbers by their paths, such as `load.torque` or `gears.low.speeds.motor`; see
+        `vstatics.statics.points.paths`. In rad/s and N*m, without units for ratios and
+        efficiencies. Arrays go together, on one axis.
 
     Returns
     -------
     Results
-        Arrays with the leading axes of `ratios` and `efficiencies`, then gears. For
-        arrays of variants there are no `messages`, and `case` is the one given.
+        Arrays with the leading axes of `ratios` and `efficiencies`, or that of `vary`, then gears.
+        For arrays of variants there are no `messages`, and `case` is the one given.
 
     Raises
     ------
@@ -58,7 +62,8 @@ def solve(
     TypeError
         If `case` is no transmission, such as the name of a file.
     ValueError
-        If the arrays do not have one number for each mechanism.
+        If the arrays do not have one number for each mechanism, those of `vary` do not go
+        together, or `vary` stands beside `ratios` or `efficiencies`.
 
     Examples
     --------
@@ -74,17 +79,27 @@ def solve(
     array([[1. , 3. ],
            [1. , 3.5],
            [1. , 4. ]])
+
+    An input torque of 300 N*m loses 3 N*m to a drag at the input.
+
+    >>> from vstatics.model.parts import Load
+    >>> dragged = case.replace(load=Load(2000, 300), gears=[Gear([1], drag={1: 0.01})])
+    >>> solve(dragged, vary={"drag.1": [0, 3, 6]}).efficiency.round(3).tolist()
+    [[1.0], [0.99], [0.98]]
     """
     if not isinstance(case, Transmission):
         advice = "vstatics.load reads a file" if isinstance(case, str | PathLike) else ""
         read = f"solve of {type_and_value(case)}: expected a Transmission"
         raise TypeError("; ".join(filter(None, [read, advice])))
-    if coast not in (None, case.coast) or idle not in (None, case.idle):
-        case = replace(
-            case,
-            coast=case.coast if coast is None else coast,
-            idle=case.idle if idle is None else idle,
-        )
+    case = case.with_coast(coast)
+    if idle not in (None, case.idle):
+        case = replace(case, idle=idle)
+    if vary is not None:
+        from vstatics.statics.points import solve_varied  # it costs start-up time
+
+        if ratios is not None or efficiencies is not None:
+            raise ValueError("solve: expected `vary`, or `ratios` and `efficiencies`, not both")
+        return solve_varied(case, vary)
     axes, u, eta = _variants(case, ratios, efficiencies)
     if axes == () and (u is not None or eta is not None):
         case = _with_numbers(case, u, eta)
@@ -136,34 +151,6 @@ def _variants(
         for array in given.values()
     )
     return axes, u, eta
-
-
-EXPECTED = {
-    "ratio": "a finite ratio other than 0",
-    "efficiency": "an efficiency above 0 and up to 1",
-}
-
-
-def impossible(quantity: Quantity, numbers: Floats) -> Booleans:
-    """Which numbers can be no ratio, or no efficiency, of a mechanism.
-
-    Parameters
-    ----------
-    numbers : ndarray, shape (variants,)
-        [-]
-
-    Examples
-    --------
-    >>> impossible("ratio", np.array([-2.0, 0.0, 1.0, np.nan]))
-    array([False,  True, False,  True])
-    """
-    if quantity == "efficiency":
-        return ~((numbers > 0) & (numbers <= 1))
-    low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
-    if -math.inf < low <= high < 0 or 0 < low <= high < math.inf:  # as it is nearly always
-        return np.zeros_like(numbers, np.bool_)
-    wrong: Booleans = ~np.isfinite(numbers) | (numbers == 0)
-    return wrong
 
 
 def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:

@@ -184,7 +184,7 @@ class GearState(NamedTuple):
         ]
         given = (self.case, self.gear, self.speeds, torques)
         return [
-            one._replace(power=self.ideal.variant.direction * plain(one.power))
+            one._replace(power=self.ideal.direction * plain(one.power))
             for one in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),

@@ -62,7 +62,7 @@ def drag_torques(
     torques = _open(case, gear)
     if not gear.drag and not torques:
         return NO_DRAG
-    direction = -1 if case.coast else 1
+    direction = -1 if case.coasts(gear) else 1
     links: dict[int, Number] = {}
     elements: dict[int, Number] = {}
     external: dict[int, Number] = {}

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
 from operator import attrgetter
-from typing import Any
+from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 
+from vstatics.model.parts import OfLoad
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.numerics import memory
@@ -21,6 +22,7 @@ from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
 from vstatics.numerics.traced import Number
 from vstatics.statics import matrix
+from vstatics.statics.efficiency import Efficiency
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.result_arrays import ARRAYS, row_counts
 from vstatics.statics.state import flat, guard_power, values_of
@@ -33,8 +35,29 @@ _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
 
 
+OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
+OfGear = Literal["speeds", "torques", "drag", "open_drag"]
+
+
+class GearNumber(NamedTuple):
+    """A number that varies in one gear."""
+
+    quantity: OfMechanism | OfGear
+    owner: int
+    """The index of a mechanism; the number of a link, or of a shift element."""
+
+
+GearNumbers = Mapping[GearNumber, Floats]
+"""Of shape (variants,), speeds and torques relative to those of the input [-]. Where a plain
+number stands for the gear, it must have one there."""
+
+
 def solve_variants(
-    case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
+    case: Transmission,
+    ratios: Floats | None,
+    efficiencies: Floats | None,
+    variants: int,
+    by_gear: Sequence[GearNumbers] = (),
 ) -> dict[str, Any]:
     """The arrays of `Results`, with the variants as first axis.
 
@@ -44,6 +67,8 @@ def solve_variants(
         The case's own where not given. [-]
     variants : int
         Their number.
+    by_gear : sequence of mapping
+        What varies in each gear alone, nothing in any where not given.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = row_counts(case)
@@ -51,10 +76,14 @@ def solve_variants(
     block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)
-    for gear, rows in zip(case.gears, block.gears, strict=True):
+    for number, (gear, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
         if variants:
-            key = (*structure, *_conditions(case, gear))
-            _remembered(key, partial(_function, case, gear, fixed, names)).run(inputs, rows)
+            own = _own(by_gear[number]) if by_gear else NOTHING_OWN
+            rest = own.left_out_of(gear) if by_gear else gear
+            key = (*structure, *own.key, *_conditions(case, rest))
+            numbers = prepared(np.vstack([inputs.values, *own.rows])) if own.rows else inputs
+            function = partial(_function, case, gear, fixed, names, own)
+            _remembered(key, function).run(numbers, rows)
     tables = memory.shown(block)
     found = {}
     for name, width in counts.items():
@@ -90,6 +119,62 @@ def _inputs(
     for row, column in zip(values, varied, strict=True):
         row[:] = column
     return fixed, prepared(values)
+
+
+class _OwnNumbers(NamedTuple):
+    """The numbers of one gear: inputs of its plans, and what is the same in all variants."""
+
+    places: tuple[GearNumber, ...] = ()
+    rows: Sequence[Floats] = ()
+    constants: tuple[tuple[GearNumber, float], ...] = ()
+
+    @property
+    def key(self) -> tuple[Hashable, ...]:
+        """What plans are known by."""
+        return (self.places, self.constants) if self.places or self.constants else ()
+
+    def left_out_of(self, gear: Gear) -> Gear:
+        """The gear without the numbers that stand here."""
+        given = {*self.places, *(place for place, _ in self.constants)}
+        for quantity in {place.quantity for place in given} - {*OF_MECHANISMS}:
+            others = getattr(gear, quantity).items()
+            kept: Any = {owner: v for owner, v in others if (quantity, owner) not in given}
+            gear = gear._replace(**{quantity: kept})
+        return gear
+
+    def put(self, gear: Gear, ratios: list[Any], efficiencies: list[Any], numbers: Any) -> Gear:
+        """The gear with these numbers; those of mechanisms are put in their places."""
+        maps: dict[str, Any] = {}
+        given = dict([*self.constants, *zip(self.places, numbers, strict=True)])
+        for (quantity, owner), number in given.items():
+            if quantity == "ratio":
+                ratios[owner] = number
+            elif quantity == "efficiency":
+                efficiencies[owner] = number
+            elif quantity != "back_efficiency":
+                own = maps.setdefault(quantity, dict(getattr(gear, quantity)))
+                own[owner] = OfLoad(number, 1.0) if isinstance(number, float) else number
+        for (quantity, owner), number in given.items():
+            if quantity == "back_efficiency":
+                efficiencies[owner] = Efficiency(efficiencies[owner], number)
+        return gear._replace(**maps) if maps else gear
+
+
+OF_MECHANISMS: tuple[OfMechanism, ...] = get_args(OfMechanism)
+OF_GEAR: tuple[OfGear, ...] = get_args(OfGear)
+NOTHING_OWN = _OwnNumbers()
+
+
+def _own(columns: GearNumbers) -> _OwnNumbers:
+    """What varies of the numbers of a gear, and what does not."""
+    places, rows, constants = [], [], []
+    for place, column in columns.items():
+        if column.size > 1 and bool((column == column[0]).all()):
+            constants.append((place, float(column[0])))
+        else:
+            places.append(place)
+            rows.append(column)
+    return _OwnNumbers(tuple(places), rows, tuple(constants))
 
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
@@ -132,7 +217,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
     Gear: frozenset({"name", "load"}),
 }
-"""Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
+"""Fields that no result depends on; a drawing acts through its devices, a load by its signs."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -170,7 +255,7 @@ def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)
-    return (*own, *ends, turned, *_loads(case, gear))
+    return (*own, *ends, turned, case.coasts(gear), *_loads(case, gear))
 
 
 def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
@@ -194,15 +279,21 @@ def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
 
 
 def _function(
-    case: Transmission, gear: Gear, fixed: Sequence[float | None], names: Sequence[str]
+    case: Transmission,
+    gear: Gear,
+    fixed: Sequence[float | None],
+    names: Sequence[str],
+    own: _OwnNumbers,
 ) -> Function:
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
 
     def calculate(numbers: Sequence[Number]) -> list[Number | Residual | Condition]:
         varied = iter(numbers)
-        given = [next(varied) if number is None else number for number in fixed]
-        state = find_state(case, gear, given[:count], given[count:])
+        given: list[Any] = [next(varied) if number is None else number for number in fixed]
+        ratios, efficiencies = given[:count], given[count:]
+        changed = own.put(gear, ratios, efficiencies, varied)
+        state = find_state(case, changed, ratios, efficiencies)
         values = values_of(state)
         guard_power(state)
         return flat(values, names)

@@ -149,7 +149,7 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     case = results.case
     torques, carrying = _carried(results)
     sizes = np.where(carrying, torques, 0.0)
-    unit = abs(case.load.torque_unit) if case.load and case.load.torque_unit else math.nan
+    unit = (case.load and case.load.torque_size) or math.nan
     found = []
     for element, column in zip(case.shift_elements, sizes.T, strict=True):
         top = float(column.max(initial=0.0))
@@ -185,6 +185,6 @@ def _margin(
 def _loads(results: Results) -> Floats:
     """The unit of torque of each gear by that of the case; 1 where one of them is not told."""
     case = results.case
-    common = 0.0 if case.load is None else case.load.torque_unit
-    own = (case.gear_load(gear).torque_unit for gear in case.gears)
+    common = 0.0 if case.load is None else case.load.torque_size
+    own = (case.gear_load(gear).torque_size for gear in case.gears)
     return np.array([abs(torque / common) if torque and common else 1.0 for torque in own])

@@ -180,7 +180,7 @@ def other_combinations(summary: Summary) -> Grid:
 def _margins(summary: Summary) -> Iterator[Grid]:
     """The least margins, then those of all gears."""
     load = summary.results.case.load
-    torque = None if load is None else load.torque_unit
+    torque = None if load is None else load.torque_size
     unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)
     decimals = UNITS[unit].decimals if unit else 3
     rows = [

@@ -80,9 +80,8 @@ def plan(
         If there can be no such sweep.
     """
     if isinstance(subject, Transmission):
-        coast = subject.coast if options.coast is None else options.coast
         idle = cast("IdleConvention", options.idle or subject.idle)
-        subject = replace(subject, coast=coast, idle=idle)
+        subject = replace(subject.with_coast(options.coast), idle=idle)
     variants: Variants
     if table is not None:
         variants = _table(subject, table)

@@ -200,7 +200,7 @@ def _conditions(case: Transmission) -> Iterator[str]:
         f"INP= {case.input}": case.input != 1,
         f"IOUT= {case.output}": case.output != case.links,
         "IDLE= 1": case.idle == "exact",
-        "COAST= 1": case.coast,
+        f"COAST= {int(case.coast or False)}": case.coast is not None,
     }
     if any(conditions.values()):
         yield "Further conditions:"

@@ -50,8 +50,11 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
         RESULTS.text(lang),
         CONVENTIONS.text(lang),
     ]
-    if results.case.coast:
-        lines.append(COASTING.text(lang))
+    case = results.case
+    coasting = [gear.name for gear in case.gears if case.coasts(gear)]
+    if coasting:
+        gears = f" ({', '.join(coasting)})" * (len(coasting) < len(case.gears))
+        lines.append(COASTING.text(lang) + gears)
     named = results.case.has_own_rows
     for table in tables(results):
         for heading, indices, part in _parts(table, results.case):

@@ -63,7 +63,7 @@ def _of_case(case: Transmission) -> Iterator[str]:
     drawing = drawing_of(case)
     if drawing and drawing.elements:
         yield "teeth: elements are mechanisms of their ratios"
-    if case.coast:
+    if any(map(case.coasts, case.gears)):
         yield "that power enters at the output"
     if case.dump is not None:
         yield "the clutch that is dumped"

@@ -38,7 +38,7 @@ def document(results: Results) -> dict[str, Any]:
         "format": FORMAT,
         "version": VERSION,
         "conventions": CONVENTIONS,
-        "case": mapping(case) | {"idle": case.idle, "coast": case.coast},
+        "case": mapping(case) | {"idle": case.idle},
         "gears": [gear.name for gear in case.gears],
     }
     shown = tables(results)

@@ -333,6 +333,7 @@ def test_json_is_read_like_yaml() -> None:
         shift_elements=[],
         mechanisms=[Mechanism(1, 2, 0, 1.5, name="P")],
         gears=[Gear(torques={1: 1e-05})],
+        coast=False,
     )
 
 

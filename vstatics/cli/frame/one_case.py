@@ -125,8 +125,7 @@ class OneCase(NamedTuple):
         reading = self.read(*given)
         case = reading.case
         with problems_of(reading):
-            if self.coast not in (None, case.coast):
-                reading = reading._replace(case=case.replace(coast=self.coast))
+            reading = reading._replace(case=case.with_coast(self.coast))
             found = calculate(reading)
         found = found._replace(problems=not_allowed(found.problems, reading.case.allow))
         tell(found.problems, self.telling, self.case)

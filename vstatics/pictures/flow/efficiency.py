@@ -97,7 +97,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     shown = [case.gears[place].name for place in chosen]
     losses = _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)
     what = style.text("efficiency, and what each mechanism takes", "КПД и доли потерь в механизмах")
-    if case.coast:
+    if all(case.coasts(case.gears[place]) for place in chosen):
         what += style.text(" (coasting)", " (торможение двигателем)")
     pen = _panel(title(case, what), losses)
     _bars(pen, losses)

@@ -120,7 +120,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "input": _port(fields, "INP", 1),
         "output": _port(fields, "IOUT", 0),
         "idle": "exact" if _flag(fields, "IDLE", "published", "exact") else "published",
-        "coast": _flag(fields, "COAST", "driving", "coasting"),
+        "coast": _coast(fields),
         "name": names.get("T", ""),
     }
     links = sizes["J"]
@@ -220,6 +220,12 @@ def _port(fields: Fields, key: str, default: int) -> int:
 
 def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
     return fields.optional(key, 0, range(2), f"0 ({off}) or 1 ({on})") == 1
+
+
+def _coast(fields: Fields) -> bool | None:
+    """What the deck says of power that enters at the output; None: nothing."""
+    read = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
+    return None if read == -1 else read == 1
 
 
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:

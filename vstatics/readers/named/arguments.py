@@ -35,7 +35,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if given and not parts["gears"]:
         parts["gears"] = [Gear()]  # so that drag of the case has a place
     load = values.get("load", Load())
-    common = Common(load, values["coast"], values.get("drag", {}), bool(values.get("inertias")))
+    common = Common(load, values.get("drag", {}), bool(values.get("inertias")))
     elements, gears = in_gears(parts["shift_elements"], parts["gears"], common, walk.spots)
     return {
         **{key: values[key] for key in _OWN if key in values},
@@ -76,7 +76,6 @@ class Common(NamedTuple):
     """What a case gives for all gears."""
 
     load: Load
-    coast: bool
     drag: Mapping[int, float]
     """Of links."""
     moves: bool = False
@@ -137,7 +136,7 @@ def _is_drag(torque: float, element: ShiftElement | None, path: Path, spots: Spo
 
 def _whole(common: Common) -> float:
     """What capacities are related to: infinite where only their own unit counts."""
-    return abs(common.load.torque_unit) or (math.inf if common.moves else 0.0)
+    return common.load.torque_size or (math.inf if common.moves else 0.0)
 
 
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
@@ -158,8 +157,8 @@ def _gear(
     gear: Gear, number: int, common: Common, by_part: tuple[_ByPart, _ByPart], spots: Spots
 ) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
-    torque, (of_links, of_elements) = load.torque_unit, by_part
-    drags = abs(torque) or _whole(common)
+    torque, (of_links, of_elements) = load.torque_size, by_part
+    drags = torque or _whole(common)
 
     def related(
         key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
@@ -171,8 +170,7 @@ def _gear(
     speeds = related("speeds", numbers, load.speed or 0.0, {}) | by_links
     return gear._replace(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
-        # when coasting, the torque of the load is against its speed
-        torques=related("torques", gear.torques, -torque if common.coast else torque, {}),
+        torques=related("torques", gear.torques, torque, {}),  # the case gives it its sign
         drag=related("drag", gear.drag, drags, of_links),
         open_drag=related("open_drag", gear.open_drag, drags, of_elements),
     )

@@ -15,7 +15,7 @@ from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.system.curves import capacity_at, programme_at
-from vstatics.simulation.system.matrices import Contact, MotionSystem, OutsideTorque, sign
+from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem, OutsideTorque, sign
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import AHEAD, STANDING
@@ -152,8 +152,11 @@ class ModeChoices:
         torque = spring.stiffness * float(at.twists[index])
         if spring.viscous:
             choices.append(("springs", index, ("stick", "+", "-")))
-        elif abs(torque) >= limit - STANDING * scales.torque:
-            choices.append(("springs", index, ("stick", sign(torque))))
+        else:  # at a limit of nearly 0 it is at both ends
+            reached = limit - STANDING * scales.torque
+            slipping = [side for side in ("+", "-") if SIGNS[side] * torque >= reached]
+            if slipping:
+                choices.append(("springs", index, ("stick", *slipping)))
         return "stick"
 
     def _piece(self, at: Instant, one: OutsideTorque, last: int | None) -> int:

@@ -110,5 +110,5 @@ def _efficiency(system: MotionSystem, ends: tuple[int, int], engaged: Sequence[i
 
     numbers = [element + 1 for n in engaged if (element := system.contacts[n].element) is not None]
     gear = Gear(numbers, input=ends[0] + 1, output=ends[1] + 1)
-    results = solve(replace(system.case, gears=[gear], coast=False))
+    results = solve(replace(system.case, gears=[gear], coast=None))
     return float(results.efficiency[0])

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.elements.drawing import drawing_of
+from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.errors import CaseError, Path, Problem
 from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
@@ -89,6 +91,7 @@ def motion_system(
 
 def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
     found = []
+    planets = _taken_by_planets(case)
     for index, one in enumerate(case.mechanisms, len(case.shift_elements)):
         if one.stiffness is not None:
             continue
@@ -106,9 +109,31 @@ def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
                 combination([(one.second, -u), (one.third, u)], case.links),
                 one.efficiency,
                 back,
+                planets[index - len(case.shift_elements)],
             )
         )
     return found
+
+
+def _taken_by_planets(case: Transmission) -> Floats:
+    """Of what the first link of each mechanism gives, by accelerations of links [kg*m^2].
+
+    ``d(J w_p^2/2)/dw_1`` turns with time to ``J (dw_p/dw_1) dw_p/dt``: the teeth give it to planets
+    that are no links of their own.
+    """
+    made = np.zeros((len(case.mechanisms), case.links))
+    drawing = drawing_of(case)
+    for motion in planet_inertias(drawing) if drawing else ():
+        if not motion.wheel or motion.name in case.link_names:
+            continue
+        name = motion.name.rpartition(".")[0]
+        [device] = (one for one in case.own_devices if one.name == name)
+        [wheel] = (one for one in device.members if one.name == motion.wheel)
+        row = combination(motion.speed.items(), case.links)
+        for mechanism, place in wheel.places:
+            if place == 0:
+                made[mechanism] += motion.inertia * motion.by_wheel * row
+    return made
 
 
 def _elements(

@@ -187,7 +187,8 @@ class Equations:
             sprung, twisting = torques[at], rates[at]
             growing = twisting
             if not self.ports.bends.all():
-                slopes = self.affine.given_at(times)[1][at] if self.limited.any() else twisting
+                limited = bool(self.limited.any())
+                slopes = self.given_at(times, slopes_count=limited)[1][at]
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
             made[first : first + self.springs] = self.viscous[:, None] * growing**2
@@ -200,6 +201,19 @@ class Equations:
                 : len(lost)
             ] * lost
         return made
+
+    def given_at(self, times: Floats, *, slopes_count: bool) -> tuple[Floats, Floats]:
+        """Torques that are given by the time alone, and their slopes, shape (ports, times)."""
+        ports = self.ports
+        times = ports.inside(times)
+        given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
+        slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
+        for port, formula, factor in ports.timed:
+            given[port] = factor * curve_along(formula, times)
+            if slopes_count:
+                made = [slope_of(formula.function, time, self.within) for time in times.tolist()]
+                slopes[port] = factor * np.array(made)
+        return given, slopes
 
     def _with_driving(self, torques: Floats) -> Floats:
         """Torques of ports, those of contacts that stick at a speed too; times may follow."""
@@ -410,14 +424,7 @@ class Affine:
         return made + self.light.by_given @ given + self.light.by_slope @ slopes
 
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
-        """Torques that are given by the time alone, and their slopes, shape (ports, times)."""
-        ports, within = self.equations.ports, self.equations.within
-        times = ports.inside(times)
-        given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
-        slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
-        for port, formula, factor in ports.timed:
-            given[port] = factor * curve_along(formula, times)
-            if self.equations.light or self.change.by_slope.any():  # they count
-                made = [slope_of(formula.function, time, within) for time in times.tolist()]
-                slopes[port] = factor * np.array(made)
-        return given, slopes
+        """Torques that are given by the time alone, and their slopes where they count."""
+        equations = self.equations
+        count = bool(equations.light) or bool(self.change.by_slope.any())
+        return equations.given_at(times, slopes_count=count)

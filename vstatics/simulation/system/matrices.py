@@ -84,6 +84,8 @@ class RigidMechanism(NamedTuple):
     """Column of what its losses take: second link against the third, (0, -u, u)."""
     efficiency: float
     back: float
+    planets: Floats
+    """What planets take of the torque on its first link, by accelerations of links. [kg*m^2]"""
 
     @property
     def lossless(self) -> bool:

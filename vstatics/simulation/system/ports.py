@@ -203,7 +203,7 @@ class Ports:
             self.c0[port] = value
             if law.over == "speed":
                 self.by_rate[port] = slope
-                self.senses_rate[port] = len(law.x) > 1
+                self.senses_rate[port] = slope != 0
             else:
                 self.by_angle.append((port, place, slope))
 

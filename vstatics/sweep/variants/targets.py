@@ -13,7 +13,7 @@ from vstatics.model.springs import Spring
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.readers.deck.places import LISTS
-from vstatics.statics.solve import impossible as impossible_of_mechanism
+from vstatics.statics.matrix import impossible as impossible_of_mechanism
 from vstatics.tables.names import no_row, rows_called, several
 
 OfMechanism = Literal["ratio", "efficiency"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -168,8 +167,7 @@ def modes(
     if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
         message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
         raise CaseError("E514", message, ("inertias",))
-    if coast is not None and coast != case.coast:
-        case = replace(case, coast=coast)
+    case = case.with_coast(coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
     with np.errstate(all="ignore"):  # what is no number is told where it matters

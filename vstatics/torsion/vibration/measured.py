@@ -175,8 +175,7 @@ def _of_mode(
     case: Transmission, gear: int | str, number: int, *, coast: bool | None
 ) -> tuple[list[TorsionalDevice], Mode]:
     """The elastic devices of a gear, and one of its modes."""
-    if coast is not None and coast != case.coast:
-        case = case.replace(coast=coast)
+    case = case.with_coast(coast)
     at = case.gear_number(gear)
     if number < 1:
         raise ValueError(f"mode: read {number}, expected a number from 1")

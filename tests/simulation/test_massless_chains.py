@@ -1,0 +1,100 @@
+"""Chains of springs, clutches and links without inertia: energy closes, whatever slips."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from tests.simulation.runs import random_capacity
+from tests.simulation.test_closed_forms import links, run
+from tests.trains import seeded
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, between
+from vstatics.model.transmission import ShiftElement
+from vstatics.simulation import simulate
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+
+OVER_SPEED = Points((-50.0, 0.0, 60.0), (20.0, 0.0, -15.0), "speed")
+
+
+def random_chain(rng: Random) -> Scenario:
+    """Three to six links in a row, most without inertia, some joints with limits."""
+    count = rng.randint(3, 6)
+    inertias = [rng.choice((0.0, 0.0, rng.uniform(0.05, 2))) for _ in range(count)]
+    inertias[0], inertias[-1] = rng.uniform(0.1, 2), rng.uniform(0.1, 20)
+    springs: list[Spring] = []
+    elements: list[ShiftElement] = []
+    controls: dict[int, Control] = {}
+    for link in range(1, count):
+        stiffness, damping = 10 ** rng.uniform(2, 5), rng.choice((0.0, 0.0, rng.uniform(0.1, 20)))
+        if rng.random() < 0.55:
+            limit = rng.choice((None, rng.uniform(5, 150)))
+            joint = between(link, link + 1)
+            springs.append(Spring(joint, stiffness, damping=damping, name=f"s{link}", limit=limit))
+            continue
+        bends = rng.random() < 0.55
+        elements.append(
+            ShiftElement(link, link + 1, name=f"C{link}", stiffness=stiffness if bends else None)
+        )
+        controls[len(elements)] = Capacity(random_capacity(rng))
+    laws = tuple((link, random_law(rng)) for link in rng.sample(range(1, count + 1), 3))
+    speeds = {link: rng.uniform(-100, 100) for link, one in enumerate(inertias, 1) if one}
+    case = links(*inertias, elements=tuple(elements), springs=tuple(springs))
+    return Scenario(case, 0.8, Start(speeds=speeds), controls, laws)
+
+
+def random_law(rng: Random) -> TorqueLaw:
+    size = rng.uniform(-100, 100)
+    laws: tuple[TorqueLaw, ...] = (
+        constant(size),
+        Points((0.0, 0.3, 0.6), (size, -size, size / 2), "time"),
+        OVER_SPEED,
+        Formula(f"-{abs(size) / 100:.3f}*speed"),
+        Resistance(abs(size)),
+    )
+    return rng.choice(laws)
+
+
+def test_where_a_torque_no_longer_changes_with_speed_a_link_follows_its_shaft() -> None:
+    """Beyond -50 rad/s the law is flat: the shaft keeps its twist, both ends turn alike."""
+    case = links(1.0, 0.0, 8.0, springs=(Spring(between(1, 2), 1700.0, name="s"),))
+    clutch = (ShiftElement(2, 3, name="C"),)
+    case = case.replace(shift_elements=clutch)
+    capacity: dict[int, Control] = {1: Capacity(constant(30.0))}
+    motion = run(case, 0.1, {1: -90.0, 2: 0.0, 3: 10.0}, ((2, OVER_SPEED),), capacity)
+    assert motion.speeds[-1, 1] == pytest.approx(motion.speeds[-1, 0], rel=1e-9)
+    assert motion.torques[-1, motion.devices.index("s")] == pytest.approx(-50.0)
+
+
+def test_a_formula_acts_on_a_link_without_inertia_while_a_spring_slips() -> None:
+    """The limit of 40 N*m balances ``-2*speed``: the link turns by 20 rad/s, as long as it slips."""
+    spring = Spring(between(1, 2), 5000.0, name="s", limit=40.0)
+    case = links(1.0, 0.0, springs=(spring,))
+    motion = run(case, 0.5, {1: 100.0}, ((2, Formula("-2*speed")),))
+    assert motion.speeds[-1, 1] == pytest.approx(20.0)
+    assert motion.speeds[-1, 0] == pytest.approx(100 - 40 * 0.5, rel=2e-3)
+
+
+def test_an_elastic_clutch_begins_to_slip_either_way() -> None:
+    """Its capacity rises from 0 by 100 N*m/s while the first link is the faster one."""
+    clutch = ShiftElement(1, 2, name="C", stiffness=30000.0)
+    case = links(1.0, 2.0, elements=(clutch,))
+    rising: dict[int, Control] = {1: Capacity(Points((0.1, 0.4), (0.0, 30.0), "time"))}
+    motion = run(case, 0.4, {1: 100.0, 2: 0.0}, controls=rising)
+    assert motion.speeds[-1, 0] == pytest.approx(100 - 100 * 0.3**2 / 2)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(200))
+def test_energy_of_any_chain_closes(number: int) -> None:
+    """Also of a run that had to stop: what could not be chosen is no loss of energy."""
+    try:
+        motion = simulate(random_chain(seeded(number)))
+    except CaseError:  # the start, or a link, is open
+        return
+    energy = motion.energy
+    parts = [energy.work, energy.kinetic, energy.elastic, *energy.heat.values()]
+    assert abs(energy.balance) <= 1e-8 * max(1.0, *map(abs, parts))

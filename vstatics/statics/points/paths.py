@@ -1,0 +1,133 @@
+"""Which numbers of a case a path names, "load.torque", "gears.low.drag.out", and what they may be.
+
+Names stand as the case has them. Gears may be `*`, all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, nearest, quoted
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.statics import matrix
+from vstatics.statics.variants import OF_MECHANISMS, OfGear, OfMechanism
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+OfLoads = Literal["load.speed", "load.torque"]
+
+
+class CaseNumber(NamedTuple):
+    """A number of a case that varies, in SI."""
+
+    gear: int | None
+    """Its index; None for a load that is the case's own."""
+    quantity: OfLoads | OfGear | OfMechanism
+    owner: int = 0
+    """As that of a `GearNumber`; of a load nothing."""
+
+
+Columns = Mapping[CaseNumber, Floats]
+"""Of shape (variants,): rad/s, N*m, or without a unit."""
+
+
+def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Columns, int]:
+    """The numbers that vary, and how many variants there are.
+
+    Raises
+    ------
+    CaseError
+        If a path names nothing, or a number can't be.
+    ValueError
+        If the arrays do not go together, on one axis.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> columns_of(case, {"load.torque": [100.0, 200.0]})
+    ({CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}, 2)
+    """
+    arrays = {path: np.asarray(numbers, dtype=np.float64) for path, numbers in vary.items()}
+    shape = np.broadcast_shapes((1,), *(array.shape for array in arrays.values()))
+    if len(shape) > 1:
+        shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
+        raise ValueError(f"vary: expected arrays of one axis, read {shapes}")
+    known = dict(_named(case))
+    columns: dict[CaseNumber, Floats] = {}
+    for path, array in arrays.items():
+        numbers = known.get(path)
+        if not numbers:
+            message = f"the case has no number {quoted(path)}{nearest(path, known)}"
+            raise CaseError([Problem("E421", message, ("vary",))])
+        column = np.broadcast_to(array, shape)
+        _check(path, numbers[0].quantity, column)
+        for number in numbers:
+            if number in columns:
+                message = f"{quoted(path)} is varied twice, expected each number once"
+                raise CaseError([Problem("E422", message, ("vary",))])
+            columns[number] = column
+    return columns, shape[0]
+
+
+def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+    """All paths of a case, each with its numbers."""
+    quantities: tuple[OfLoads, ...] = get_args(OfLoads)
+    for quantity in quantities:
+        yield quantity, [CaseNumber(None, quantity)]
+    everywhere = range(len(case.gears))
+    by_gear = [("*", everywhere), *((gear.name, [n]) for n, gear in enumerate(case.gears))]
+    links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
+    elements = {element.name: n for n, element in enumerate(case.shift_elements, 1)}
+    owners: dict[OfGear, dict[str, int]] = {
+        "speeds": links,
+        "torques": links,
+        "drag": links,
+        "open_drag": elements,
+    }
+    for gear, numbers in by_gear:
+        for quantity in quantities:
+            yield f"gears.{gear}.{quantity}", [CaseNumber(n, quantity) for n in numbers]
+        for of_gear, named in owners.items():
+            for name, owner in named.items():
+                own = [CaseNumber(n, of_gear, owner) for n in numbers]
+                yield f"gears.{gear}.{of_gear}.{name}", own
+    for name, link in links.items():
+        yield f"drag.{name}", [CaseNumber(n, "drag", link) for n in everywhere]
+    for name, number in elements.items():
+        yield f"{name}.drag", [CaseNumber(n, "open_drag", number) for n in everywhere]
+    indexed = enumerate(case.mechanisms)
+    mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
+    mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
+    for name, indices in mechanisms.items():
+        for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ():
+            own = [CaseNumber(n, of_mechanism, indices[0]) for n in everywhere]
+            yield f"{name}.{of_mechanism}", own
+
+
+def _check(path: str, quantity: str, column: Floats) -> None:
+    """Raise the first number that can't be."""
+    wrong, expected = _wrong(quantity, column)
+    if wrong.any():
+        variant = int(np.flatnonzero(wrong)[0])
+        message = f"read {column[variant]:g} in variant {variant}, expected {expected}"
+        raise CaseError([Problem("E415", message, ("vary", path))])
+
+
+def _wrong(quantity: str, column: Floats) -> tuple[Booleans, str]:
+    """Which numbers can't be, and what is expected."""
+    if quantity in ("ratio", "efficiency"):
+        return matrix.impossible(quantity, column), matrix.EXPECTED[quantity]  # type: ignore[arg-type] # one of the two
+    wrong = ~np.isfinite(column)
+    if quantity == "back_efficiency":
+        return wrong | (column < 0) | (column > 1), "an efficiency from 0 to 1"
+    if quantity in ("drag", "open_drag"):
+        return wrong | (column < 0), "a torque of 0 or more"
+    if quantity == "load.speed":
+        return wrong | (column == 0), "a finite speed other than 0"
+    return wrong, "a finite number"
