@@ -20,11 +20,12 @@ from vstatics.cli.frame.values import value
 from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
+from vstatics.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
     from vstatics.summary import Summary
     from vstatics.summary.answer import SummaryAnswer
-    from vstatics.summary.duty_file import DutyFile
+    from vstatics.summary.duty_file import DutyFile, DutyTable
 
 
 def _torque(text: str) -> float:
@@ -55,7 +56,16 @@ def _torque(text: str) -> float:
     "--duty",
     type=click.Path(),
     metavar="FILE",
-    help="Mean efficiency of a duty cycle: YAML with `energy` or `time`, and a share by gear.",
+    help="A duty cycle: YAML with `energy` or `time`, and a share by gear; or CSV of points with "
+    "`time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
+)
+@click.option(
+    "--exponent",
+    type=click.FloatRange(min=0, min_open=True, max=100),
+    default=3.0,
+    show_default=True,
+    metavar="P",
+    help="Of the equivalent torque over a CSV of points.",
 )
 @click.option(
     "--output-torque",
@@ -84,6 +94,7 @@ def summary(
     combinations: bool,
     at_most: int,
     duty: str | None,
+    exponent: float,
     output_torque: float | None,
     reserve: float | None,
     boxes: tuple[int, ...],
@@ -114,11 +125,13 @@ def summary(
     others = [] if duty is None else [duty]
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
-    cycle = None
+    cycle: DutyFile | DutyTable | None = None
     if duty is not None:
-        from vstatics.summary.duty_file import read_duty
+        from vstatics.summary.duty_file import read_duty, read_duty_table
 
-        cycle = read_duty(*files.read_input(duty))
+        data, name = files.read_input(duty)
+        is_table = suffix_of(duty) == ".csv"
+        cycle = read_duty_table(data, name, exponent) if is_table else read_duty(data, name)
     summarized = partial(
         _summarized,
         at_most=at_most if combinations else None,
@@ -190,7 +203,7 @@ def _summarized(
     outcome: CalculatedCase,
     results: Results,
     at_most: int | None,
-    duty: DutyFile | None,
+    duty: DutyFile | DutyTable | None,
     output_torque: float,
     reserve: float | None,
 ) -> Summary:

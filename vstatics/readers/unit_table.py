@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.errors import Problem, ReadError, nearest, quoted, spoken
+from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
 from vstatics.model.shape import Measure
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import UNIT_OF, measured
@@ -45,12 +45,10 @@ class UnitTable(NamedTuple):
     texts: dict[str, list[str]]
     lines: list[int]
     source: Source
-    id: str
-    """Of what is wrong in it."""
 
-    def problem(self, row: int, message: str) -> Problem:
-        """What is wrong in a row, counted from 0."""
-        return Problem(self.id, message, (), self.source.place(self.lines[row]))
+    def place(self, row: int) -> Place:
+        """Where a row stands, counted from 0."""
+        return self.source.place(self.lines[row])
 
 
 def read_unit_table(
@@ -83,7 +81,8 @@ def read_unit_table(
     Examples
     --------
     >>> columns = [TableColumn("speed", "si_speed"), TableColumn("gear", is_text=True)]
-    >>> table = read_unit_table(b"gear,speed [rpm]\\n1,30\\nR,60", "a.csv", "a cycle", columns, "E120")
+    >>> data = b"gear,speed [rpm]\\n1,30\\nR,60"
+    >>> table = read_unit_table(data, "a.csv", "a cycle", columns, "E121")
     >>> table.numbers["speed"][0].__round__(6), table.texts["gear"]
     (3.141593, ['1', 'R'])
     """
@@ -108,7 +107,6 @@ def read_unit_table(
         {one.name: [] for one, _ in found if one.is_text},
         [number for number, _ in rows],
         source,
-        id,
     )
     for number, line in rows:
         try:

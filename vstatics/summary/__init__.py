@@ -29,6 +29,7 @@ from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
 from vstatics.summary.inertia import GearInertia, reduced_inertias
+from vstatics.summary.load_spectrum import Spectrum
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.summary.shifts import Transition, transitions
 from vstatics.summary.unused_sets import Combination, combinations
@@ -52,7 +53,7 @@ class Summary(NamedTuple):
     """Of the shift elements that have a capacity."""
     combinations: Sequence[Combination] | None = None
     """If they were asked for."""
-    cycle: Cycle | None = None
+    cycle: Cycle | Spectrum | None = None
     """If there is a duty cycle."""
     inertias: Sequence[GearInertia] = ()
     """If anything has an inertia."""

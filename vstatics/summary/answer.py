@@ -10,6 +10,7 @@ from vstatics.summary.design_table import Design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed
 from vstatics.summary.inertia import GearInertia
+from vstatics.summary.load_spectrum import Spectrum
 from vstatics.summary.shifts import Transition
 from vstatics.summary.unused_sets import Combination
 from vstatics.tables.answer import Flat, Sometimes, document
@@ -30,7 +31,7 @@ class SummaryAnswer(NamedTuple):
     margins: Sometimes[Sequence[Margin]]
     needed_capacity: Sometimes[Sequence[Needed]]
     inertia: Sometimes[Sequence[GearInertia]]
-    duty: Sometimes[Cycle]
+    duty: Sometimes[Cycle | Spectrum]
     combinations: Sometimes[Sequence[Combination]]
 
 

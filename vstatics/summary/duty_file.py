@@ -1,15 +1,17 @@
-"""A duty cycle as a YAML file: `energy` or `time`, and a share for each gear."""
+"""A duty cycle as a file: shares for each gear in YAML, or points in CSV."""
 
 from __future__ import annotations
 
 from typing import NamedTuple, get_args
 
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.model.shape import ByKey, KeyShape, Shares
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.reader import read_document
+from vstatics.readers.unit_table import TableColumn, UnitTable, read_unit_table
 from vstatics.statics.results import Results
 from vstatics.summary.duty import Cycle, Duty, Kind, cycle
+from vstatics.summary.load_spectrum import Spectrum, points_of, spectrum
 
 DUTY = ByKey(
     "Duty cycle",
@@ -41,6 +43,67 @@ class DutyFile(NamedTuple):
         except CaseError as error:
             problems = [one._replace(path=(self.duty.kind, *one.path)) for one in error.problems]
             raise ReadError([self.spots.locate(problem) for problem in problems]) from None
+
+
+_COLUMNS = (
+    TableColumn("time", "time", optional=True, may_be_bare=True),
+    TableColumn("share", optional=True),
+    TableColumn("gear", is_text=True),
+    TableColumn("speed", "si_speed"),
+    TableColumn("torque", "si_torque"),
+)
+
+
+class DutyTable(NamedTuple):
+    """A duty cycle by points, and where they stand."""
+
+    table: UnitTable
+    exponent: float
+
+    def of(self, results: Results) -> Spectrum:
+        """What it does to a case.
+
+        Raises
+        ------
+        ReadError
+            With the lines of points that cannot be.
+        """
+        table = self.table
+        try:
+            points = points_of(results.case, table.texts["gear"], table.numbers)
+            return spectrum(results.case, points, self.exponent)
+        except CaseError as error:
+            raise ReadError(
+                Problem(one.id, one.message, (), table.place(_row(one))) for one in error.problems
+            ) from None
+
+
+def _row(problem: Problem) -> int:
+    """The row that a problem is of; the first where it is of all."""
+    first = next(iter(problem.path), 0)
+    return first if isinstance(first, int) else 0
+
+
+def read_duty_table(data: bytes, file: str, exponent: float) -> DutyTable:
+    """Read a duty cycle by points: columns time or share, gear, speed, torque.
+
+    Parameters
+    ----------
+    exponent : float
+        Of the equivalent torque. [-]
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    table = read_unit_table(
+        data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
+    )
+    if ("time" in table.numbers) == ("share" in table.numbers):
+        message = "read both `time` and `share`, or neither, expected one of them"
+        raise ReadError([Problem("E121", message, (), table.source.place(1))])
+    return DutyTable(table, exponent)
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:

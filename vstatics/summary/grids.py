@@ -9,6 +9,7 @@ from typing import NamedTuple
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
+from vstatics.summary.load_spectrum import Spectrum
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
@@ -40,7 +41,7 @@ def grids(summary: Summary) -> Iterator[Grid]:
         *_largest(summary),
         *_margins(summary),
         _needed(summary),
-        _duty(summary),
+        *_duty(summary),
         _inertias(summary),
         _sensitivities(summary),
         _efficiency_sensitivities(summary),
@@ -204,11 +205,35 @@ def _needed(summary: Summary) -> Grid:
     return grid_of("Needed capacity, with the reserve", headings, rows, key="needed capacity")
 
 
-def _duty(summary: Summary) -> Grid:
+def _duty(summary: Summary) -> Iterator[Grid]:
     cycle = summary.cycle
+    if isinstance(cycle, Spectrum):
+        yield from _spectrum(cycle)
+        return
     title = "Duty cycle: share of the input energy, efficiency"
     rows = [*cycle.stages, ("in all", 1.0, cycle.efficiency)] if cycle else ()
-    return grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
+    yield grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
+
+
+def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
+    """Energies, and what links, members and clutches carry."""
+    unit, energy = ("W" if cycle.are_shares else "J"), cycle.energy
+    lost = [(f"lost: {name}", one) for name, one in energy.lost.items() if one]
+    rows = [("in", energy.in_), ("out", energy.out), *lost, ("efficiency", cycle.efficiency)]
+    yield grid_of("Duty cycle", ["", f"energy, {unit}"], rows, key="duty")
+    members = [
+        (
+            *(name, one.torque.largest, one.torque.row, one.speed.largest, one.speed.row),
+            *(one.revolutions, one.equivalent_torque),
+        )
+        for name, one in cycle.members.items()
+        if one.torque.largest
+    ]
+    headings = (
+        *("member", "torque, N*m", "row", "speed, rpm", "row"),
+        *("turns" + " a second" * cycle.are_shares, "equivalent, N*m"),
+    )
+    yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
 
 
 def _inertias(summary: Summary) -> Grid:

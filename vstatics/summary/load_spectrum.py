@@ -19,6 +19,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.statics.matrix import held_links
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
+from vstatics.tables.answer import told
 
 EXPONENT = 3.0
 """Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
@@ -60,6 +61,7 @@ class MemberLoad(NamedTuple):
     """``(sum |T|^p n t / sum n t)^(1/p)`` with that speed n [N*m]; NaN where nothing turns."""
 
 
+@told(in_="in_", out="out", lost="lost")
 class DutyEnergy(NamedTuple):
     """Energies of a duty cycle [J]; of shares mean powers [W]."""
 
@@ -69,12 +71,15 @@ class DutyEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
+@told("energy", "efficiency", "members")
 class Spectrum(NamedTuple):
     """What a duty cycle by points does."""
 
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
+    are_shares: bool = False
+    """Then energies are mean powers, and revolutions those of a second."""
 
 
 def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
@@ -116,7 +121,8 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
         for name, (torques, speeds) in loads.members()
     }
     efficiency = leaving / entering if entering > 0 else math.nan
-    return Spectrum(DutyEnergy(entering, leaving, lost), efficiency, members)
+    energy = DutyEnergy(entering, leaving, lost)
+    return Spectrum(energy, efficiency, members, points.are_shares)
 
 
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
@@ -160,7 +166,7 @@ class _Loads(NamedTuple):
         made = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
         problems = [
-            Problem("E421", made.reason(row), (row,)) for row in np.flatnonzero(lacking).tolist()
+            Problem("E424", made.reason(row), (row,)) for row in np.flatnonzero(lacking).tolist()
         ]
         if problems:
             raise CaseError(problems)
@@ -171,9 +177,17 @@ class _Loads(NamedTuple):
         gear = self.case.gears[int(self.points.gears[row])].name
         return f"gear {gear} has no torques with losses at this speed and torque"
 
-    def taken(self, array: Floats) -> Floats:
+    def taken(self, array: Any) -> Floats:
         """An array of results by point, in the gear of each."""
-        return array[np.arange(len(self.points.gears)), self.points.gears]
+        own: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
+        return own
+
+    @property
+    def input_torques(self) -> Floats:
+        """Of the input at each point, as `coast` of the case turns it [N*m]."""
+        assert self.results.points is not None  # noqa: S101 - loads vary
+        units = self.taken(self.results.points.scales["Nm"])
+        return np.where(self.points.torques == 0, 0.0, units)
 
     def losses(self) -> dict[str, Floats]:
         """By mechanism or element: power lost at each point [W]."""
@@ -250,16 +264,12 @@ class _Loads(NamedTuple):
         held = np.nan_to_num(self.taken(results.lossy_holding_torques_Nm))
         for index, gear in enumerate(case.gears):
             here = self.points.gears == index
-            unit = np.where(here, self.points.torques, 0.0)
+            unit = np.where(here, self.input_torques, 0.0)
             found[case.gear_input(gear)].append(unit)
             found[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
-            for link, torque in gear.torques.items():
-                given = (
-                    np.where(here, torque.given, 0.0)
-                    if isinstance(torque, OfLoad)
-                    else torque * unit
-                )
-                found[link].append(given)
+            for link, given in gear.torques.items():
+                fixed = isinstance(given, OfLoad)
+                found[link].append(here * given.given if fixed else unit * given)  # type: ignore[attr-defined]
             for link in held_links(case, gear):
                 found[link].append(np.where(here, held[:, link - 1], 0.0))
         drags = {}
@@ -319,9 +329,14 @@ def points_of(
         for row, gear in enumerate(gears)
         if gear not in names
     ]
+    problems += [
+        Problem("E425", "speed: read 0, expected a speed other than 0", (row,))
+        for row, value in enumerate(numbers["speed"])
+        if value == 0
+    ]
     kind = "share" if "share" in numbers else "time"
     problems += [
-        Problem("E422", f"{kind}: read {value:g}, expected 0 or more", (row,))
+        Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))
         for row, value in enumerate(numbers[kind])
         if value < 0
     ]

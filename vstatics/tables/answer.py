@@ -146,7 +146,7 @@ def _keys(kind: Any) -> Sequence[_Key]:
         if get_origin(one) is Annotated and get_args(one)[1] in _MARKS:
             one, mark = get_args(one)
             if NoneType in get_args(one):
-                [one] = (part for part in get_args(one) if part is not NoneType)
+                one = Union[tuple(part for part in get_args(one) if part is not NoneType)]  # noqa: UP007
         found.append(_Key(name, attribute, one, mark))
     return found
 

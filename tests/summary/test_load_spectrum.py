@@ -1,0 +1,139 @@
+"""Duty cycles by points: energies against closed forms and against the results of each point."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.commands import vstatics
+from tests.trains import random_train, seeded
+from vstatics import CaseError, Gear, Load, Mechanism, Transmission, solve
+from vstatics.summary.load_spectrum import DutyPoints, points_of, spectrum
+
+PAIRS = Transmission(
+    3,
+    [],
+    [Mechanism(1, 2, 0, 2.0, 0.9, name="a"), Mechanism(2, 3, 0, -3.0, 0.8, name="b")],
+    [Gear(name="1")],
+    link_names=["in", "mid", "out"],
+)
+
+
+def points(*rows: tuple[float, float, float], are_shares: bool = False) -> DutyPoints:
+    """Of speed, torque and weight in gear 1."""
+    speeds, torques, weights = map(np.array, zip(*rows, strict=True))
+    return DutyPoints(np.zeros(len(rows), int), speeds, torques, weights, are_shares)
+
+
+def test_energies_of_two_pairs_in_closed_form() -> None:
+    """100 rad/s and 20 N*m for 10 s; then coasting with -9 N*m for 5 s, where 9/.72 N*m enter."""
+    made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (100.0, -9.0, 5.0)))
+    drive, coast = 2000 * 10.0, 900 * 5.0
+    assert made.energy.in_ == pytest.approx(drive + coast / 0.72)
+    assert made.energy.out == pytest.approx(drive * 0.72 + coast)
+    lost_b = drive * 0.9 * 0.2 + coast / 0.72 * 0.2
+    assert made.energy.lost == pytest.approx({"a": drive * 0.1 + coast / 0.9 * 0.1, "b": lost_b})
+    assert made.efficiency == pytest.approx(made.energy.out / made.energy.in_)
+
+
+def test_equivalent_torque_and_turns() -> None:
+    """T^3 by turns: 20 N*m over 1000 rad, 10 N*m over 500 rad, at the first link."""
+    made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (50.0, 10.0, 10.0)))
+    one = made.members["a.first"]
+    assert one.torque == (20.0, 1)
+    assert one.speed.largest == pytest.approx(100 * 30 / math.pi)
+    assert one.revolutions == pytest.approx(1500 / (2 * math.pi))
+    assert one.equivalent_torque == pytest.approx(((20**3 * 1000 + 10**3 * 500) / 1500) ** (1 / 3))
+    mid = made.members["mid"]
+    assert mid.torque.largest == pytest.approx(20 * 2 * 0.9)
+    assert mid.revolutions == pytest.approx(750 / (2 * math.pi))
+
+
+def test_shares_give_mean_powers() -> None:
+    made = spectrum(PAIRS, points((100.0, 20.0, 3.0), (100.0, 10.0, 1.0), are_shares=True))
+    assert made.energy.in_ == pytest.approx(2000 * 0.75 + 1000 * 0.25)
+
+
+def test_drag_of_a_link_is_what_its_torques_leave() -> None:
+    """2 N*m on the middle link, which turns at half the speed: 2 50 J/s."""
+    case = PAIRS.replace(
+        gears=[Gear(drag={2: 0.1}, name="1")],
+        mechanisms=[m._replace(efficiency=1.0) for m in PAIRS.mechanisms],
+    )
+    made = spectrum(case, points((100.0, 20.0, 1.0)))
+    assert made.energy.lost["drag.mid"] == pytest.approx(0.1 * 20 * 50)
+    assert made.members["mid"].torque.largest == pytest.approx(40)
+
+
+@pytest.mark.parametrize("number", range(25))
+def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
+    """Each point is that of the case with this load; energies are sums over points."""
+    rng = seeded(2750 + number)
+    case = random_train(rng).replace(coast=None)
+    results = solve(case.replace(load=Load(1000.0, 50.0)))
+    whole = [
+        n for n, ok in enumerate(results.consistent & np.isfinite(results.losses).all(axis=1)) if ok
+    ]
+    whole = [n for n in whole if np.isfinite(results.lossy_output_torque_Nm[n])]
+    if not whole or case.freewheels:
+        return
+    gears = np.array([rng.choice(whole) for _ in range(4)])
+    speeds = np.array([rng.uniform(50, 300) for _ in gears])
+    torques = np.array([rng.uniform(5, 90) for _ in gears])
+    times = np.array([rng.uniform(1, 9) for _ in gears])
+    try:
+        made = spectrum(case, DutyPoints(gears, speeds, torques, times))
+    except CaseError:
+        return
+    entering = leaving = 0.0
+    for gear, speed, torque, time in zip(gears, speeds, torques, times, strict=True):
+        one = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
+        entering += 1e3 * one.input_power_kW[gear] * time
+        leaving += 1e3 * one.output_power_kW[gear] * time
+    assert made.energy.in_ == pytest.approx(entering, rel=1e-9)
+    assert made.energy.out == pytest.approx(leaving, rel=1e-9)
+    lost = math.fsum(made.energy.lost.values())
+    assert lost == pytest.approx(entering - leaving, rel=1e-8, abs=1e-6 * entering)
+
+
+def test_what_is_no_duty_cycle_is_told() -> None:
+    with pytest.raises(CaseError, match="no gear '2'"):
+        points_of(PAIRS, ["2"], {"speed": [1.0], "torque": [1.0], "time": [1.0]})
+    with pytest.raises(CaseError, match="expected a speed other than 0"):
+        points_of(PAIRS, ["1"], {"speed": [0.0], "torque": [1.0], "time": [1.0]})
+    with pytest.raises(CaseError, match="time: read -1"):
+        points_of(PAIRS, ["1"], {"speed": [1.0], "torque": [1.0], "time": [-1.0]})
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:1: error: speed: its unit is missing"),
+        ("time,gear,speed [kg],torque [N*m]\n1,1,2,3\n", "speed: read the unit 'kg'"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,1,nan,3\n", ":2:1: error: speed: read 'nan'"),
+        ("time,gear,speed [rpm],torque [N*m]\n", "no row below the headings"),
+        ("gear,speed [rpm],torque [N*m]\n1,2,3\n", "expected one of them"),
+        ("time,share,gear,speed [rpm],torque [N*m]\n1,1,1,2,3\n", "expected one of them"),
+        ("time,gear,sped [rpm],torque [N*m]\n1,1,2,3\n", "did you mean `speed`?"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,9,2,3\n", ":2:1: error: there is no gear '9'"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
+    ],
+)
+def test_faults_of_a_table_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "case.json").write_text(
+        json.dumps(
+            {
+                "links": 2,
+                "mechanisms": {"a": {"first": 1, "second": 2, "ratio": 2}},
+                "gears": {"1": []},
+            }
+        )
+    )
+    (tmp_path / "duty.csv").write_text(text)
+    ran = vstatics("summary", str(tmp_path / "case.json"), "--duty", str(tmp_path / "duty.csv"))
+    assert (ran.status, ran.out) == (1, "")
+    assert said in ran.err
