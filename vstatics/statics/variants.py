@@ -121,7 +121,7 @@ def _inputs(
     return fixed, prepared(values)
 
 
-class _Own(NamedTuple):
+class _GearsOwn(NamedTuple):
     """The numbers of one gear: inputs of its plans, and what is the same in all variants."""
 
     places: tuple[GearNumber, ...] = ()
@@ -162,10 +162,10 @@ class _Own(NamedTuple):
 
 OF_MECHANISMS: tuple[OfMechanism, ...] = get_args(OfMechanism)
 OF_GEAR: tuple[OfGear, ...] = get_args(OfGear)
-NOTHING_OWN = _Own()
+NOTHING_OWN = _GearsOwn()
 
 
-def _own(columns: GearNumbers) -> _Own:
+def _own(columns: GearNumbers) -> _GearsOwn:
     """What varies of the numbers of a gear, and what does not."""
     places, rows, constants = [], [], []
     for place, column in columns.items():
@@ -174,7 +174,7 @@ def _own(columns: GearNumbers) -> _Own:
         else:
             places.append(place)
             rows.append(column)
-    return _Own(tuple(places), rows, tuple(constants))
+    return _GearsOwn(tuple(places), rows, tuple(constants))
 
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
@@ -279,7 +279,11 @@ def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
 
 
 def _function(
-    case: Transmission, gear: Gear, fixed: Sequence[float | None], names: Sequence[str], own: _Own
+    case: Transmission,
+    gear: Gear,
+    fixed: Sequence[float | None],
+    names: Sequence[str],
+    own: _GearsOwn,
 ) -> Function:
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
