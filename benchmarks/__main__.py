@@ -15,11 +15,11 @@ from common import compiled, machine
 
 NAMES = (
     *("variants", "spread", "sizes", "decks", "long_sweeps", "torsion"),
-    *("simulation", "startup", "drawing"),
+    *("points", "simulation", "startup", "drawing"),
 )
 LONG = ("boxes",)
 """Those that are run only where they are named."""
-WITHOUT_PEER = ("long_sweeps", "torsion", "simulation", "startup", "drawing", "boxes")
+WITHOUT_PEER = ("long_sweeps", "torsion", "points", "simulation", "startup", "drawing", "boxes")
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 

@@ -54,11 +54,20 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_gear(case, gear, path)
         if gear.load:
             yield from of_load(case.gear_load(gear), path)
+    yield from _laws(case)
     for number, identity in enumerate(case.allow, 1):
         if why := why_not_allowed(identity):
             yield Problem("E299", why, ("allow", number))
     if case.idle not in ("exact", "published"):
         yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _laws(case: TransmissionFields) -> Iterator[Problem]:
+    """Drags and efficiencies that depend on speed or torque need a load."""
+    if case.has_laws:
+        from vstatics.model.laws import without_loads  # costs start-up time
+
+        yield from without_loads(case)
 
 
 def _moves(case: TransmissionFields) -> bool:

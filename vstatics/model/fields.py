@@ -12,6 +12,7 @@ from vstatics.errors import Problem, listed, nearest, typed_number
 from vstatics.model.parts import (
     Direction,
     Gear,
+    Law,
     Load,
     Mechanism,
     Member,
@@ -210,6 +211,16 @@ class TransmissionFields:
         for gear in self.gears:
             torques += [*gear.drag.values(), *gear.open_drag.values()]
         return any(torques)
+
+    @property
+    def has_laws(self) -> bool:
+        """Whether a drag or an efficiency depends on speed or torque."""
+        numbers = [element.drag for element in self.shift_elements]
+        for one in self.mechanisms:
+            numbers += [one.efficiency, one.back_efficiency or 0.0]
+        for gear in self.gears:
+            numbers += [*gear.drag.values(), *gear.open_drag.values()]
+        return any(isinstance(number, Law) for number in numbers)
 
     @property
     def devices(self) -> list[str]:

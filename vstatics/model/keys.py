@@ -6,6 +6,8 @@ others refer to comes first.
 
 from __future__ import annotations
 
+from typing import Any
+
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
@@ -26,6 +28,7 @@ from vstatics.model.shape import (
     TEXT,
     TORQUE,
     ByKey,
+    ByLaw,
     ByName,
     ByPoints,
     Either,
@@ -72,6 +75,57 @@ FRICTION = ByKey(
     Friction,
 )
 
+DRAG = ByLaw(
+    Leaf("drag"),
+    ByKey(
+        "Points",
+        "Points in a file, in columns `speed [unit],torque [unit]`.",
+        (
+            KeyShape(
+                "file",
+                TEXT,
+                "Name of a CSV file, beside that of the case.",
+                required=True,
+                examples=("drag.csv",),
+            ),
+        ),
+    ),
+    RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"),
+)
+"""Relative to the input torque; or in N*m by the speed in rad/s: a formula of w, or points."""
+
+
+def _law(over: Any, points: Any) -> Any:
+    from vstatics.model.laws import PointLaw  # costs start-up time
+
+    return PointLaw(points, over)
+
+
+EFFICIENCY = ByLaw(
+    NUMBER,
+    ByKey(
+        "Efficiency over speed or torque",
+        "Points, straight between, constant outside.",
+        (
+            KeyShape(
+                "over",
+                Leaf("choice", ("speed", "torque")),
+                "Speed of the first link against the third, in rad/s; or torque on the first "
+                "link, in N*m: magnitudes.",
+                required=True,
+            ),
+            KeyShape(
+                "points",
+                ListOf(RowOf((NUMBER, NUMBER), "speed or torque, efficiency")),
+                "Points in ascending order.",
+                required=True,
+                examples=([[0, 0.9], [150, 0.975]],),
+            ),
+        ),
+        _law,
+    ),
+)
+
 ELEMENT = ByKey(
     "Shift element",
     "A clutch, brake, dog clutch or freewheel.",
@@ -92,8 +146,9 @@ ELEMENT = ByKey(
         ),
         KeyShape(
             "drag",
-            TORQUE,
-            "Torque with which it drags when open, relative to the input torque.",
+            DRAG,
+            "Torque with which it drags when open, relative to the input torque; or a formula of "
+            "w = |slip| in rad/s, or points [rad/s, N*m].",
             default=0,
             limits={"minimum": 0},
             examples=(0.002,),
@@ -146,15 +201,15 @@ MECHANISM = ByKey(
         ),
         KeyShape(
             "efficiency",
-            NUMBER,
-            "Efficiency with the third link held, above 0 and up to 1.",
+            EFFICIENCY,
+            "Efficiency with the third link held, above 0 and up to 1; or over speed or torque.",
             default=1,
             limits={"exclusiveMinimum": 0, "maximum": 1},
             examples=(0.97,),
         ),
         KeyShape(
             "back_efficiency",
-            NUMBER,
+            EFFICIENCY,
             "Efficiency where power flows from the second link to the first, if it is another "
             "one; 0 is self-locking.",
             limits={"minimum": 0, "maximum": 1},
@@ -222,13 +277,13 @@ GEAR = ByKey(
         ),
         KeyShape(
             "drag",
-            Numbers("link", TORQUE, {"minimum": 0}),
+            Numbers("link", DRAG, {"minimum": 0}),
             "Drag of bearings and oil on links, against their rotation, relative to the input "
-            "torque.",
+            "torque; or a formula of w = |speed| in rad/s, or points [rad/s, N*m].",
         ),
         KeyShape(
             "open_drag",
-            Numbers("shift element", TORQUE, {"minimum": 0}),
+            Numbers("shift element", DRAG, {"minimum": 0}),
             "Drag of shift elements in this gear when they are open, in place of their own.",
         ),
         KeyShape("input", LINK, "This gear's own input link."),
@@ -282,7 +337,7 @@ CASE = ByKey(
         KeyShape("load", LOAD, "Load of all gears that give none themselves."),
         KeyShape(
             "drag",
-            Numbers("link", TORQUE, {"minimum": 0}),
+            Numbers("link", DRAG, {"minimum": 0}),
             "Drag of bearings and oil on links, in all gears that give none of that link.",
         ),
         COAST,

@@ -14,6 +14,7 @@ from vstatics.model.parts import (
     HOUSING,
     Friction,
     Gear,
+    Law,
     Load,
     Mechanism,
     OfLoad,
@@ -106,7 +107,11 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
     """The drag torque of a link or of an element."""
-    if not 0 <= torque < math.inf:
+    if isinstance(torque, Law) and not torque.text:
+        from vstatics.model.laws import of_points  # costs start-up time
+
+        yield from of_points(torque, path, low=0, high=math.inf, what="a torque of 0 or more")
+    elif not 0 <= torque < math.inf:
         message = f"read {torque:g}, expected a torque of 0 or more: drag opposes any motion"
         yield Problem("E222", message, path)
     elif torque and element is not None and element.kind == "dog_clutch":
@@ -158,14 +163,27 @@ def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """The efficiency of a mechanism, an element or a mesh."""
+    if isinstance(value, Law):
+        return _efficiencies(value, path)
     return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
 
 
 def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
     """The efficiency of power that flows back, if it is another one."""
-    if value is not None:
+    if isinstance(value, Law):
+        yield from _efficiencies(value, path)
+    elif value is not None:
         what = "an efficiency from 0 (self-locking) to 1"
         yield from expect(value, what, path, right=0 <= value <= 1)
+
+
+def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
+    """The points of an efficiency."""
+    from vstatics.model.laws import of_points  # costs start-up time
+
+    return of_points(
+        law, (*path, "points"), low=math.ulp(0.0), high=1, what="an efficiency above 0 and up to 1"
+    )
 
 
 def sets_side_by_side(

@@ -352,6 +352,39 @@ class OfLoad(float):
         return OfLoad(self.given, whole) if whole else self
 
 
+class Law(float):
+    """A drag over a speed [N*m, rad/s], or an efficiency over a speed or torque [-, N*m].
+
+    It is asked with magnitudes, and needs a load. As a number it is its value at 0, for all that
+    knows no load.
+    """
+
+    over: Literal["speed", "torque"] = "speed"
+    points: tuple[tuple[float, float], ...] = ()
+    """If it is made of points."""
+    text: str = ""
+    """If it is a formula."""
+
+    def at(self, size: Any) -> Any:
+        """Its value at a speed or torque, or at each of an array."""
+        raise NotImplementedError
+
+    @property
+    def _told(self) -> tuple[Any, ...]:
+        return type(self), self.over, self.points, self.text
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Law) and self._told == other._told
+
+    def __hash__(self) -> int:
+        return hash(self._told)
+
+
+def as_float(number: float) -> float:
+    """A number as a float, but a law as it is."""
+    return number if isinstance(number, Law) else float(number)
+
+
 class SpeedOf(NamedTuple):
     """A speed that is given by that of another link, as on a curve or by a differential.
 

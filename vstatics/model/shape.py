@@ -40,6 +40,7 @@ LeafKind = (
         "power",
         "relative_speed",
         "relative_torque",
+        "drag",
         "link",
         "element",
         "flag",
@@ -197,6 +198,15 @@ class OneOrMany(NamedTuple):
     item: ByForm
 
 
+class ByLaw(NamedTuple):
+    """A number, or a law: in a text, in points, or in a mapping."""
+
+    scalar: Leaf
+    mapping: ByKey
+    row: RowOf | None = None
+    """Of points that stand alone."""
+
+
 class ByKind(NamedTuple):
     """A mapping whose other keys depend on its `kind`."""
 
@@ -219,6 +229,7 @@ Shape: TypeAlias = (
     | ByForm
     | OneOrMany
     | ByPoints
+    | ByLaw
     | ByKind
 )
 

@@ -18,6 +18,7 @@ from vstatics.model.parts import (
     OfLoad,
     ShiftElement,
     SpeedOf,
+    as_float,
     damping,
     element_name,
     mechanism_name,
@@ -199,9 +200,11 @@ def _completed(case: Transmission) -> dict[str, object]:
         "mechanisms": tuple(
             mechanism._replace(
                 ratio=float(mechanism.ratio),
-                efficiency=float(mechanism.efficiency),
+                efficiency=as_float(mechanism.efficiency),
                 name=mechanism.name or mechanism_name(number),
-                back_efficiency=_float(mechanism.back_efficiency),
+                back_efficiency=None
+                if mechanism.back_efficiency is None
+                else as_float(mechanism.back_efficiency),
                 stiffness=_float(mechanism.stiffness),
                 damping=damping(mechanism.damping),
             )
@@ -245,7 +248,7 @@ def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, flo
 
 
 def _related(number: float, whole: float | None) -> float:
-    return number.by(whole) if isinstance(number, OfLoad) else float(number)
+    return number.by(whole) if isinstance(number, OfLoad) else as_float(number)
 
 
 def _by_torque(number: float, load: Load | None) -> float:

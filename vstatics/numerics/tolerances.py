@@ -40,6 +40,10 @@ NO_POWER = 1e-12
 below this part of the input's, where digits are counted."""
 CYCLE = 1e-9
 """A cycle of power with less than this part of the largest power of the gear is rounding."""
+STANDS_STILL = 1e-13
+"""An efficiency that moves by no more from pass to pass stands still."""
+SAME_SOLUTION = 1e-10
+"""Efficiencies that differ by no more are one solution: passes that stand still are nearer."""
 
 # results side by side
 SAME_RATIO = 1e-9

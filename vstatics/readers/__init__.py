@@ -7,9 +7,9 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text, `from_dict` plain data. In `deck` and `named` a text becomes
-values with their places, these a case; `reading` ends what both do. `expressions` reads formulas.
-`results` and `sweep_tables` read what was written as results.
+`load` reads a file, `loads` a text, `from_dict` plain data. `expressions` reads formulas. In
+`deck` and `named` a text becomes values with their places, these a case; `reading` ends what both
+do. `results` and `sweep_tables` read what was written as results.
 """
 
 from __future__ import annotations

@@ -180,7 +180,7 @@ class PhysicalResults(ResultFields):
             output: Any = self.in_own_unit("lossy_output_torque")[..., number]
             torques: Any = port_torques(case, gear, held, output)
             if self.points:
-                change = self.points.loaded[:, number] - case.input_torque(gear)
+                change = self.points.loaded[..., number] - case.input_torque(gear)
                 torques[case.gear_input(gear)] = torques[case.gear_input(gear)] + change
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]

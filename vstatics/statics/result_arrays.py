@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -39,7 +39,15 @@ class OperatingPoints(NamedTuple):
     loaded: Booleans
     """(variants, gears): the load gives a torque, or does not tell it."""
     gears: Sequence[Gear]
-    """With arrays, of shape (variants,), where their numbers vary."""
+    """With arrays, of shape (variants,), where torques vary; of one case with the drags that
+    follow from its speeds."""
+    efficiencies: Sequence[Sequence[Any]] = ()
+    """Of one case, by gear and mechanism: where they depend on speed or torque. [-]"""
+    open: Integers | None = None
+    """(variants, gears): 0, or 1 where no, 2 where several torques agree with efficiencies that
+    depend on them."""
+    outside: Sequence[str] = ()
+    """Of one case: laws that were asked outside their points."""
 
 
 class ResultFields(NamedTuple):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -88,15 +89,14 @@ class Results(PhysicalResults):
         """
         if self.ratio.ndim != 1:
             raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
-        number = self.case.gear_number(gear)
-        mechanisms = self.case.mechanisms
+        index, case = self.case.gear_number(gear) - 1, self.case
+        gears = self.points.gears if self.points else case.gears
+        efficiencies: Sequence[Any] = [one.efficiency for one in case.mechanisms]
+        if self.points and self.points.efficiencies:
+            efficiencies = self.points.efficiencies[index]
+        ratios = [one.ratio for one in case.mechanisms]
         with np.errstate(all="ignore"):
-            return find_state(
-                self.case,
-                self.case.gears[number - 1],
-                [one.ratio for one in mechanisms],
-                [one.efficiency for one in mechanisms],
-            )
+            return find_state(case, gears[index], ratios, efficiencies)
 
     def status(self, number: int) -> Status:
         """What is to be said of a gear of one case as a whole; its number counts from 1."""

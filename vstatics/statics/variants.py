@@ -121,7 +121,7 @@ def _inputs(
     return fixed, prepared(values)
 
 
-class _OwnNumbers(NamedTuple):
+class _GearsOwn(NamedTuple):
     """The numbers of one gear: inputs of its plans, and what is the same in all variants."""
 
     places: tuple[GearNumber, ...] = ()
@@ -162,10 +162,10 @@ class _OwnNumbers(NamedTuple):
 
 OF_MECHANISMS: tuple[OfMechanism, ...] = get_args(OfMechanism)
 OF_GEAR: tuple[OfGear, ...] = get_args(OfGear)
-NOTHING_OWN = _OwnNumbers()
+NOTHING_OWN = _GearsOwn()
 
 
-def _own(columns: GearNumbers) -> _OwnNumbers:
+def _own(columns: GearNumbers) -> _GearsOwn:
     """What varies of the numbers of a gear, and what does not."""
     places, rows, constants = [], [], []
     for place, column in columns.items():
@@ -174,7 +174,7 @@ def _own(columns: GearNumbers) -> _OwnNumbers:
         else:
             places.append(place)
             rows.append(column)
-    return _OwnNumbers(tuple(places), rows, tuple(constants))
+    return _GearsOwn(tuple(places), rows, tuple(constants))
 
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
@@ -217,7 +217,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
     Gear: frozenset({"name", "load"}),
 }
-"""Fields that no result depends on; a drawing acts through its devices, a load by its signs."""
+"""Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -283,7 +283,7 @@ def _function(
     gear: Gear,
     fixed: Sequence[float | None],
     names: Sequence[str],
-    own: _OwnNumbers,
+    own: _GearsOwn,
 ) -> Function:
     """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)

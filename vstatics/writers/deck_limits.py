@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, listed
+from vstatics.model.parts import Law
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 
 SHOWN = 20
@@ -17,16 +18,17 @@ def check_deck(case: Transmission) -> None:
 
     Raises
     ------
-    CaseError
-        With everything that a deck can't hold, in one message.
+        CaseError
+            With everything that a deck can't hold, in one message.
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism
-    >>> pair = Mechanism(1, 2, 0, -2.5, stiffness=9e4, name="pair")
-    >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
-    Traceback (most recent call last):
-    vstatics.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
+        >>> from vstatics.model.parts import Law
+    from vstatics.model.transmission import Gear, Mechanism
+        >>> pair = Mechanism(1, 2, 0, -2.5, stiffness=9e4, name="pair")
+        >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
+        Traceback (most recent call last):
+        vstatics.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
     """
     found = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
     springs = [spring.name for spring in case.springs]
@@ -48,4 +50,7 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     yield "damping", [part.name for part in parts if part.damping]
     yield "static friction", [one.name for one in case.shift_elements if one.static != 1]
     yield "friction", [one.name for one in case.shift_elements if one.friction is not None]
+    laws = [one.name for one in case.mechanisms if isinstance(one.efficiency, Law)]
+    laws += [one.name for one in case.mechanisms if isinstance(one.back_efficiency, Law)]
+    yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
     yield "planet masses", [element.name for element in elements if element.planet_masses]

@@ -11,11 +11,12 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
 from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
-from vstatics.model.parts import OfLoad, mechanism_record
+from vstatics.model.parts import Law, OfLoad, mechanism_record
 from vstatics.model.shape import (
     UNITS,
     ByKey,
     ByKind,
+    ByLaw,
     ByName,
     ByPoints,
     Either,
@@ -188,6 +189,15 @@ class _Writer:
     def row(self, value: Any, shape: RowOf) -> list[Any]:
         return [self.value(one, item) for one, item in zip(value, shape.items, strict=True)]
 
+    def by_law(self, value: Any, shape: ByLaw) -> Any:
+        """A number, or a law as it was given; points of a file stand in the case."""
+        if not isinstance(value, Law):
+            return self.leaf(value, shape.scalar)
+        points = [list(point) for point in value.points]
+        if shape.row is None:
+            return {"over": value.over, "points": points}
+        return points or value.text
+
     def by_points(self, value: Any, shape: ByPoints) -> Any:
         """Points, or the number that holds everywhere."""
         rows = [self.row(one, shape.row) for one in value]
@@ -209,11 +219,14 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     Pair: _Writer.pair,
     RowOf: _Writer.row,
     ByPoints: _Writer.by_points,
+    ByLaw: _Writer.by_law,
 }
 """How what a shape describes is written."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
-    **dict.fromkeys(("number", "relative_speed", "relative_torque", *get_args(Measure)), float),
+    **dict.fromkeys(
+        ("number", "relative_speed", "relative_torque", "drag", *get_args(Measure)), float
+    ),
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }

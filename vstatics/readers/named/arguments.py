@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import Path
 from vstatics.model.keys import CASE
 from vstatics.model.part_checks import of_drag
-from vstatics.model.parts import HOUSING, Gear, Load, OfLoad, ShiftElement, SpeedOf
+from vstatics.model.parts import HOUSING, Gear, Law, Load, OfLoad, ShiftElement, SpeedOf
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.units import WithUnit
@@ -184,7 +184,11 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
     made: dict[int, float] = {}
     no_load = any(path[-1] == "load" for path in spots.unreadable)
     for part, (number, path) in numbers.items():
-        if not isinstance(number, WithUnit):
+        if isinstance(number, Law) and not whole and path[0] == "drag":
+            if path not in spots.unreadable:
+                message = "it depends on speed, in N*m, expected a `load` with speed and torque"
+                spots.tell(path, message)
+        elif not isinstance(number, WithUnit):
             made[part] = number
         elif path[-2] in ("drag", "open_drag") and not _is_drag(number, None, path, spots):
             continue

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple, get_args
@@ -9,6 +10,7 @@ from typing import Any, NamedTuple, get_args
 from vstatics.model.shape import (
     ByForm,
     ByKey,
+    ByLaw,
     ByPoints,
     Either,
     Ends,
@@ -47,6 +49,18 @@ def _in_si(text: str, measure: Measure) -> float:
     return in_si(text, measure)
 
 
+def _drag(text: str) -> float:
+    """A torque, or what depends on the speed w."""
+    try:
+        return units.relative(text, "torque")
+    except ValueError:
+        if not re.search(r"\bw\b", text):
+            raise
+    from vstatics.readers.named.drag_formulas import read_drag_formula  # likewise
+
+    return read_drag_formula(text)
+
+
 LEAVES: dict[LeafKind, LeafReading] = {
     "text": LeafReading("text", ""),
     "number": LeafReading("a number", 1.0, scalars.number),
@@ -57,6 +71,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
         for kind in get_args(units.Quantity)
     },
     "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
+    "drag": LeafReading("a torque, or a formula of w", 0.0, _drag),
     "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
     **{
         measure: LeafReading(
@@ -94,6 +109,8 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
             return tuple(map(stand_in, shape.items))
         case ByPoints():
             return (stand_in(shape.row),)
+        case ByLaw():
+            return stand_in(shape.scalar)
         case Parsed():
             return shape.stand_in
         case ByForm():

@@ -11,6 +11,7 @@ from vstatics.model.shape import (
     ByForm,
     ByKey,
     ByKind,
+    ByLaw,
     ByName,
     ByPoints,
     Either,
@@ -180,6 +181,9 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
             return {"anyOf": [_shape(shape.row.items[-1]), points]}
+        case ByLaw():
+            rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
+            return {"anyOf": [_shape(shape.scalar), *rows, _record(shape.mapping)]}
         case Parsed():
             return {"type": ["number", "string"]}
         case ByForm():
@@ -212,7 +216,7 @@ def _by_name(item: Words) -> Words:
     }
 
 
-def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
     match shape.kind:
         case "share":
             return {**_reference("number"), "minimum": 0}
@@ -222,6 +226,8 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return {"type": ["number", "string"]}  # also the name of a link, with a factor
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
+        case "drag":
+            return {"type": ["number", "string"]}  # also a formula
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":

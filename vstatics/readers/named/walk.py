@@ -18,6 +18,7 @@ from vstatics.model.shape import (
     ByForm,
     ByKey,
     ByKind,
+    ByLaw,
     ByName,
     ByPoints,
     Either,
@@ -33,7 +34,7 @@ from vstatics.model.shape import (
     Shape,
     Shares,
 )
-from vstatics.readers.named import compounds, scalars
+from vstatics.readers.named import compounds, laws, scalars
 from vstatics.readers.named.compounds import NO_MERGE, entries, is_merge, known_entries
 from vstatics.readers.named.leaves import LEAVES, stand_in, values_before
 from vstatics.readers.named.nodes import (
@@ -74,6 +75,7 @@ class Walk:
             Pair: self._pair,
             RowOf: partial(compounds.read_row, self),
             ByPoints: partial(compounds.read_points, self),
+            ByLaw: partial(laws.read_law, self),
             Parsed: partial(compounds.read_parsed, self),
             ByForm: partial(compounds.read_form, self),
             OneOrMany: partial(compounds.read_one_or_many, self),

@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.errors import CaseError, Path, Problem
-from vstatics.model.parts import Mechanism, OfLoad, ShiftElement, damping
+from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
@@ -276,6 +276,12 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     found = []
     for is_element, number, drag, name in items:
+        if isinstance(drag, Law):
+            message = f"the drag of {name} depends on speed, expected a number in a scenario"
+            problems.append(
+                Problem("E695", message, _place_of_drag(case, gear, number, is_element))
+            )
+            continue
         torque = newton_metres(drag, case)
         if drag and not (isinstance(drag, OfLoad) or load_torque(case)):
             message = (
@@ -287,9 +293,19 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
             )
         elif torque:
             found.append(DragTorque(is_element, number, torque))
+    problems += _efficiency_laws(case)
     if problems:
         raise CaseError(problems)
     yield from found
+
+
+def _efficiency_laws(case: Transmission) -> Iterator[Problem]:
+    """Efficiencies that depend."""
+    for number, one in enumerate(case.mechanisms, 1):
+        if isinstance(one.efficiency, Law) or isinstance(one.back_efficiency, Law):
+            message = f"the efficiency of {one.name} depends on speed or torque, expected a number"
+            path = ("case", "mechanisms", number, "efficiency")
+            yield Problem("E695", f"{message} in a scenario", path)
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001

@@ -1,17 +1,25 @@
 """Operating points: any number of a case varied, in SI, with all that follows from a load.
 
 `paths` tells which numbers a path names, `relative` what they are relative to the load, and
-which points go alike.
+which points go alike; `laws` follows drags and efficiencies that depend on speed or torque.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from vstatics.errors import not_allowed, spoken
 from vstatics.model.transmission import Transmission
-from vstatics.statics.points.paths import columns_of
-from vstatics.statics.points.relative import solve_points
+from vstatics.numerics.arrays import Floats
+from vstatics.statics import diagnosis
+from vstatics.statics.efficiency import Efficiency
+from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
+from vstatics.statics.points.paths import CaseNumber, Columns, columns_of
+from vstatics.statics.points.relative import solve_points, with_numbers
+from vstatics.statics.result_arrays import ARRAYS, Message
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -21,4 +29,80 @@ if TYPE_CHECKING:
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Every gear of a case at many points; see `vstatics.solve`."""
     columns, variants = columns_of(case, vary)
-    return solve_points(case, columns, variants)
+    with np.errstate(all="ignore"):
+        return _at_points(case, columns, variants)
+
+
+def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
+    if not case.has_laws:
+        return solve_points(case, columns, variants)
+    answer = follow_laws(case, columns, variants)
+    points = answer.results.points
+    assert points is not None  # noqa: S101 - for mypy
+    return answer.results._replace(case=case, points=points._replace(open=answer.open))
+
+
+def solve_laws(
+    case: Transmission, axes: tuple[int, ...], ratios: Floats | None, efficiencies: Floats | None
+) -> Results:
+    """A case with laws, or variants of its numbers, of shape (variants, mechanisms).
+
+    An efficiency that is its law's number is left to the law.
+    """
+    columns: dict[CaseNumber, Floats] = {}
+    for owner, mechanism in enumerate(case.mechanisms):
+        for quantity, given in (("ratio", ratios), ("efficiency", efficiencies)):
+            own = float(getattr(mechanism, quantity))
+            if given is None or bool((given[:, owner] == own).all()):
+                continue
+            for index in range(len(case.gears)):
+                columns[CaseNumber(index, quantity, owner)] = given[:, owner]  # type: ignore[arg-type] # one of the two
+    with np.errstate(all="ignore"):
+        if axes:
+            found = _at_points(case, columns, int(np.prod(axes)))
+            arrays = {name: found.in_own_unit(name) for name in ARRAYS}
+            shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
+            return found._replace(**shaped)
+        return _alone(case, follow_laws(case, columns, 1))
+
+
+def _alone(case: Transmission, answer: Followed) -> Results:
+    """The results of one case, with its messages."""
+    results, points = answer.results, answer.results.points
+    assert points is not None  # noqa: S101 - for mypy
+    settled = with_numbers(results.case, answer.columns)
+    points = points._replace(
+        scales={unit: scale[0] for unit, scale in points.scales.items()},
+        loaded=points.loaded[0],
+        gears=settled.gears,
+        efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
+        open=answer.open[0],
+        outside=answer.outside,
+    )
+    arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
+    own = results._replace(case=settled, points=points, **arrays)
+    said = [*diagnosis.messages(own), *not_allowed(_messages(case, points), case.allow)]
+    return own._replace(case=case, messages=tuple(said))
+
+
+def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:
+    """Of each mechanism in a gear, as its laws say."""
+    found: list[Any] = []
+    for owner, mechanism in enumerate(case.mechanisms):
+        forward = columns.get(CaseNumber(index, "efficiency", owner), [mechanism.efficiency])[0]
+        back = columns.get(CaseNumber(index, "back_efficiency", owner), [mechanism.back_efficiency])
+        own = forward if back[0] is None else back[0]
+        found.append(Efficiency(float(forward), float(own)))
+    return found
+
+
+def _messages(case: Transmission, points: Any) -> Iterator[Message]:
+    """Where no single torque agrees with efficiencies, and laws that were asked outside."""
+    for gear, state in zip(case.gears, points.open.tolist(), strict=True):
+        words = {NONE: "no torque agrees", SEVERAL: "more than one torque agrees"}
+        if state:
+            text = f"{words[state]} with the efficiencies over torque: there are no torques"
+            yield Message("W426", f"{text} with losses", gear.name)
+    if points.outside:
+        text = f"outside the points of {spoken(points.outside)} the last one counts"
+        yield Message("N414", text)

@@ -83,7 +83,7 @@ def solve_points(case: Transmission, columns: Columns, variants: int) -> Results
     for chosen in groups:
         part = {number: column[chosen] for number, column in columns.items()}
         own = loads_of(case, part, chosen.size)
-        one = _with_numbers(case, part)
+        one = with_numbers(case, part)
         by_gear = [_relative(one, n, part, own[n]) for n in range(len(case.gears))]
         arrays = solve_variants(one, None, None, chosen.size, by_gear)
         told.take(one, chosen, by_gear, own)
@@ -151,7 +151,7 @@ def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterato
     yield from np.split(order, ends)
 
 
-def _with_numbers(case: Transmission, columns: Columns) -> Transmission:
+def with_numbers(case: Transmission, columns: Columns) -> Transmission:
     """The case of the first point, checked as any other."""
 
     def load(index: int | None, own: Load | None) -> Load | None:

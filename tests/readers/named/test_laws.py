@@ -1,0 +1,94 @@
+"""Laws in a case: formulas, points, files; what is said of those that can't be read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from vstatics import ReadError, VstaticsError, load
+from vstatics.model.laws import PointLaw
+
+CASE = """\
+links: [a, b]
+load: {{speed: 1000 rpm, torque: 100 N*m}}
+drag: {{b: {drag}}}
+mechanisms: {{D: {{first: a, second: b, ratio: -2, efficiency: {efficiency}}}}}
+gears: {{low: []}}
+"""
+
+
+def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
+    file = folder / "case.yaml"
+    file.write_text(CASE.format(drag=drag, efficiency=efficiency), encoding="utf-8")
+    return file
+
+
+def test_points_have_units_of_their_own(tmp_path: Path) -> None:
+    case = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]"))
+    law = case.gears[0].drag[2]
+    assert isinstance(law, PointLaw)
+    assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
+
+
+def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
+    (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", encoding="utf-8")
+    law = load(case_of(tmp_path, "{file: drag.csv}")).gears[0].drag[2]
+    assert isinstance(law, PointLaw)
+    assert law.at(15.707963267948966) == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the head"),
+        ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 2: expected a torque in N*m"),
+        ("speed [rpm],torque [N*m]\n", "expected a point at least"),
+        ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
+        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
+        ("x" * 1_000_001, "expected a file of 1000 kB at most"),
+    ],
+)
+def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "drag.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(ReadError) as caught:
+        load(case_of(tmp_path, "{file: drag.csv}"))
+    assert "case.yaml:3:11: error: drag.b: " in str(caught.value)
+    assert said in str(caught.value)
+
+
+def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
+    with pytest.raises(ReadError, match=r"read `none.csv`, which can't be read: No such file"):
+        load(case_of(tmp_path, "{file: none.csv}"))
+
+
+@pytest.mark.parametrize(
+    ("drag", "efficiency", "said"),
+    [
+        ("1 + v*w", "1", "a formula of w: read `v` in it, expected a number, the speed w"),
+        ("1 + 2*sin(w)", "1", "sin"),
+        ("[]", "1", "expected points"),
+        ("[[0, 1, 2]]", "1", "expected 2 numbers: [speed, torque]"),
+        ("[[5, 1], [5, 2]]", "1", "read 5, expected a speed above 5"),
+        ("[[0, -1]]", "1", "read -1, expected a torque of 0 or more"),
+        ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
+        ("0", "{over: speed}", "`points` is missing"),
+        ("0", "{over: torque, points: [[0, .9], [1, 1.1]]}", "read 1.1, expected an efficiency"),
+        ("0", "{over: torque, points: []}", "there is no point"),
+    ],
+)
+def test_a_law_that_can_not_be_is_told(
+    tmp_path: Path, drag: str, efficiency: str, said: str
+) -> None:
+    with pytest.raises(VstaticsError) as caught:
+        load(case_of(tmp_path, drag, efficiency))
+    assert said in str(caught.value)
+    assert "case.yaml:" in str(caught.value)
+
+
+def test_what_depends_without_a_load_is_told_at_its_place(tmp_path: Path) -> None:
+    file = case_of(tmp_path, "1 + w")
+    text = file.read_text("utf-8").replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(VstaticsError, match=r"case.yaml:2:8: error: drag.b: it depends on"):
+        load(file)

@@ -1,0 +1,216 @@
+"""Losses that depend on speed and torque: closed forms, each point alone, the balance of power."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.statics.batches import ARRAYS, alike
+from tests.trains import random_train, seeded
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics.model.laws import PointLaw
+from vstatics.model.parts import OfLoad
+from vstatics.readers import loads
+from vstatics.readers.named.drag_formulas import DragFormula
+
+RPM = 30 / math.pi
+
+
+LOAD = Load(1000, 100)
+
+
+def pair(load: Load | None = LOAD, efficiency: Any = 1.0, **own: Any) -> Transmission:
+    mechanism = Mechanism(1, 2, 0, -2.5, efficiency, name="pair")
+    return Transmission(2, [], [mechanism], [Gear(**own)], load=load)
+
+
+def test_a_drag_by_a_formula_of_the_speed_of_its_link() -> None:
+    """At the input eta = 1 - T_d(w)/T, at the output, which gets 2.5 T, 1 - T_d(w/2.5)/(2.5 T)."""
+    speed, torque = np.linspace(10, 600, 40), np.linspace(20, 300, 40)
+    vary = {"load.speed": speed, "load.torque": torque}
+    at_input = solve(pair(drag={1: DragFormula("1.2 + 0.004*w")}), vary=vary)
+    expected = 1 - (1.2 + 0.004 * speed) / torque
+    np.testing.assert_allclose(at_input.efficiency[:, 0], expected, rtol=1e-13)
+    at_output = solve(pair(drag={2: PointLaw([(0, 2), (300, 3.5)])}), vary=vary)
+    drag = 2 + 1.5 * np.minimum(speed / 2.5, 300) / 300
+    np.testing.assert_allclose(at_output.efficiency[:, 0], 1 - drag / (2.5 * torque), rtol=1e-13)
+    lost = drag * speed / 2.5 / 1000
+    np.testing.assert_allclose(at_output.drag_losses_kW[:, 0], lost, rtol=1e-12)
+
+
+def test_one_case_is_the_same_as_its_point() -> None:
+    case = pair(Load(200 * RPM, 80), drag={1: DragFormula("1.2 + 0.004*w")})
+    results = solve(case)
+    assert results.efficiency[0] == pytest.approx(1 - 2.0 / 80, rel=1e-14)
+    assert results.drag_losses_kW[0] == pytest.approx(0.4, rel=1e-14)
+    state = results.gear(1)
+    assert state.lossy_torques.on_first_link[-1] == pytest.approx(-2.5 * (1 - 2.0 / 80))
+    assert results.case == case
+
+
+def test_a_backward_speed_counts_as_its_magnitude() -> None:
+    case = pair(Load(-200 * RPM, -80), drag={1: DragFormula("1.2 + 0.004*w")})
+    assert solve(case).efficiency[0] == pytest.approx(1 - 2.0 / 80, rel=1e-14)
+
+
+def test_an_efficiency_over_speed_is_that_of_the_first_link_against_the_third() -> None:
+    law = PointLaw([(0, 0.95), (400, 0.985)])
+    speed = np.linspace(10, 600, 30)
+    found = solve(pair(efficiency=law), vary={"load.speed": speed})
+    expected = 0.95 + 0.035 * np.minimum(speed, 400) / 400
+    np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-14)
+
+
+def quadratic(a: float, b: float, torque: float) -> float:
+    """Torque on the sun where it solves ``M (1 + 2 eta) = ...`` with ``eta = a + b M``.
+
+    Carrier in, ring held, sun out at ratio -2: power enters by the carrier and leaves by the
+    sun, so x = -1 and T = M (1 - u/eta) = M (1 + 2/eta): b M^2 + (a + 2 - b T) M - a T = 0.
+    """
+    middle = a + 2 - b * torque
+    return (-middle + math.sqrt(middle**2 + 4 * b * a * torque)) / (2 * b)
+
+
+@pytest.mark.parametrize("torque", [5.0, 60.0, 200.0, 400.0])
+def test_an_efficiency_linear_in_torque_solves_a_quadratic(torque: float) -> None:
+    law = PointLaw([(0, 0.9), (150, 0.975)], "torque")
+    planetary = Mechanism(3, 2, 1, -2.0, law, name="set")
+    case = Transmission(
+        3, [ShiftElement(2)], [planetary], [Gear([1])], load=Load(1000, torque), output=3
+    )
+    results = solve(case)
+    sun = quadratic(0.9, 0.0005, torque)
+    assert sun <= 150
+    assert results.lossy_torques_Nm[0, -1] == pytest.approx(sun, rel=1e-12)
+    assert results.consistent.all()
+    assert results.messages == ()
+
+
+def test_the_balance_of_power_closes_at_every_point() -> None:
+    case = loads(EAXLE)
+    rng = np.random.default_rng(1)
+    vary = {"load.speed": rng.uniform(20, 1500, 300), "load.torque": rng.uniform(5, 300, 300)}
+    found = solve(case, vary=vary)
+    lost = found.losses_kW.sum(axis=-1) + found.drag_losses_kW
+    left = found.input_power_kW - found.output_power_kW - lost
+    assert found.consistent.all()
+    assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
+
+
+EAXLE = """\
+links: [engine, mid, out]
+load: {speed: 2000 rpm, torque: 80 N*m}
+drag:
+  engine: "1.2 + 0.004*w"
+  out: [[0, 2.0], [300, 3.5]]
+shift_elements:
+  C1: {links: [mid, out], drag: [[0, 0], [200, 6]]}
+mechanisms:
+  a: {first: engine, second: mid, ratio: -3, efficiency: {over: speed, points: [[0, .95], [400, .98]]}}
+  b: {first: mid, second: out, ratio: -2, efficiency: {over: torque, points: [[0, .9], [150, .97]]}}
+gears: {one: []}
+"""
+
+
+def test_points_together_are_what_they_are_alone() -> None:
+    case = loads(EAXLE)
+    rng = np.random.default_rng(2)
+    speed, torque = rng.uniform(20, 1500, 20), rng.uniform(5, 300, 20)
+    together = solve(case, vary={"load.speed": speed, "load.torque": torque})
+    for point in range(20):
+        alone = solve(case.replace(load=Load(speed[point] * RPM, torque[point])))
+        wrong = [n for n in ARRAYS if not alike(getattr(together, n)[point], getattr(alone, n))]
+        assert not wrong
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_laws_of_random_trains_are_the_numbers_that_they_come_to(seed: int) -> None:
+    """The same case with the drags in N*m and the efficiencies of its speeds is solved alike."""
+    random = seeded(seed)
+    case = random_train(random).replace(load=Load(1500, 100))
+    link = random.randint(1, case.links)
+    first, *others = case.mechanisms
+    drag, law = DragFormula("1 + 0.002*w"), PointLaw([(0, 0.9), (500, 0.98)])
+    open_drag = PointLaw([(0, 0), (200, 6)])
+    elements = [one._replace(drag=open_drag) for one in case.shift_elements]
+    with_laws = case.replace(
+        mechanisms=[first._replace(efficiency=law), *others],
+        shift_elements=elements,
+        gears=[gear._replace(drag={link: drag}) for gear in case.gears],
+    )
+    results = solve(with_laws)
+    unit = 1500 / RPM
+    for index, gear in enumerate(case.gears):
+        speeds = np.nan_to_num([0, *results.speeds[index].tolist()]) * unit
+        slips = np.nan_to_num(np.abs(results.slip_speeds[index])) * unit
+        motion = abs(speeds[first.first] - speeds[first.third])
+        plain = case.replace(
+            mechanisms=[first._replace(efficiency=law.at(motion)), *others],
+            gears=[
+                gear._replace(
+                    drag={link: OfLoad(drag.at(abs(speeds[link])), 1.0)},
+                    open_drag={
+                        n: OfLoad(open_drag.at(slip), 1.0) for n, slip in enumerate(slips, 1)
+                    },
+                )
+            ],
+        )
+        alone = solve(plain)
+        for name in ("lossy_torques", "efficiency", "losses", "drag_losses", "power_sign"):
+            own, expected = getattr(results, name)[index], getattr(alone, name)[0]
+            size = max(1.0, float(np.abs(np.nan_to_num(expected)).max(initial=0)))
+            np.testing.assert_allclose(own, expected, rtol=1e-11, atol=1e-11 * size, err_msg=name)
+
+
+def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
+    case = pair(Load(400 * RPM, 100), drag={1: PointLaw([(0, 1), (100, 3)])})
+    results = solve(case)
+    assert results.efficiency[0] == pytest.approx(0.97)
+    assert [one.id for one in results.messages] == ["N414"]
+    assert solve(case.replace(allow=["N414"])).messages == ()
+
+
+def test_ratios_vary_beside_laws() -> None:
+    case = pair(Load(200 * RPM, 80), drag={2: DragFormula("1 + 0.01*w")})
+    found = solve(case, ratios=[[-2.0], [-4.0]])
+    expected = [1 - (1 + 0.01 * 200 / u) / (80 * u) for u in (2, 4)]
+    np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-13)
+
+
+def test_a_formula_below_0_is_an_error() -> None:
+    case = pair(Load(200 * RPM, 80), drag={1: DragFormula("1 - 0.01*w")})
+    with pytest.raises(CaseError, match=r"drag of 1: read -1, expected a torque of 0 or more"):
+        solve(case)
+
+
+@pytest.mark.parametrize(
+    ("law", "said"),
+    [
+        (PointLaw([(1, 1), (0, 2)]), "read 0, expected a speed above 1"),
+        (PointLaw([(0, -1)]), "read -1, expected a torque of 0 or more"),
+        (PointLaw([(-5, 1)]), "read -5, expected a speed of 0 or more"),
+    ],
+)
+def test_points_are_in_order_and_none_is_below_0(law: PointLaw, said: str) -> None:
+    with pytest.raises(CaseError, match=said):
+        pair(drag={1: law})
+
+
+def test_what_depends_needs_a_load() -> None:
+    with pytest.raises(CaseError, match=r"gears\[1\].drag\[1\]: it depends .* has no torque"):
+        pair(Load(1000), drag={1: PointLaw([(0, 1)])})
+    with pytest.raises(CaseError, match=r"mechanisms\[1\].efficiency: it depends"):
+        pair(None, PointLaw([(0, 0.9)]))
+
+
+def test_a_case_with_laws_is_written_as_it_was_read(tmp_path: Any) -> None:
+    from vstatics.writers.named import write_json, write_yaml
+
+    case = loads(EAXLE)
+    for name, text in (("a.yaml", write_yaml(case)), ("a.json", write_json(case))):
+        file = tmp_path / name
+        file.write_text(text, encoding="utf-8")
+        assert load(str(file)) == case

@@ -1,0 +1,285 @@
+"""Drags and efficiencies that depend: a fixed point over arrays.
+
+Speeds come first; from them follow drags, and efficiencies over speed, for all points at once.
+Where freewheels change with that, it is done again. Efficiencies over torque are looked for
+from the least and from the largest that they can be, and where only one of a gear is unknown
+between them, too: one solution is wanted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.parts import HOUSING, Law
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL
+from vstatics.statics.points.paths import CaseNumber, Columns
+from vstatics.statics.points.relative import loads_of, solve_points
+from vstatics.statics.result_arrays import ARRAYS, row_names
+from vstatics.statics.results import Results
+
+MOST_PASSES = 100
+"""Passes in which numbers have to stand still."""
+MOST_STATES = 8
+"""Passes in which freewheels have to stand still."""
+SCANNED = 17
+"""Efficiencies between the least and the largest, at which a single unknown is tried."""
+NONE, SEVERAL = 1, 2
+WITH_LOSSES = (
+    *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
+    *("drag_losses", "lossy_mesh_torques", "mesh_losses", "power_sign"),
+)
+"""Arrays of which nothing is known where no single torque agrees with an efficiency."""
+
+Laws = Mapping[CaseNumber, Law]
+
+
+class Followed(NamedTuple):
+    """What a case with laws comes to at its points."""
+
+    results: Results
+    columns: Columns
+    """With all numbers that follow from laws."""
+    open: Any
+    outside: list[str]
+
+
+def laws_of(case: Transmission) -> Laws:
+    """All laws of a case, by the numbers that they give."""
+    numbers: dict[CaseNumber, Any] = {}
+    for index, gear in enumerate(case.gears):
+        for n, element in enumerate(case.shift_elements, 1):
+            numbers[CaseNumber(index, "open_drag", n)] = gear.open_drag.get(n, element.drag)
+        for link, torque in gear.drag.items():
+            numbers[CaseNumber(index, "drag", link)] = torque
+        for owner, mechanism in enumerate(case.mechanisms):
+            numbers[CaseNumber(index, "efficiency", owner)] = mechanism.efficiency
+            numbers[CaseNumber(index, "back_efficiency", owner)] = mechanism.back_efficiency
+    return {number: law for number, law in numbers.items() if isinstance(law, Law)}
+
+
+def without_laws(case: Transmission) -> Transmission:
+    """The case with plain numbers in place of laws: no drag, efficiencies as at 0."""
+
+    def plain(number: Any, instead: float) -> Any:
+        return instead if isinstance(number, Law) else number
+
+    return case.replace(
+        shift_elements=[e._replace(drag=plain(e.drag, 0.0)) for e in case.shift_elements],
+        mechanisms=[
+            one._replace(
+                efficiency=plain(one.efficiency, float(one.efficiency)),
+                back_efficiency=plain(one.back_efficiency, float(one.back_efficiency or 0)),
+            )
+            for one in case.mechanisms
+        ],
+        gears=[
+            gear._replace(
+                drag={link: plain(torque, 0.0) for link, torque in gear.drag.items()},
+                open_drag={n: plain(torque, 0.0) for n, torque in gear.open_drag.items()},
+            )
+            for gear in case.gears
+        ],
+    )
+
+
+def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
+    """The results of all points, with drags and efficiencies as they are there."""
+    laws = {number: law for number, law in laws_of(case).items() if number not in given}
+    plain = without_laws(case)
+    over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
+    over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
+    columns: dict[CaseNumber, Floats] = dict(given)
+    results = solve_points(plain, columns, variants)
+    told = None
+    for _ in range(MOST_STATES):
+        sizes = {number: _speed(plain, results, columns, number) for number in over_speed}
+        for number, law in over_speed.items():
+            columns[number] = _checked(case, number, law.at(sizes[number]))
+        results = solve_points(plain, columns, variants)
+        speeds = results.speeds
+        if not case.freewheels or (
+            told is not None and np.array_equal(told, speeds, equal_nan=True)
+        ):
+            break
+        told = speeds
+    unsettled = np.zeros((variants, len(case.gears)), np.int8)
+    if over_torque:
+        search = _Search(plain, columns, over_torque, variants)
+        results, found, unsettled = search.solved()
+        columns = {**found}
+        sizes |= search.sizes(results)
+    outside = [
+        _called(case, number)
+        for number, law in laws.items()
+        if law.points and bool(np.any(law.is_outside(sizes[number])))  # type: ignore[attr-defined] # it has points
+    ]
+    return Followed(results, columns, unsettled, list(dict.fromkeys(outside)))
+
+
+def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
+    """The magnitude of the speed that a law asks for [rad/s]; 0 where it is not determined."""
+    index, quantity, owner = number
+    if quantity == "drag":
+        speed = results.speeds[:, index, owner - 1]
+    elif quantity == "open_drag":
+        speed = results.slip_speeds[:, index, owner - 1]
+    else:
+        first, _, third = case.mechanisms[owner].links
+        speed = np.zeros(len(results.speeds))
+        for link, sign in ((first, 1), (third, -1)):
+            if link != HOUSING:
+                speed = speed + sign * results.speeds[:, index, link - 1]
+    own: Any = loads_of(case, columns, len(results.speeds))[index or 0].speed
+    size: Floats = np.nan_to_num(np.abs(speed * own))
+    return size
+
+
+def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
+    """What a law gives; else the first value that can't be."""
+    wrong = ~(np.isfinite(values) & (values >= 0))
+    if wrong.any():
+        message = f"read {values[wrong][0]:g}, expected a torque of 0 or more at every speed"
+        path = (f"the drag of {_called(case, number)}",)
+        raise CaseError([Problem("E268", message, path)])
+    found: Floats = values
+    return found
+
+
+def _called(case: Transmission, number: CaseNumber) -> str:
+    """The name of what has a law."""
+    if number.quantity == "drag":
+        return case.link_name(number.owner)
+    if number.quantity == "open_drag":
+        return case.shift_elements[number.owner - 1].name
+    return case.mechanisms[number.owner].name
+
+
+class _Search:
+    """Efficiencies over torque, that agree with the torques that they make."""
+
+    def __init__(self, case: Transmission, columns: Columns, laws: Laws, variants: int) -> None:
+        self.case, self.columns, self.laws = case, columns, laws
+        self.variants = variants
+        names = row_names(case, "torques")
+        self.rows = {
+            number: names.index(name if name in names else f"{name}.first")
+            for number in laws
+            for name in [case.mechanisms[number.owner].name]
+        }
+        self.of_gear: dict[int, list[CaseNumber]] = {}
+        for number in laws:
+            self.of_gear.setdefault(number.gear or 0, []).append(number)
+
+    def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
+        """The magnitude of the torque that each law asks for [N*m]; NaN where there is none."""
+        torques = results.lossy_torques_Nm
+        return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
+
+    def _tried(
+        self, guess: Mapping[CaseNumber, Floats]
+    ) -> tuple[Results, dict[CaseNumber, Floats]]:
+        """Results with guessed efficiencies, and the efficiencies that their torques have."""
+        results = solve_points(self.case, {**self.columns, **guess}, self.variants)
+        sizes = self.sizes(results)
+        return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
+
+    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans]:
+        """The numbers that stand still from one end on, and where they do, by gear."""
+        guess = {
+            number: np.full(self.variants, float(end(y for _, y in law.points)))
+            for number, law in self.laws.items()
+        }
+        still = np.zeros((self.variants, len(self.case.gears)), np.bool_)
+        for _ in range(MOST_PASSES):
+            _, found = self._tried(guess)
+            still[:] = True
+            for number, values in found.items():
+                moved = np.abs(values - guess[number]) > STANDS_STILL
+                still[:, number.gear or 0] &= ~moved
+                guess[number] = np.where(np.isnan(values), guess[number], values)
+            if still.all():
+                break
+        return guess, still
+
+    def solved(self) -> tuple[Results, Columns, Any]:
+        """Results with the one solution, its numbers, and where there is none or another."""
+        low, low_still = self._from(min)
+        high, high_still = self._from(max)
+        state = np.zeros(low_still.shape, np.int8)
+        best = {}
+        for number in self.laws:
+            gear = number.gear or 0
+            best[number] = np.where(low_still[:, gear], low[number], high[number])
+            both = low_still[:, gear] & high_still[:, gear]
+            apart = np.abs(low[number] - high[number]) > SAME_SOLUTION
+            state[both & apart, gear] = SEVERAL
+            state[~(low_still[:, gear] | high_still[:, gear]), gear] = NONE
+        self._scan(best, state)
+        columns = {**self.columns, **best}
+        results = solve_points(self.case, columns, self.variants)
+        return _without_values(results, state), columns, state
+
+    def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
+        """Look between the ends where a gear has one unknown: how many solutions there are."""
+        single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
+        if not single:
+            return
+        values = {n: [y for _, y in self.laws[n].points] for n in single}
+        grid = {n: np.linspace(min(y), max(y), SCANNED) for n, y in values.items()}
+        left = {n: np.empty((SCANNED, self.variants)) for n in single}
+        for place in range(SCANNED):
+            guess = {**best, **{n: np.full(self.variants, grid[n][place]) for n in single}}
+            _, found = self._tried(guess)
+            for n in single:
+                left[n][place] = found[n] - guess[n]
+        for n in single:
+            turns = np.sign(left[n][1:]) * np.sign(left[n][:-1]) < 0
+            turns |= (left[n][1:] == 0) & (np.arange(1, SCANNED) < SCANNED - 1)[:, None]
+            count = turns.sum(axis=0)
+            gear = n.gear or 0
+            state[(count > 1) & (state[:, gear] != SEVERAL), gear] = SEVERAL
+            lost = (state[:, gear] == NONE) & (count == 1)
+            if lost.any():
+                place = turns.argmax(axis=0)
+                root = self._between(n, best, grid[n][place], grid[n][place + 1], left[n], place)
+                best[n] = np.where(lost, root[0], best[n])
+                state[lost & root[1], gear] = 0
+
+    def _between(  # noqa: PLR0913, PLR0917
+        self,
+        number: CaseNumber,
+        best: Mapping[CaseNumber, Floats],
+        low: Floats,
+        high: Floats,
+        left: Floats,
+        place: Any,
+    ) -> tuple[Floats, Booleans]:
+        """The solution between two guesses, by halves; and where it is one, not a jump."""
+        at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
+        values = low
+        for _ in range(60):
+            middle = (low + high) / 2
+            _, found = self._tried({**best, number: middle})
+            values = found[number] - middle
+            above = np.sign(values) == at_low
+            low, high = np.where(above, middle, low), np.where(above, high, middle)
+        return middle, np.abs(values) <= SAME_SOLUTION
+
+
+def _without_values(results: Results, state: Any) -> Results:
+    """Results that say nothing of losses where there is no single solution."""
+    wrong = state != 0
+    if not wrong.any():
+        return results
+    changed: dict[str, Any] = {}
+    for name in (*WITH_LOSSES, "consistent"):
+        array = results.in_own_unit(name)
+        where = wrong if array.ndim == wrong.ndim else wrong[..., None]
+        changed[name] = np.where(where, False if ARRAYS[name].dtype is np.bool_ else np.nan, array)
+    return results._replace(**changed)
