@@ -40,13 +40,13 @@ test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allow
 # Other processors: other kernels of OpenBLAS, and NumPy without what it has for this processor.
 PROCESSORS := Haswell Zen Nehalem
 NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath import __cpu_dispatch__ as own; print(*own)")
-# Random trains of the slow tests are others every night; the same again: VSTATICS_TEST_SEED=N.
+# The slow tests try other and more examples; the same again: VSTATICS_TEST_SEED=N make test-slow.
 FRESH_SEED := $(shell date +%s)
-nightly: .venv/dev.stamp ## the fast tests on other processors and with the oldest versions, fresh random trains
+nightly: .venv/dev.stamp ## the fast tests on other processors and with the oldest versions, more and fresh random examples
 	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
 	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
 	$(MAKE) test-oldest ALL=1
-	VSTATICS_TEST_SEED=$(FRESH_SEED) $(MAKE) test-beside
+	VSTATICS_TEST_SEED=$(FRESH_SEED) $(MAKE) test-slow
 
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing

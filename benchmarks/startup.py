@@ -29,7 +29,8 @@ def main() -> None:
     given = options(__doc__, peer=False)
     bytecode()
     actions = {name: partial(spent, command) for name, command in COMMANDS.items()}
-    medians_spent(actions, 1)  # fills the file cache
+    if not given.quick:
+        medians_spent(actions, 1)  # fills the file cache
     measured = medians_spent(actions, 1 if given.quick else RUNS)
     columns = ("process", "time", "by the bare import", "processor time", "by the bare import")
     print_table("Start", columns, rows_of_spent(measured, decimals=3))

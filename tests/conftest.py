@@ -7,9 +7,12 @@ import signal
 import pytest
 from hypothesis import settings
 
-# The same examples every time, so that a run that fails fails again; new ones are tried
-# with --hypothesis-profile=default.
-settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=40)
+from tests.chance import FRESH, count
+
+# The same examples every time, so that a run that fails fails again; others by `make nightly`.
+settings.register_profile(
+    "repeatable", derandomize=not FRESH, database=None, deadline=None, max_examples=40
+)
 settings.load_profile("repeatable")
 
 
@@ -19,6 +22,8 @@ def pytest_configure(config: pytest.Config) -> None:
     Fast tests take compiled functions as they are written: to compile them would take longer
     than all the rest. The slow ones compile them.
     """
+    if FRESH:
+        config.option.hypothesis_seed = int(FRESH)
     if config.option.markexpr == "not slow":
         os.environ["NUMBA_DISABLE_JIT"] = "1"
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -35,7 +40,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--kills",
         type=int,
-        default=12,
+        default=count(4, 40),
         help="so often tests/cli/test_killed.py kills a run or a sweep",
     )
 

@@ -7,7 +7,6 @@ that coincidences happen (-1, 2, 1/2).
 
 from __future__ import annotations
 
-import os
 from collections.abc import Container, Sequence
 from dataclasses import replace
 from random import Random
@@ -22,12 +21,6 @@ Links = tuple[int, int, int]
 EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)
 NEAR_ONE = (0.95, 0.99, 0.998, 1.002, 1.004, 1.01, 1.05, 1.25, 0.8)
 TRIES = 25
-
-
-def seeded(seed: int) -> Random:
-    """Random numbers that are the same in every run, but in that of `make nightly`."""
-    fresh = os.environ.get("VSTATICS_TEST_SEED")
-    return Random(f"{fresh} {seed}" if fresh else seed)  # noqa: S311
 
 
 def random_ratio(rng: Random, links: Links) -> float:

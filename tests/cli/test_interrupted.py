@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import vstatics
+from tests.chance import seeded
 from tests.commands import NEUTRAL, environment
 from tests.sweep.sweeps import names, wait_for
 
@@ -112,7 +112,7 @@ def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
 @pytest.mark.slow
 def test_ctrl_c_at_any_moment_of_the_start_shows_nothing_of_the_package() -> None:
     """Before the package is reached it is Python that may show a trace, of its own modules."""
-    chance = random.Random(1)  # noqa: S311
+    chance = seeded(1)
     for _ in range(100):
         with running("run", "box.yaml") as process:
             time.sleep(chance.uniform(0, 0.08))

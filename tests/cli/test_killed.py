@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -18,6 +17,7 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.chance import seeded
 from tests.commands import MZKT, environment
 from tests.sweep import scenarios
 from tests.sweep.sweeps import CASE_TEXT, children, names
@@ -159,7 +159,7 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
 ) -> None:
     """Up to three times in a row, then it is let alone; the bytes are the same."""
     kills = int(request.config.getoption("--kills"))
-    choose = random.Random(kills)  # noqa: S311
+    choose = seeded(kills)
     told: Counter[str] = Counter()
     undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
     while sum(told[way] for way in WAYS) < kills:

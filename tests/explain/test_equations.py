@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.chance import seeded
 from tests.commands import CASES
 from tests.explain.explained import check, equations, explained
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import load, solve
 from vstatics.explain.sums import Equation, in_symbols
 

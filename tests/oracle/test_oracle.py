@@ -17,12 +17,13 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
+from tests.chance import seeded
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear, flow_of, solve, solve_gear
 from tests.oracle.linear import exact, sign
 from tests.oracle.losses import Trial, admissible_sets, probed_sign, published_sign
 from tests.oracle.systems import Values, mechanism_column
-from tests.trains import is_regular, no_losses, random_train, regular_trains, seeded, shown, trains
+from tests.trains import is_regular, no_losses, random_train, regular_trains, shown, trains
 from vstatics.model.transmission import Gear, IdleConvention, Mechanism, ShiftElement, Transmission
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own

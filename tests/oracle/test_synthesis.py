@@ -11,10 +11,10 @@ from itertools import combinations as subsets
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.oracle import schemes
 from tests.oracle.combinations import Train, every, found
 from tests.oracle.fits import Wish, fits
-from tests.trains import seeded
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.synthesis.gears.search import combinations
 from vstatics.synthesis.ratios.fitting import fit

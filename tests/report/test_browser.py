@@ -149,7 +149,7 @@ def test_what_is_wider_than_the_page_fades_until_its_end_is_seen(
         wide = page.window.locator(name)
         assert "more" in (wide.get_attribute("class") or "").split()
         wide.evaluate("(one) => { one.scrollLeft = one.scrollWidth; }")
-        page.window.wait_for_function(f"!document.querySelector('{name}').matches('.more')")
+        page.window.locator(f"{name}:not(.more)").wait_for(state="attached")
     page.context.close()
 
 

@@ -15,8 +15,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count, seeded
 from tests.commands import vstatics
-from tests.trains import seeded
 
 CASE = """\
 links: [in, ring, out, w]
@@ -110,7 +110,7 @@ def floats(value: Any) -> Iterator[float]:
 
 
 @pytest.mark.slow
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=count(15, 50), deadline=None)
 @given(st.integers(0, 10**6))
 def test_extreme_numbers_run_right_or_are_refused_where_they_stand(seed: int) -> None:
     """No exception, no warning of NumPy, no NaN; energy closes where a run comes to its end."""

@@ -7,18 +7,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count, seeded
 from tests.simulation.boxes import run_of_box
 from tests.simulation.reference import element_column, mechanism_column, smoothed, start_speeds
 from tests.simulation.runs import random_run, renumbered
 from tests.simulation.test_golden import closes, happened
-from tests.trains import seeded
 from vstatics.simulation import simulate
 
 SEEDS = st.integers(0, 10**6)
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=count(30, 60), deadline=None)
 @given(SEEDS, st.booleans(), st.booleans())
 def test_laws_of_motion(seed: int, losses: bool, dogs: bool) -> None:
     """Energy closes, nothing chatters, mechanisms and slips agree with the speeds."""
@@ -39,7 +39,7 @@ def test_laws_of_motion(seed: int, losses: bool, dogs: bool) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=count(8, 15), deadline=None)
 @given(SEEDS)
 def test_smoothed_friction_tends_to_the_events(seed: int) -> None:
     """Each step of the smoothing to a tenth brings it nearer, until rounding is left."""
@@ -65,7 +65,7 @@ def test_smoothed_friction_tends_to_the_run_of_the_box() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=count(10, 20), deadline=None)
 @given(SEEDS)
 def test_renumbering_changes_nothing(seed: int) -> None:
     scenario = random_run(seeded(seed))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.simulation.boxes import held, planetary_set
 from tests.simulation.test_closed_forms import links
-from tests.trains import seeded
 from vstatics.model.transmission import ShiftElement
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from tests import trains
-from tests.trains import random_train, seeded
+from tests.chance import generator, seeded
+from tests.trains import random_train
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import variants as solver
@@ -204,10 +205,6 @@ def chain(count: int, into: Transmission | None = None) -> Transmission:
         mechanisms=[*made, *(one._replace(name="") for one in last.mechanisms)],
         input=ends[0],
     )
-
-
-def generator(*seeds: int) -> np.random.Generator:
-    return np.random.default_rng(seeds)
 
 
 def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.chance import generator, seeded
 from tests.statics.batches import (
     ARRAYS,
     KINDS,
@@ -20,7 +21,7 @@ from tests.statics.batches import (
     ratios,
     same,
 )
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
 from vstatics.readers.named.reader import read_json, read_yaml
@@ -217,7 +218,7 @@ def check_equilibrium(results: Results, number: int) -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_random_trains(seed: int) -> None:
-    case, numbers = with_drag(seed), np.random.default_rng(seed)
+    case, numbers = with_drag(seed), generator(seed)
     results = plainly(case)
     for number in np.flatnonzero(results.consistent):
         known = (results.speeds[number], results.lossy_torques[number], results.power_sign[number])
@@ -236,7 +237,7 @@ def test_random_trains_are_worth_checking() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(200, 212))
 def test_drag_freewheels_and_second_efficiencies_together(seed: int) -> None:
-    rng, numbers = seeded(seed), np.random.default_rng(seed)
+    rng, numbers = seeded(seed), generator(seed)
     case = with_drag(seed)
     made = [
         element._replace(kind="freewheel") if rng.random() < 0.3 else element

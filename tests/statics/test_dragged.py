@@ -9,11 +9,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from tests.chance import count, generator, seeded
 from tests.commands import vstatics
 from tests.oracle.drag import solve_gear
 from tests.statics.batches import KINDS, disagreements, efficiencies, plainly, ratios
 from tests.statics.test_drag import with_drag
-from tests.trains import is_regular, random_train, seeded, shown
+from tests.trains import is_regular, random_train, shown
 from vstatics import Gear, Load, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.model.parts import OfLoad
 
@@ -156,7 +157,7 @@ def checked(case: Transmission) -> tuple[int, int]:
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(40), pytest.param(range(1000, 1300), marks=pytest.mark.slow)]
+    "seeds", [range(40), pytest.param(range(1000, 1000 + count(60, 300)), marks=pytest.mark.slow)]
 )
 def test_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     dragged, locked = map(sum, zip(*(checked(much_drag(seed)) for seed in seeds), strict=True))
@@ -164,10 +165,12 @@ def test_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     assert locked
 
 
-@pytest.mark.parametrize("seeds", [range(4), pytest.param(range(50, 90), marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "seeds", [range(4), pytest.param(range(50, 50 + count(10, 40)), marks=pytest.mark.slow)]
+)
 def test_variants_are_dragged_as_each_alone(seeds: range) -> None:
     for seed in seeds:
-        case, numbers = much_drag(seed), np.random.default_rng(seed)
+        case, numbers = much_drag(seed), generator(seed)
         u = ratios(numbers, case, 40, KINDS[1 + seed % 3])
         assert not disagreements(case, u, efficiencies(numbers, case, 40, "any"), range(8))
 

@@ -12,8 +12,9 @@ from random import Random
 import numpy as np
 import pytest
 
+from tests.chance import generator, seeded
 from tests.statics.batches import ARRAYS, disagreements, large_train, plainly, same
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.numerics.traced import plain
 from vstatics.readers.named.reader import read_json, read_yaml
@@ -109,7 +110,7 @@ def with_backs(rng: Random, case: Transmission) -> Transmission:
 @pytest.mark.parametrize("seed", range(12))
 def test_random_trains(seed: int) -> None:
     """Power is balanced, losses are none below 0, variants are what they are alone."""
-    rng, numbers = seeded(seed), np.random.default_rng(seed)
+    rng, numbers = seeded(seed), generator(seed)
     case = with_backs(rng, random_train(rng) if seed % 2 else large_train(rng, 6))
     results = plainly(case)
     there = results.consistent

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import generator
 from tests.trains import is_regular, no_losses, regular_trains, trains
 from vstatics import Results, Transmission, solve
 from vstatics.model.parts import SpeedOf
@@ -132,7 +133,7 @@ def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> Non
 @settings(max_examples=16)
 @given(trains(gears=2), st.integers(0, 2**32 - 1))
 def test_variants_together_are_variants_one_by_one(case: Transmission, seed: int) -> None:
-    rng = np.random.default_rng(seed)
+    rng = generator(seed)
     own = np.array([mechanism.ratio for mechanism in case.mechanisms])
     ratios = own * np.where(own == 1, 1, rng.uniform(0.9, 1.1, (3, 2, own.size)))
     efficiencies = rng.uniform(0.9, 1, (2, own.size))

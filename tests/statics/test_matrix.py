@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.commands import MZKT
 from tests.statics.differential import SET, train
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import Gear, Mechanism, distribution_matrix, load
 from vstatics.statics.matrix import column, columns, speed_row_names, speed_rows, torque_rows
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.commands import vstatics
 from tests.statics.batches import with_numbers
-from tests.trains import no_losses, random_train, seeded
+from tests.trains import no_losses, random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.flow.power import flows
 from vstatics.model.parts import OfLoad

@@ -11,9 +11,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.statics.batches import disagreements, generator, ratios
+from tests.chance import count, generator, seeded
+from tests.statics.batches import disagreements, ratios
 from tests.statics.test_against_oracle import _disagreements
-from tests.trains import random_train, seeded, shown
+from tests.trains import random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.elements.checks import hints
 from vstatics.elements.drawing import drawing_of
@@ -131,14 +132,18 @@ def with_ones(seed: int) -> Transmission:
     )
 
 
-@pytest.mark.parametrize("seeds", [range(30), pytest.param(range(30, 400), marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "seeds", [range(30), pytest.param(range(30, count(110, 400)), marks=pytest.mark.slow)]
+)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:
         case = with_ones(seed)
         assert _disagreements(case) == [], (seed, shown(case))
 
 
-@pytest.mark.parametrize("seeds", [range(5), pytest.param(range(5, 60), marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "seeds", [range(5), pytest.param(range(5, count(20, 60)), marks=pytest.mark.slow)]
+)
 def test_variants_go_through_1_as_they_go_alone(seeds: range) -> None:
     for seed in seeds:
         case, rng = with_ones(seed), generator(seed)

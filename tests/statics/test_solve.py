@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vstatics
+from tests.chance import generator
 from tests.statics.batches import (
     ARRAYS,
-    generator,
     plainly,
     random_case,
     ratios,

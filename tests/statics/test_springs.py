@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from random import Random
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import generator, seeded
 from tests.statics.batches import disagreements
 from tests.trains import no_losses, on_springs, random_train, trains
 from vstatics import (
@@ -185,10 +185,10 @@ def test_what_only_vibrates_changes_no_result() -> None:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_variants_together_are_variants_alone(seed: int) -> None:
-    rng = Random(seed)  # noqa: S311 - the same in every run
+    rng = seeded(seed)
     case = random_train(rng)
     numbers = range(len(case.mechanisms))
     case = on_springs(case, set(rng.sample(numbers, rng.randint(1, len(numbers) - 1))))
     own = np.array([mechanism.ratio for mechanism in case.mechanisms])
-    spread = np.random.default_rng(seed).uniform(0.9, 1.1, (6, own.size))
+    spread = generator(seed).uniform(0.9, 1.1, (6, own.size))
     assert not disagreements(case, own * spread)

@@ -17,9 +17,9 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
+from tests.chance import count, seeded
 from tests.simulation.boxes import capacity
 from tests.simulation.reference import element_column, mechanism_column
-from tests.trains import seeded
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation import Points, Scenario, Start, simulate
@@ -169,7 +169,8 @@ QUICK = (9, 10, 27, 38)
 
 
 @pytest.mark.parametrize(
-    "seed", [pytest.param(n, marks=() if n in QUICK else pytest.mark.slow) for n in range(100)]
+    "seed",
+    [pytest.param(n, marks=() if n in QUICK else pytest.mark.slow) for n in range(count(25, 100))],
 )
 def test_a_block_of_lossy_sets_holds_as_long_as_any_split_fits(seed: int) -> None:
     block = random_block(seeded(seed))

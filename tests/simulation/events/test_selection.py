@@ -16,10 +16,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import null_space
 
+from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import solve
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
@@ -158,7 +159,7 @@ def test_random_gears_move_as_by_the_signs_that_fit() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=count(100, 400), deadline=None)
 @given(st.integers(0, 10**6))
 def test_any_random_gear_moves_as_by_the_signs_that_fit(seed: int) -> None:
     assert agrees(seed)

@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
 
+from tests.chance import count, seeded
 from tests.simulation.runs import random_run
-from tests.trains import seeded
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
@@ -141,14 +141,14 @@ def test_runs_with_friction_have_no_values_beyond_their_instants(seed: int) -> N
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=count(60, 200), deadline=None)
 @given(SEEDS)
 def test_extremes_of_any_chain_of_springs(seed: int) -> None:
     check_chain(random_chain(seeded(seed)))
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=count(20, 60), deadline=None)
 @given(SEEDS, st.booleans())
 def test_instants_of_any_run_with_friction(seed: int, losses: bool) -> None:
     check_friction(random_run(seeded(seed), losses=losses))

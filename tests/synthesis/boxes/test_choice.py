@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
 
+from tests.chance import seeded
 from tests.synthesis.boxes.hand_boxes import (
     SIMPSON,
     SIMPSON_SEARCH,
@@ -17,7 +18,6 @@ from tests.synthesis.boxes.hand_boxes import (
     ZF_8HP,
     ZF_8HP_SEARCH,
 )
-from tests.trains import seeded
 from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes

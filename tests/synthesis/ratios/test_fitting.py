@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.chance import generator
 from tests.commands import CASES
 from tests.synthesis.ratios.test_formula import FILES, entangled
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
@@ -255,7 +256,7 @@ def test_an_eight_speed_is_fitted_in_a_tenth_of_a_second() -> None:
 @pytest.mark.slow
 def test_random_ratios_are_found_again() -> None:
     """Gears of random ratios: their ratios by the solver, none of which knows of the fit."""
-    random = np.random.default_rng(4)
+    random = generator(4)
     for name in ("zf-9hp48", "zf-8hp70", "belaz7516", "gm-8l90", "mercedes-9g", "umdm-reduced"):
         case = load(CASES / f"{name}.yaml")
         own = on_own_links(case)

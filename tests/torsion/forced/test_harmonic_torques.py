@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
+from tests.chance import seeded
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
-from tests.trains import seeded
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import RAD_PER_RPM, Harmonic, response

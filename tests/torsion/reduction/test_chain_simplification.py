@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Iterator
 
 import pytest
 
+from tests.chance import seeded
 from vstatics.torsion.reduction.chain import Chain, ChainSpring, partial_systems
 from vstatics.torsion.reduction.simplification import with_masses_merged, without_mass
 
@@ -40,7 +40,7 @@ def test_one_mass_and_two_masses_have_one_frequency() -> None:
 
 def random_chains() -> Iterator[Chain]:
     """Free chains of five masses."""
-    chance = random.Random(12)  # noqa: S311
+    chance = seeded(12)
     for _ in range(20):
         springs = [(10 ** chance.uniform(-5, -2),) for _ in range(4)]
         yield chain([10 ** chance.uniform(-3, 1) for _ in range(5)], *springs)

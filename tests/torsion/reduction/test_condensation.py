@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import random
-
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from vstatics.numerics.arrays import Floats
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
@@ -75,7 +74,7 @@ def test_two_differentials_on_the_same_masses() -> None:
 
 def random_scheme(seed: int) -> TorsionScheme:
     """Eight masses, three of them without inertia, and twists of two to four members."""
-    chance = random.Random(seed)  # noqa: S311
+    chance = seeded(seed)
     springs = []
     for number in range(10):
         members = {number % 8, *chance.sample(range(8), chance.randint(1, 3))}

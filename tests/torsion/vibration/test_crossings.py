@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.chance import count, seeded
 from tests.torsion.systems import Array, chain
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.torsion.vibration.test_variants import system_of
-from tests.trains import seeded
 from vstatics import Spring, Transmission, sweep
 from vstatics.torsion.vibration.variants import variant_frequencies
 
@@ -77,7 +77,7 @@ def alone(inertias: list[float], stiffnesses: list[float]) -> list[float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(100))
+@pytest.mark.parametrize("number", range(count(40, 100)))
 def test_modes_of_two_trains_stay_with_their_train(number: int) -> None:
     """A stiffness and an inertia of the first vary; each variant is that of the trains alone."""
     (masses, shafts), (others, soft) = random_chain(2 * number), random_chain(2 * number + 1)

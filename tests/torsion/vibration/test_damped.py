@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from scipy import linalg
 
+from tests.chance import count, seeded
 from tests.torsion.systems import Array, branched, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
-from tests.trains import seeded
 from vstatics import CaseError, Damping, Spring, Transmission
 from vstatics.torsion.vibration.gear_modes import modes
 
@@ -214,7 +214,7 @@ def eigenvalues_of_mode(case: Transmission, omega: float, shape: Array) -> tuple
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(150))
+@pytest.mark.parametrize("number", range(count(50, 150)))
 @pytest.mark.parametrize("most", [0.1, 0.5, 2.0])
 def test_loss_factors_of_any_chain(number: int, most: float) -> None:
     """Each mode has the eigenvalue nearest to it with the damping ``c loss_factor/omega``."""

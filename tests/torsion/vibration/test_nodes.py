@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.chance import count, seeded
 from tests.torsion.systems import chain
 from tests.torsion.vibration.test_gear_modes import only
-from tests.trains import seeded
 from vstatics import Spring, Transmission
 
 DIGITS, BITS = 300, 900
@@ -101,7 +101,7 @@ def test_a_chain_whose_amplitudes_decay_below_rounding() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(25))
+@pytest.mark.parametrize("number", range(count(10, 25)))
 def test_nodes_of_any_chain(number: int) -> None:
     check(random_chain(number))
 
