@@ -6,9 +6,9 @@ from random import Random
 
 import pytest
 
+from tests.chance import seeded
 from tests.simulation.runs import random_capacity
 from tests.simulation.test_closed_forms import links, run
-from tests.trains import seeded
 from vstatics.errors import CaseError
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import ShiftElement

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from tests.trains import seeded
+from tests.chance import seeded
 from vstatics import Transmission, loads
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion

@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from tests.trains import random_train, seeded
+from tests.chance import seeded
+from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Transmission, solve
 
 PAIR = Mechanism(1, 2, 0, -2.5, 0.96)

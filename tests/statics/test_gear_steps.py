@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tests.trains import seeded
+from tests.chance import seeded
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 from vstatics.statics.gear_steps import spread, steps
 from vstatics.statics.solve import solve

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.commands import vstatics
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, Transmission, solve
 from vstatics.summary.load_spectrum import DutyPoints, points_of, spectrum
 

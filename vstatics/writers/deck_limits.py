@@ -18,17 +18,17 @@ def check_deck(case: Transmission) -> None:
 
     Raises
     ------
-        CaseError
-            With everything that a deck can't hold, in one message.
+    CaseError
+        With everything that a deck can't hold, in one message.
 
     Examples
     --------
-        >>> from vstatics.model.parts import Law
-    from vstatics.model.transmission import Gear, Mechanism
-        >>> pair = Mechanism(1, 2, 0, -2.5, stiffness=9e4, name="pair")
-        >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
-        Traceback (most recent call last):
-        vstatics.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> pair = Mechanism(1, 2, 0, -2.5, stiffness=9e4, name="pair")
+    >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
+    Traceback (most recent call last):
+        ...
+    vstatics.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
     """
     found = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
     springs = [spring.name for spring in case.springs]

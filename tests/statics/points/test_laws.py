@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.statics.batches import ARRAYS, alike
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.model.laws import PointLaw
 from vstatics.model.parts import OfLoad

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from tests.statics.batches import ARRAYS, alike
-from tests.trains import random_train, seeded
+from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
 from vstatics.model.parts import OfLoad
 from vstatics.numerics.arrays import Floats

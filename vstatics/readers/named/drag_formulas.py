@@ -60,8 +60,9 @@ def read_drag_formula(text: str) -> DragFormula:
     --------
     >>> read_drag_formula("1.2 + 0.004*v*w")
     Traceback (most recent call last):
-    ...
-    ValueError: read `v` in it, expected a number, the speed w in rad/s, ...
+        ...
+    ValueError: a formula of w: read `v` in it, expected a number, the speed w in rad/s, pi, or \
+one of abs, min, max, sqrt, exp, tanh
     """
     try:
         return DragFormula(text.strip())
