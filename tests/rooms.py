@@ -34,6 +34,7 @@ ROOMS = (
     "sweep",
     "writers",
     "flow",
+    "operation",
     "summary",
     "explain",
     "synthesis",

@@ -51,6 +51,7 @@ from vstatics import (
 )
 from vstatics.model.parts import Friction, Load
 from vstatics.model.transmission import IdleConvention
+from vstatics.model.vehicle import Vehicle
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import variants
 
@@ -655,6 +656,7 @@ OTHER: dict[type, dict[str, object]] = {
         "allow": ("W201",),
         "inertias": {1: 0.5},
         "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
+        "vehicle": Vehicle(1000.0, 0.3),
     },
 }
 """Another value of each field; what is made of parts or of a drawing is tried elsewhere."""

@@ -38,6 +38,7 @@ COMMANDS = {
     "sweep": ("vstatics.cli.sweep.command", "Calculate variants of a case, to a table."),
     "flow": ("vstatics.cli.flow", "Show where the power goes, what is lost, what circulates."),
     "summary": ("vstatics.cli.summary", "Ratios, steps, spread, transitions, largest values."),
+    "cycle": ("vstatics.cli.cycle", "Drive a case with a vehicle through a cycle of speeds."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "simulate": ("vstatics.cli.simulate.command", "What a scenario does to a case over time."),
     "torsion": ("vstatics.cli.torsion.group", "The transmission as a torsional system."),

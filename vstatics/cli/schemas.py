@@ -16,6 +16,7 @@ from vstatics.cli.torsion import dump
 from vstatics.explain.answer import ExplanationAnswer
 from vstatics.flow.answer import FlowAnswer
 from vstatics.model.shape import Measure
+from vstatics.operation.drive_cycle import CycleAnswer
 from vstatics.readers.named import schema as case
 from vstatics.simulation.record.answer import MotionAnswer
 from vstatics.simulation.scenario.keys import SCENARIO
@@ -40,6 +41,7 @@ from vstatics.writers import schema as result
 ANSWERS = {
     "flow": ("Power of gears, of vstatics flow", FlowAnswer),
     "summary": ("Summary of a case, of vstatics summary", SummaryAnswer),
+    "cycle": ("A driving cycle, of vstatics cycle", CycleAnswer),
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "modes": ("Natural modes, of vstatics torsion modes", ModesAnswer),
     "reduction": (

@@ -23,6 +23,7 @@ from vstatics.model.parts import (
     mechanism_name,
 )
 from vstatics.model.springs import spring_name
+from vstatics.model.vehicle import of_vehicle
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
@@ -48,6 +49,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.model.torsional_checks import of_dump  # likewise
 
         yield from of_dump(case)
+    yield from of_vehicle(case.vehicle)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)

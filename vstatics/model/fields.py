@@ -25,6 +25,7 @@ from vstatics.model.springs import Spring
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.vehicle import Vehicle
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
@@ -74,6 +75,7 @@ class TransmissionFields:
     inertias: Mapping[int, float] = field(default_factory=dict)
     springs: Sequence[Spring] = ()
     dump: ClutchDump | None = None
+    vehicle: Vehicle | None = None
     allow: Sequence[str] = ()
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""

@@ -41,6 +41,7 @@ from vstatics.model.shape import (
     RowOf,
 )
 from vstatics.model.torsional_keys import ABOVE_0, DUMP, ELASTIC, SPRING
+from vstatics.model.vehicle_keys import VEHICLE
 
 FRICTION = ByKey(
     "Friction",
@@ -372,6 +373,7 @@ CASE = ByKey(
             required=True,
             examples=({"low": ["C1", "B1"]},),
         ),
+        KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
         KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
         KeyShape(
             "allow",

@@ -70,6 +70,8 @@ class Transmission(TransmissionFields):
         one with nothing engaged.
     dump : ClutchDump, optional
         A clutch that is dumped.
+    vehicle : Vehicle, optional
+        What the box is in.
 
     Raises
     ------
@@ -226,6 +228,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             for number, spring in enumerate(case.springs, 1)
         ),
         "dump": case.dump and case.dump.completed(),
+        "vehicle": case.vehicle and case.vehicle.completed(),
     }
 
 

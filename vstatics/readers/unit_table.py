@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
@@ -27,6 +27,8 @@ class TableColumn(NamedTuple):
     optional: bool = False
     may_be_bare: bool = False
     """Whether a heading without a unit means the unit of SI."""
+    sizes: Mapping[str, float] | None = None
+    """Sizes of the only units that may stand there, where these are no measure."""
 
     @property
     def heading(self) -> str:
@@ -35,6 +37,8 @@ class TableColumn(NamedTuple):
         >>> TableColumn("speed", "si_speed").heading
         'speed [rad/s]'
         """
+        if self.sizes:
+            return f"{self.name} [{next(iter(self.sizes))}]"
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
 
@@ -152,6 +156,11 @@ def _headings(
 
 def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
     """The unit of a column in SI."""
+    if column.sizes is not None:
+        if unit not in column.sizes:
+            expected = spoken(map(quoted, column.sizes), "or")
+            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected {expected}")
+        return column.sizes[unit]
     if column.measure is None:
         if told:
             raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected none")

@@ -209,7 +209,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
             *("name", "description", "source", "link_names", "load", "allow"),
-            *("drawing", "_lowered", "inertias", "dump"),
+            *("drawing", "_lowered", "inertias", "dump", "vehicle"),
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),

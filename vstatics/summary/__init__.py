@@ -24,12 +24,13 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
+from vstatics.operation.load_spectrum import Spectrum
+from vstatics.operation.traction import Performance, performance
 from vstatics.statics.results import Results, expect_results
 from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
 from vstatics.summary.inertia import GearInertia, reduced_inertias
-from vstatics.summary.load_spectrum import Spectrum
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.summary.shifts import Transition, transitions
 from vstatics.summary.unused_sets import Combination, combinations
@@ -57,6 +58,8 @@ class Summary(NamedTuple):
     """If there is a duty cycle."""
     inertias: Sequence[GearInertia] = ()
     """If anything has an inertia."""
+    vehicle: Performance | None = None
+    """If the case has a vehicle with an engine."""
     needed: Sequence[Needed] = ()
     """What shift elements must carry, if a reserve is asked for."""
 
@@ -87,6 +90,7 @@ def summarize(
         If there are more.
     """
     expect_results(results, "summarize")
+    case = results.case
     return Summary(
         results,
         design(results),
@@ -97,5 +101,6 @@ def summarize(
         margins(results),
         None if at_most is None else combinations(results, at_most),
         inertias=reduced_inertias(results, output_torque),
+        vehicle=performance(case) if case.vehicle and case.vehicle.engine else None,
         needed=() if reserve is None else needed_capacities(results, reserve),
     )

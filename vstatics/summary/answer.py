@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.operation.load_spectrum import Spectrum
+from vstatics.operation.traction import Performance
 from vstatics.summary import Summary
 from vstatics.summary.design_table import Design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed
 from vstatics.summary.inertia import GearInertia
-from vstatics.summary.load_spectrum import Spectrum
 from vstatics.summary.shifts import Transition
 from vstatics.summary.unused_sets import Combination
 from vstatics.tables.answer import Flat, Sometimes, document
@@ -31,6 +32,7 @@ class SummaryAnswer(NamedTuple):
     margins: Sometimes[Sequence[Margin]]
     needed_capacity: Sometimes[Sequence[Needed]]
     inertia: Sometimes[Sequence[GearInertia]]
+    vehicle: Sometimes[Performance]
     duty: Sometimes[Cycle | Spectrum]
     combinations: Sometimes[Sequence[Combination]]
 
@@ -50,6 +52,7 @@ def summary_answer(summary: Summary) -> SummaryAnswer:
         summary.margins or None,
         summary.needed or None,
         summary.inertias or None,
+        summary.vehicle,
         summary.cycle,
         summary.combinations,
     )

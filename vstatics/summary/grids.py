@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.operation.load_spectrum import Spectrum
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
-from vstatics.summary.load_spectrum import Spectrum
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
@@ -43,6 +43,7 @@ def grids(summary: Summary) -> Iterator[Grid]:
         _needed(summary),
         *_duty(summary),
         _inertias(summary),
+        *_vehicle(summary),
         _sensitivities(summary),
         _efficiency_sensitivities(summary),
     )
@@ -234,6 +235,17 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
         *("turns" + " a second" * cycle.are_shares, "equivalent, N*m"),
     )
     yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
+
+
+def _vehicle(summary: Summary) -> Iterator[Grid]:
+    """What the vehicle can, in each gear and in all."""
+    if summary.vehicle is None:
+        return
+    rows = [(name, one.top_speed, one.slope) for name, one in summary.vehicle.gears.items()]
+    headings = "gear", "top speed, km/h", "slope"
+    yield grid_of("Vehicle at full load", headings, rows, key="vehicle gears")
+    row = summary.vehicle.top_speed, summary.vehicle.time_to_100
+    yield grid_of("Vehicle", ["top speed, km/h", "0 to 100 km/h, s"], [row], key="vehicle")
 
 
 def _inertias(summary: Summary) -> Grid:

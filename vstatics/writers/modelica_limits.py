@@ -65,5 +65,7 @@ def _of_case(case: Transmission) -> Iterator[str]:
         yield "teeth: elements are mechanisms of their ratios"
     if any(map(case.coasts, case.gears)):
         yield "that power enters at the output"
+    if case.vehicle is not None:
+        yield "the vehicle"
     if case.dump is not None:
         yield "the clutch that is dumped"

@@ -31,6 +31,7 @@ from vstatics.model.shape import (
 )
 from vstatics.model.springs import spring_record
 from vstatics.model.transmission import SpeedOf, Transmission
+from vstatics.model.vehicle import vehicle_record
 
 if TYPE_CHECKING:
     import yaml
@@ -72,6 +73,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["mechanisms"] = {name: mechanism_record(one) for name, one in sets.items()}
     values["springs"] = {one.name: spring_record(one) for one in case.springs}
     values["dump"] = dump_record(case.dump)
+    values["vehicle"] = vehicle_record(case.vehicle)
     order = _CASE if shape is CASE else _as_written(shape)
     return _Writer(links, ["", *values["shift_elements"]]).by_key(values, order)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+from vstatics.model.vehicle import AIR, GRAVITY
 from vstatics.simulation.scenario.formula import Formula
 
 Over = Literal["time", "speed", "angle"]
@@ -57,12 +58,6 @@ class Points(NamedTuple):
 def constant(value: float) -> Points:
     """A value that never changes."""
     return Points((0.0,), (float(value),))
-
-
-GRAVITY = 9.81
-"""[m/s^2]"""
-AIR = 1.2
-"""Density. [kg/m^3]"""
 
 
 class Resistance(NamedTuple):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError, Problem
-from vstatics.model.parts import Load, OfLoad
+from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.statics.matrix import held_links
@@ -111,7 +111,7 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     >>> round(made.members["2"].torque.largest, 6), round(made.members["2"].revolutions, 3)
     (36.0, 79.577)
     """
-    loads = _Loads.of(case, points)
+    loads = PointLoads.of(case, points)
     weights = points.weights / points.weights.sum() if points.are_shares else points.weights
     losses, drags = loads.losses(), loads.drag_losses()
     lost = {name: float(powers @ weights) for name, powers in (losses | drags).items()}
@@ -150,7 +150,7 @@ def _largest(values: Floats) -> LargestValue:
     return LargestValue(float(values[row]) + 0.0, row + 1)
 
 
-class _Loads(NamedTuple):
+class PointLoads(NamedTuple):
     """The results of all points, each in its gear; arrays of shape (points, ...)."""
 
     case: Transmission
@@ -158,11 +158,20 @@ class _Loads(NamedTuple):
     results: Results
 
     @classmethod
-    def of(cls, case: Transmission, points: DutyPoints) -> _Loads:
-        """Solve all points in all gears that have any."""
+    def of(
+        cls, case: Transmission, points: DutyPoints, further: Mapping[str, Floats] | None = None
+    ) -> PointLoads:
+        """Solve all points in all gears; further numbers vary by their paths, as in `solve`.
+
+        Raises
+        ------
+        CaseError
+            If a point has no torques; the paths of problems are the indices of points.
+        """
         gears = [gear._replace(load=None) for gear in case.gears]
         bare = replace(case, gears=gears, load=Load(1000.0, 1.0))
         vary = {"load.speed": points.speeds, "load.torque": points.torques}
+        vary |= further or {}
         made = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
         problems = [
@@ -262,14 +271,15 @@ class _Loads(NamedTuple):
             for link, part in spring.form.items():
                 found[link].append(-part * torques[:, place])
         held = np.nan_to_num(self.taken(results.lossy_holding_torques_Nm))
+        assert results.points is not None  # noqa: S101 - loads vary
+        points, units = results.points, self.taken(results.points.scales["Nm"])
         for index, gear in enumerate(case.gears):
             here = self.points.gears == index
             unit = np.where(here, self.input_torques, 0.0)
             found[case.gear_input(gear)].append(unit)
             found[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
-            for link, given in gear.torques.items():
-                fixed = isinstance(given, OfLoad)
-                found[link].append(here * given.given if fixed else unit * given)  # type: ignore[attr-defined]
+            for link, given in points.gears[index].torques.items():
+                found[link].append(np.where(here, given * units, 0.0))
             for link in held_links(case, gear):
                 found[link].append(np.where(here, held[:, link - 1], 0.0))
         drags = {}

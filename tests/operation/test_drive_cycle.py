@@ -1,0 +1,171 @@
+"""Driving cycles: energies in closed form, and what the engine gives against statics."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.chance import seeded
+from tests.commands import vstatics
+from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.operation.drive_cycle import GearChoice, drive
+from vstatics.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.operation.shifting import read_shifts
+from vstatics.operation.trace import Trace, read_trace
+
+CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
+CASE = Transmission(
+    4,
+    [ShiftElement(1, 2), ShiftElement(1, 3)],
+    [Mechanism(2, 4, 0, 3.5, 0.97, name="first"), Mechanism(3, 4, 0, -1.5, 0.9, name="second")],
+    [Gear([1], name="1"), Gear([2], name="2")],
+    vehicle=CAR,
+    inertias={1: 0.15, 3: 0.02, 4: 0.3},
+)
+
+
+def trace(*rows: tuple[float, float, str]) -> Trace:
+    """Of time [s], speed [m/s] and gear."""
+    lines = [f"{time!r},{speed!r},{gear}" for time, speed, gear in rows]
+    return read_trace("\n".join(["time [s],speed [m/s],gear", *lines]).encode(), "t.csv")
+
+
+@pytest.mark.parametrize(
+    ("gear", "ratio", "eta", "name"), [("1", 3.5, 0.97, "first"), ("2", 1.5, 0.9, "second")]
+)
+def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -> None:
+    """From 10 to 12 m/s in 2 s; the engine's torque by hand, with what turns on each side."""
+    made = drive(CASE, trace((0, 10, gear), (2, 12, gear)), GearChoice())
+    force = 1200 * 1 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 11**2
+    k = 4.1 / 0.3
+    at_output = force / k + 0.3 * k
+    if gear == "1":  # the second pair turns, too, and speeds its first link up
+        at_output += 0.02 * 1.5**2 * k / 0.9
+    own = 0.15 + (0.02 if gear == "2" else 0.0)
+    engine = at_output / ratio / eta + own * k * ratio
+    energy = engine * ratio * k * 22
+    assert made.energy.engine == pytest.approx(energy, rel=1e-12)
+    assert made.energy.wheels == pytest.approx(force * 22, rel=1e-12)
+    assert made.energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
+    spinning = 0.3 * k**2 + own * (ratio * k) ** 2
+    if gear == "1":
+        spinning += 0.02 * (1.5 * k) ** 2
+    assert made.energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+
+
+def test_brakes_take_what_the_engine_does_not() -> None:
+    """Coasting through .9 the overrun of -30 N*m holds 30 1.5/.9 on the output."""
+    car = CAR._replace(overrun=[(0.0, -30.0)])
+    case = CASE.replace(vehicle=car, inertias={})
+    made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice())
+    force = -1200 * 5 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 15**2
+    k, way = 4.1 / 0.3, 30.0
+    held = -30 * 1.5 / 0.9 * k
+    assert made.energy.brakes == pytest.approx((held - force) * way, rel=1e-12)
+    assert made.energy.engine == pytest.approx(-30 * 1.5 * k * way, rel=1e-12)
+    assert made.energy.lost["second"] == pytest.approx(
+        30 * 1.5 * k * way * (1 / 0.9 - 1), rel=1e-12
+    )
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_random_cycles_are_in_balance(number: int) -> None:
+    """The engine is the sum of all others, and its torque gives the force at the wheels."""
+    rng = seeded(2770 + number)
+    etas = [rng.uniform(0.7, 1.0) for _ in range(2)]
+    sets = [m._replace(efficiency=eta) for m, eta in zip(CASE.mechanisms, etas, strict=True)]
+    case = CASE.replace(
+        mechanisms=sets,
+        gears=[gear._replace(drag={4: rng.uniform(0, 3)}) for gear in CASE.gears],
+        vehicle=CAR._replace(overrun=[(0.0, -rng.uniform(0, 20))]),
+        load=Load(2000.0, 100.0),
+    )
+    rows = [(2.0 * n, rng.choice([0.0, rng.uniform(1, 30)]), rng.choice("12")) for n in range(9)]
+    made = drive(case, trace(*rows), GearChoice())
+    parts = made.energy
+    total = parts.wheels + parts.inertias + parts.brakes + math.fsum(parts.lost.values())
+    assert parts.engine == pytest.approx(total, rel=1e-9, abs=1e-6)
+    assert parts.brakes >= 0
+
+
+def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
+    grid = FuelMap(
+        np.array([80.0, 600.0]), np.array([0.0, 200.0]), np.array([[0.1, 1.0], [2.0, 9.0]])
+    )
+    made = drive(CASE, trace((0, 0, "1"), (60, 0, "1")), GearChoice(), grid)
+    assert made.fuel == pytest.approx(6.0)
+    assert made.energy.engine == made.energy.wheels == made.distance == 0
+
+
+def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
+    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
+    text = trace(*rows)._replace(gears=[])
+    shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
+    ahead = CASE.mechanisms[1]._replace(ratio=1.5)
+    case = CASE.replace(mechanisms=[CASE.mechanisms[0], ahead])
+    assert drive(case, text, GearChoice(shifts=shifts)).gears == ["1", "2", "2", "2", "1", "1"]
+    least = 5 * 1.5 * 4.1 / 0.3  # of the engine in the second gear at 5 m/s
+    assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
+    with pytest.raises(CaseError, match="no column `gear`"):
+        drive(CASE, text, GearChoice())
+
+
+def test_fuel_is_bilinear() -> None:
+    """A + b w + c T + d w T is met exactly inside a cell."""
+    speeds, torques = np.array([100.0, 300.0, 500.0]), np.array([0.0, 100.0])
+
+    def fuel(w: Any, t: Any) -> Any:
+        return 0.2 + 0.001 * w + 0.002 * t + 1e-5 * w * t
+
+    rows = [f"{w},{t},{3600 * fuel(w, t)}" for w in speeds for t in torques]
+    text = "\n".join(["speed [rad/s],torque [N*m],fuel [g/h]", *rows])
+    read = read_fuel_map(text.encode(), "fuel.csv")
+    w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
+    np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
+    np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
+    with pytest.raises(ReadError, match="expected one for each pair"):
+        read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("time [s],speed [km/h]\n", "no row below the headings"),
+        ("time [s],speed [km/h]\n0,1\n", "expected two at least"),
+        ("time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a later time"),
+        ("time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("time [s],speed [km/h],gear\n0,1,1\n1,2,9\n2,2,9\n", ":3:1: error: there is no gear `9`"),
+    ],
+)
+def test_faults_of_a_trace_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
+    case, file = tmp_path / "car.json", tmp_path / "t.csv"
+    pair = {"first": 1, "second": 2, "ratio": 4}
+    made = {"links": 2, "mechanisms": {"p": pair}, "gears": {"1": []}}
+    case.write_text(json.dumps(made | {"vehicle": {"mass": 1000, "radius": 0.5}}))
+    file.write_text(text)
+    ran = vstatics("cycle", str(case), str(file))
+    assert (ran.status, ran.out) == (1, "")
+    assert said in ran.err
+
+
+def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text("time [s],speed [km/h]\n0,1\n1,2\n")
+    ran = vstatics("cycle", "cases/zf-8hp70.yaml", str(tmp_path / "t.csv"))
+    assert ran.status == 1
+    assert "the case has no `vehicle`" in ran.err
+
+
+def test_the_engine_gives_what_statics_asks_for() -> None:
+    """The torque of the engine that comes out gives the force at the wheels, solved forward."""
+    case = CASE.replace(inertias={})
+    made = drive(case, trace((0, 15, "1"), (1, 15, "1")), GearChoice())
+    speed = 15 / 0.3 * 4.1 * 3.5
+    torque = made.energy.engine / speed
+    results = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
+    assert results.lossy_output_torque_Nm[0] * 4.1 / 0.3 == pytest.approx(made.energy.wheels / 15)

@@ -1,0 +1,173 @@
+"""`vstatics cycle`: a case with a vehicle, driven through a cycle of speeds."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files, formats, texts
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.formats import OutputOptions
+from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.texts import Job
+from vstatics.cli.frame.values import value
+from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.statics.results import Results
+from vstatics.tables.grid import Grid, grid_of
+
+if TYPE_CHECKING:
+    from vstatics.operation.drive_cycle import CycleAnswer, DriveCycle, GearChoice
+    from vstatics.operation.fuel_map import FuelMap
+    from vstatics.operation.shifting import ShiftSpeed
+    from vstatics.operation.trace import Trace
+
+
+def _speed(text: str) -> float:
+    """A speed of the engine in rad/s, bare or with its unit."""
+    from vstatics.readers.named.si_units import measured
+
+    try:
+        speed = measured(text, "si_speed")
+    except ValueError as error:
+        raise ValueError(f"read {text!r}, {error}") from None
+    if speed < 0:
+        raise ValueError(f"read {text!r}, expected a speed of 0 or more")
+    return speed
+
+
+def _shifts(text: str) -> list[ShiftSpeed]:
+    from vstatics.operation.shifting import read_shifts
+
+    return read_shifts(text)
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.argument("trace", type=click.Path())
+@formats.options(*formats.TABLES)
+@click.option(
+    "--least-speed",
+    callback=value(_speed),
+    metavar="SPEED",
+    help="The highest gear in which the engine turns as fast, 1200 rpm; else the first.",
+)
+@click.option(
+    "--shift",
+    "shifts",
+    callback=value(_shifts),
+    metavar="TEXT",
+    help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
+)
+@arguments.settings
+def cycle(
+    case: str,
+    trace: str,
+    wanted: OutputOptions,
+    least_speed: float | None,
+    shifts: list[ShiftSpeed] | None,
+    settings: CaseOptions,
+) -> int:
+    """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
+
+    TRACE is a CSV file with the columns time [s] and speed [km/h], and perhaps gear and
+    slope. Between two rows speed is the mean, acceleration constant, gear and slope those
+    of the first row. Without a column gear say --least-speed or --shift.
+
+    The engine gives what wheels, inertias, losses and drag take. Where it would brake more
+    than its `overrun`, brakes take the rest. Fuel is told where the vehicle has a map,
+    `fuel: {file: fuel.csv}`.
+
+    \b
+    Examples:
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm'
+      vstatics cycle car.yaml trace.csv --shift '1-2: 15 km/h/12 km/h'
+      vstatics cycle car.yaml trace.csv -f json | jq .cycle.fuel
+
+    \b
+    Exit status: 0 done; 1 a case or the trace is in error, or a gear has no
+    torques; 2 wrong use.
+    """
+    if least_speed is not None and shifts is not None:
+        raise click.UsageError("--least-speed and --shift exclude one another")
+    to = wanted.destination([case, trace])
+    arguments.check_streams([case, trace])
+    from vstatics.operation.drive_cycle import GearChoice
+    from vstatics.operation.trace import read_trace
+
+    read = read_trace(*files.read_input(trace))
+    choice = GearChoice(least_speed, shifts or ())
+    show = partial(_shown, trace=read, choice=choice)
+    return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
+
+
+def _shown(
+    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
+) -> texts.CaseOutput:
+    """What a case takes for a cycle."""
+    made = _driven(outcome, results, trace, choice)
+    if made.beyond:
+        files.say(
+            f"{outcome.file}: in {made.beyond} of {len(made.gears)} steps the engine would have "
+            "to give more than at full load"
+        )
+
+    def tables() -> Iterator[Grid]:
+        energy = made.energy
+        parts = ("engine", "wheels", "inertias", "brakes")
+        rows = [(name, getattr(energy, name)) for name in parts]
+        rows += [(f"lost: {name}", one) for name, one in energy.lost.items() if one]
+        yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
+        row = made.duration, made.distance, made.fuel
+        headings = "duration, s", "distance, m", "fuel, g"
+        yield grid_of("Cycle", headings, [row], key="cycle")
+
+    def answer() -> CycleAnswer:
+        from vstatics.operation.drive_cycle import CycleAnswer
+
+        return CycleAnswer(results.case.name, made)
+
+    return texts.CaseOutput([results.case.name or outcome.file], {}, tables, answer)
+
+
+def _driven(
+    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
+) -> DriveCycle:
+    """The cycle of a case.
+
+    Raises
+    ------
+    ReadError
+        With places in the trace, where a row is in error.
+    """
+    from vstatics.operation.drive_cycle import drive
+
+    vehicle = results.case.vehicle
+    if vehicle is None:
+        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
+        raise ReadError([of_file("E427", outcome.file, message)])
+    try:
+        return drive(results.case, trace, choice, _fuel(outcome.file, vehicle.fuel))
+    except CaseError as error:
+        raise ReadError(_located(one, trace, outcome.file) for one in error.problems) from None
+
+
+def _located(problem: Problem, trace: Trace, file: str) -> Problem:
+    """A problem of a row at its place in the trace, any other at the case."""
+    row = next(iter(problem.path), None)
+    if isinstance(row, int):
+        return problem._replace(path=(), place=trace.table.place(row))
+    return problem.in_file(file)
+
+
+def _fuel(case: str, name: str) -> FuelMap | None:
+    """The fuel map beside a case, if there is one."""
+    from vstatics.operation.fuel_map import read_fuel_map
+
+    if not name:
+        return None
+    return read_fuel_map(*files.read_input(os.path.join(os.path.dirname(case), name)))  # noqa: PTH118 PTH120

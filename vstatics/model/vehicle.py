@@ -1,0 +1,124 @@
+"""The vehicle that a box is in: its resistance on the road, its engine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem
+
+GRAVITY = 9.81
+"""[m/s^2]"""
+AIR = 1.2
+"""Density. [kg/m^3]"""
+EnginePoints = Sequence[tuple[float, float]]
+"""Speed [rad/s] in ascending order, each with the torque [N*m]."""
+
+
+class Vehicle(NamedTuple):
+    """A vehicle.
+
+    Parameters
+    ----------
+    mass : float
+        [kg]
+    radius : float
+        Of the wheels. [m]
+    rolling : float
+        Coefficient of the rolling resistance. [-]
+    drag_area : float
+        Coefficient of air drag by frontal area. [m^2]
+    final_drive : float
+        Speed of the output by that of the wheels, without sign. [-]
+    engine : sequence of pairs
+        Full load: speed [rad/s], torque [N*m], straight between.
+    overrun : sequence of pairs
+        Torque with which the engine brakes, 0 or below; 0 where there are no points.
+    fuel : str
+        The file of the fuel map; nothing if there is none.
+    """
+
+    mass: float
+    radius: float
+    rolling: float = 0.0
+    drag_area: float = 0.0
+    final_drive: float = 1.0
+    engine: EnginePoints = ()
+    overrun: EnginePoints = ()
+    fuel: str = ""
+
+    def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
+        """Force against a speed that is not 0 [m/s], by rolling, ascent (its sine) and air [N].
+
+        >>> round(Vehicle(1000.0, 0.3, rolling=0.01, drag_area=0.5).resistance(10.0), 9)
+        128.1
+        """
+        weight = self.mass * GRAVITY
+        return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
+
+    def full_torque(self, speed: Any) -> Any:
+        """Of the engine at full load at a speed [rad/s], constant outside its points [N*m]."""
+        return _between(self.engine, speed)
+
+    def overrun_torque(self, speed: Any) -> Any:
+        """With which the engine brakes at a speed [rad/s]; below 0 [N*m]."""
+        return _between(self.overrun, speed) if self.overrun else np.zeros_like(speed)
+
+    def completed(self) -> Vehicle:
+        """A checked one with its numbers as floats."""
+        numbers: dict[str, Any] = {name: float(getattr(self, name)) for name in NUMBERS_OF_VEHICLE}
+        for name in ("engine", "overrun"):
+            numbers[name] = tuple((float(x), float(y)) for x, y in getattr(self, name))
+        return self._replace(**numbers)
+
+
+def _between(points: EnginePoints, speed: Any) -> Any:
+    """Straight between points, constant outside."""
+    speeds, torques = np.array(points).T
+    return np.interp(speed, speeds, torques)
+
+
+NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
+ABOVE_NOTHING = ("mass", "radius", "final_drive")
+
+
+def of_vehicle(vehicle: Vehicle | None) -> Iterator[Problem]:
+    """What is wrong in a vehicle, if there is one."""
+    if vehicle is None:
+        return
+    for name in NUMBERS_OF_VEHICLE:
+        value = getattr(vehicle, name)
+        least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
+        right = 0 <= value < math.inf and (value > 0 or name not in ABOVE_NOTHING)
+        if not right:
+            message = f"read {value:g}, expected a number {least}"
+            yield Problem("E268", message, ("vehicle", name))
+    for name, sign in (("engine", 1), ("overrun", -1)):
+        before = -math.inf
+        for number, (speed, torque) in enumerate(getattr(vehicle, name), 1):
+            path = "vehicle", name, number
+            if not 0 <= speed < math.inf or speed <= before:
+                message = f"read {speed:g} rad/s, expected speeds of 0 or more in ascending order"
+                yield Problem("E268", message, path)
+            if not 0 <= sign * torque < math.inf:
+                side = "0 or more" if sign > 0 else "0 or less"
+                yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
+            before = speed
+
+
+def vehicle_of(fuel: str = "", **others: Any) -> Vehicle:
+    """The vehicle of what a case gives."""
+    return Vehicle(fuel=fuel, **others)
+
+
+def vehicle_record(vehicle: Vehicle | None) -> dict[str, Any] | None:
+    """A vehicle by the keys of a case."""
+    if vehicle is None:
+        return None
+    record: dict[str, Any] = vehicle._asdict()
+    for name in ("engine", "overrun"):
+        record[name] = [list(point) for point in record[name]]
+    return record | {"fuel": {"file": vehicle.fuel} if vehicle.fuel else None}

@@ -1,0 +1,341 @@
+"""A driving cycle: what the engine gives, where it goes, what fuel it takes.
+
+Between two rows of a trace speed is the mean, acceleration constant, gear and slope those of the
+first. The force at the wheels follows; the box is solved from there: its output is the input of
+the calculation, so that the torque of the engine comes out of it with all losses, and inertias
+act as ``-J dw/dt`` on their links. Where the engine would have to brake more than its overrun
+does, brakes take the rest. Standing nothing has a torque.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, quoted
+from vstatics.model.transmission import Transmission
+from vstatics.model.vehicle import Vehicle
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.operation.fuel_map import FuelMap
+from vstatics.operation.load_spectrum import DutyPoints, PointLoads
+from vstatics.operation.shifting import ShiftSpeed, by_least_speed, by_shift_speeds
+from vstatics.operation.trace import Trace
+from vstatics.operation.traction import bare
+from vstatics.statics.solve import solve
+from vstatics.tables.answer import document, told
+
+
+class CycleEnergy(NamedTuple):
+    """Energies of a cycle [J]; that of the engine is the sum of all others."""
+
+    engine: float
+    wheels: float
+    """Of road and mass."""
+    inertias: float
+    brakes: float
+    lost: Mapping[str, float]
+    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+
+
+@told("duration", "distance", "fuel", "energy")
+class DriveCycle(NamedTuple):
+    """What a driving cycle takes."""
+
+    duration: float
+    """[s]"""
+    distance: float
+    """[m]"""
+    fuel: float
+    """[g]; NaN without a fuel map."""
+    energy: CycleEnergy
+    gears: Sequence[str]
+    """Of each step."""
+    beyond: int
+    """Steps in which the engine would have to give more than at full load."""
+
+
+class GearChoice(NamedTuple):
+    """How gears are picked where the trace has none."""
+
+    least_speed: float | None = None
+    """Of the engine. [rad/s]"""
+    shifts: Sequence[ShiftSpeed] = ()
+
+
+def drive(
+    case: Transmission, trace: Trace, choice: GearChoice, fuel: FuelMap | None = None
+) -> DriveCycle:
+    """Drive a case with a vehicle through a trace.
+
+    Raises
+    ------
+    CaseError
+        If a gear is none of the case, or has no torques; paths of problems are rows of the trace.
+
+    Examples
+    --------
+    1000 kg from rest to 10 m/s in 10 s through a pair of .8: 50 kJ at the wheels.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> from vstatics.operation.trace import read_trace
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
+    ...                     vehicle=Vehicle(1000, 0.5))
+    >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")
+    >>> made = drive(case, trace, GearChoice())
+    >>> round(made.energy.engine, 6), round(made.energy.lost["pair"], 6), made.distance
+    (62500.0, 12500.0, 50.0)
+    """
+    assert case.vehicle is not None  # noqa: S101 - who asks knows
+    steps = _CycleSteps.of(bare(case), case.vehicle, trace, choice)
+    moving = np.flatnonzero(trace.speed > 0)
+    engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
+    lost: dict[str, float] = {}
+    brakes = 0.0
+    if moving.size:
+        engine[moving] = steps.engine_torques(moving)
+        over = engine < case.vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
+        over &= trace.speed > 0
+        if over.any():
+            engine[over] = case.vehicle.overrun_torque(speeds[over])
+        lost = {}
+        steps.add_losses(np.flatnonzero((trace.speed > 0) & ~over), lost)
+        if over.any():
+            brakes = steps.braked(np.flatnonzero(over), engine, lost)
+    energy = CycleEnergy(
+        float((engine * speeds) @ trace.duration),
+        float((steps.forces * trace.speed) @ trace.duration),
+        steps.inertia_energy,
+        brakes,
+        lost,
+    )
+    full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
+    beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
+    taken = math.nan
+    if fuel is not None:
+        taken = float(fuel.at(np.where(trace.speed > 0, speeds, 0.0), engine) @ trace.duration)
+    distance = float(trace.speed @ trace.duration)
+    gears = [case.gears[index].name for index in steps.gears]
+    return DriveCycle(float(trace.duration.sum()), distance, taken, energy, gears, beyond)
+
+
+SAME_ENGINE_TORQUE = 1e-9
+"""Torques of the engine that differ by no more are one. [N*m]"""
+
+
+class _CycleSteps(NamedTuple):
+    """The steps of a trace, each in its gear."""
+
+    case: Transmission
+    vehicle: Vehicle
+    trace: Trace
+    gears: Integers
+    ratios: Floats
+    """(gears, links): speeds by that of the output, with its sign. [-]"""
+
+    @classmethod
+    def of(
+        cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
+    ) -> _CycleSteps:
+        """The steps with their gears.
+
+        Raises
+        ------
+        CaseError
+            If a gear is none of the case.
+        """
+        still = solve(case)
+        outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
+        inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
+        own = np.arange(len(outputs))
+        with np.errstate(all="ignore"):
+            ratios = still.speeds / still.speeds[own, outputs][:, None]
+            ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
+        wheels = trace.speed / vehicle.radius * vehicle.final_drive
+        engine = wheels[:, None] * ratios[own, inputs]
+        gears = _gears(case, vehicle, trace, choice, engine, np.sign(1 / still.ratio))
+        return cls(case, vehicle, trace, gears, ratios)
+
+    @property
+    def forces(self) -> Floats:
+        """At the wheels, of road and mass; 0 where it stands [N]."""
+        trace, vehicle = self.trace, self.vehicle
+        force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
+        return np.where(trace.speed > 0, force, 0.0)
+
+    @property
+    def wheel_speeds(self) -> Floats:
+        """Of the output, without sign [rad/s]."""
+        speeds: Floats = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
+        return speeds
+
+    def _ends(self, kind: str) -> Integers:
+        """Indices of the input or output links of all steps."""
+        of = self.case.gear_input if kind == "input" else self.case.gear_output
+        links = np.array([of(gear) - 1 for gear in self.case.gears])
+        return links[self.gears]
+
+    def _links(self, kind: str) -> Floats:
+        """Speeds of the input or output links [rad/s]."""
+        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
+        return speeds
+
+    @property
+    def engine_speeds(self) -> Floats:
+        """Of the engine, forward [rad/s]."""
+        return np.abs(self._links("input"))
+
+    def _inertia_torque(self, rows: Integers, link: int) -> Floats:
+        """``-J dw/dt`` on a link in some rows [N*m]."""
+        change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
+        inertia = self.case.inertias.get(link, 0.0)
+        torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
+        return torque
+
+    def _at_output(self, case: Transmission, rows: Integers) -> Floats:
+        """That on the output links of a case, on which no torque can be given [N*m]."""
+        total = np.zeros(len(rows))
+        for number, gear in enumerate(case.gears):
+            own = self._inertia_torque(rows, case.gear_output(gear))
+            total = np.where(self.gears[rows] == number, own, total)
+        return total
+
+    def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
+        """Those on all other links, by their paths."""
+        return {
+            f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
+            for gear in case.gears
+            for link, inertia in case.inertias.items()
+            if inertia and link != case.gear_output(gear)
+        }
+
+    def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
+        """What the output of a case gives to its load [N*m]."""
+        torque: Floats = loads.taken(loads.results.lossy_output_torque_Nm)
+        return torque + self._at_output(case, rows)
+
+    @property
+    def inertia_energy(self) -> float:
+        """What turning links have more at the end of steps than before, over all steps [J]."""
+        before, after = self.trace.ends
+        factor = self.vehicle.final_drive / self.vehicle.radius
+        total = 0.0
+        for link, inertia in self.case.inertias.items():
+            turned = self.ratios[self.gears, link - 1] * factor
+            change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
+            total += float(np.nan_to_num(inertia / 2 * change).sum())
+        return total
+
+    def _from_wheels(self, rows: Integers) -> PointLoads:
+        """The box with its output as input."""
+        speeds = self._links("output")[rows]
+        torques = -self.forces[rows] * self.vehicle.radius / self.vehicle.final_drive
+        points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
+        return self._solved(self._turned, rows, points)
+
+    @property
+    def _turned(self) -> Transmission:
+        """The case with outputs as inputs."""
+        gears = [
+            gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
+            for gear in self.case.gears
+        ]
+        return self.case.replace(gears=gears, outputs=())
+
+    def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
+        """Points of some rows.
+
+        Raises
+        ------
+        CaseError
+            If one has no torques.
+        """
+        try:
+            return PointLoads.of(case, points, self._elsewhere(case, rows))
+        except CaseError as error:
+            problems = [
+                one._replace(path=tuple(int(rows[row]) for row in one.path if isinstance(row, int)))
+                for one in error.problems
+            ]
+            raise CaseError(problems) from None
+
+    def engine_torques(self, rows: Integers) -> Floats:
+        """Of the engine, with all losses, in its direction [N*m]."""
+        loads = self._from_wheels(rows)
+        given = self._given(self._turned, rows, loads)
+        engine: Floats = -given * np.sign(self._links("input")[rows])
+        return engine
+
+    def add_losses(self, rows: Integers, lost: dict[str, float]) -> None:
+        """What rows lose that the engine drives, or that brake no more than its overrun."""
+        if rows.size:
+            _add(lost, self._from_wheels(rows), self.trace.duration[rows])
+
+    def braked(self, rows: Integers, engine: Floats, lost: dict[str, float]) -> float:
+        """The energy of brakes where the engine brakes at its overrun [J]."""
+        speeds = self._links("input")[rows]
+        points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
+        loads = self._solved(self.case, rows, points)
+        _add(lost, loads, self.trace.duration[rows])
+        torque = self._given(self.case, rows, loads) * np.sign(self._links("output")[rows])
+        force = torque * self.vehicle.final_drive / self.vehicle.radius
+        power = (force - self.forces[rows]) * self.trace.speed[rows]
+        return float(power @ self.trace.duration[rows])
+
+
+def _add(lost: dict[str, float], loads: PointLoads, duration: Floats) -> None:
+    for name, powers in (loads.losses() | loads.drag_losses()).items():
+        lost[name] = lost.get(name, 0.0) + float(powers @ duration)
+
+
+def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
+    case: Transmission,
+    vehicle: Vehicle,
+    trace: Trace,
+    choice: GearChoice,
+    engine: Floats,
+    ways: Floats,
+) -> Integers:
+    """The gear of each step: of the trace, by shift speeds, or the highest that fits.
+
+    Raises
+    ------
+    CaseError
+        If one is none of the case, or nothing tells it.
+    """
+    names = [gear.name for gear in case.gears]
+    if choice.least_speed is not None:
+        ahead = [n for n, way in enumerate(ways) if way == np.sign(np.nansum(np.sign(ways)) or 1)]
+        highest = vehicle.engine[-1][0] if vehicle.engine else math.inf
+        return by_least_speed(engine, choice.least_speed, highest, ahead)
+    if choice.shifts:
+        try:
+            told_gears = by_shift_speeds(case, choice.shifts, trace.speed)
+        except ValueError as error:
+            raise CaseError("E426", f"--shift: {error}") from None
+    elif trace.gears:
+        told_gears = trace.gears
+    elif len(names) == 1:
+        return np.zeros(len(trace.speed), np.int64)
+    else:
+        message = "the trace has no column `gear`, expected one, --shift, or --least-speed"
+        raise CaseError("E426", message)
+    standing: Booleans = trace.speed <= 0
+    problems = [
+        Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
+        for row, name in enumerate(told_gears)
+        if name not in names and not (standing[row] and not name)
+    ]
+    if problems:
+        raise CaseError(problems)
+    return np.array([names.index(name) if name in names else 0 for name in told_gears])
+
+
+@document("vstatics-cycle")
+class CycleAnswer(NamedTuple):
+    """What `vstatics cycle` answers."""
+
+    name: str
+    cycle: DriveCycle

@@ -1,0 +1,119 @@
+"""Which gear a driving cycle is driven in: by shift speeds, or the highest that fits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import quoted
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.readers.named.si_units import measured
+
+
+class ShiftSpeed(NamedTuple):
+    """A shift between two neighbours."""
+
+    low: str
+    high: str
+    up: float
+    """At this mean speed and above the higher gear is taken. [m/s]"""
+    down: float
+    """Below this mean speed the lower one is. [m/s]"""
+
+
+def read_shifts(text: str) -> list[ShiftSpeed]:
+    """Shift speeds of a text, from the lowest pair of gears on.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> [one.low for one in read_shifts("1-2: 18 km/h/14.4 km/h, 2-3: 36 km/h/27 km/h")]
+    ['1', '2']
+    >>> read_shifts("1-2: 18 km/h/14.4 km/h")[0].down.__round__(9)
+    4.0
+    """
+    found: list[ShiftSpeed] = []
+    for item in text.split(","):
+        gears, colon, speeds = item.partition(":")
+        low, dash, high = (part.strip() for part in gears.partition("-"))
+        up, down = _two_speeds(speeds)
+        if not (colon and dash and low and high) or up is None or down is None:
+            example = "1-2: 15 km/h/12 km/h"
+            raise ValueError(f"read {item.strip()!r}, expected {example}")
+        if down > up:
+            raise ValueError(f"read {item.strip()!r}, expected the shift down below that up")
+        if found and found[-1].high != low:
+            raise ValueError(f"read {item.strip()!r}, expected the shift from {found[-1].high} on")
+        found.append(ShiftSpeed(low, high, up, down))
+    return found
+
+
+def _two_speeds(text: str) -> tuple[float | None, float | None]:
+    """The speeds on both sides of a stroke, which units have too [m/s]."""
+    for at, letter in enumerate(text):
+        if letter == "/":
+            try:
+                parts = (text[:at].strip(), text[at + 1 :].strip())
+                up, down = (measured(part, "velocity") for part in parts)
+            except ValueError:
+                continue
+            if up >= 0 and down >= 0 and any(sign.isalpha() for sign in parts[0]):
+                return up, down
+    return None, None
+
+
+def by_shift_speeds(case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Floats) -> list[str]:
+    """The gears of mean speeds [m/s], from the first gear on.
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
+    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], np.array([3.0, 5.0, 4.5, 3.9]))
+    ['1', '2', '2', '1']
+    """
+    names = [gear.name for gear in case.gears]
+    ladder = [shifts[0].low, *(one.high for one in shifts)]
+    for name in ladder:
+        if name not in names:
+            raise ValueError(f"there is no gear {quoted(name)} in the case")
+    place, found = 0, []
+    for speed in speeds.tolist():
+        while place < len(shifts) and speed >= shifts[place].up:
+            place += 1
+        while place and speed < shifts[place - 1].down:
+            place -= 1
+        found.append(ladder[place])
+    return found
+
+
+def by_least_speed(engine: Floats, least: float, highest: float, may: Sequence[int]) -> Integers:
+    """The highest gear, of the least speed of the engine, that fits; else the first.
+
+    Parameters
+    ----------
+    engine : ndarray, shape (rows, gears)
+        Speeds of the engine. [rad/s]
+    least, highest : float
+        Between which it runs. [rad/s]
+    may : sequence of int
+        Indices of gears that may be taken.
+    """
+    order = sorted(may, key=lambda gear: -float(engine[:, gear].max(initial=0.0)))
+    chosen = np.full(len(engine), order[0] if order else 0)
+    for gear in order:
+        fits = (engine[:, gear] >= least) & (engine[:, gear] <= highest)
+        chosen[fits] = gear
+    return chosen
