@@ -400,6 +400,21 @@ class SpeedOf(NamedTuple):
     factor: float = 1.0
 
 
+class Balance(NamedTuple):
+    """What machines on links give to a battery, which tells the torque of one of them.
+
+    Parameters
+    ----------
+    efficiencies : sequence of pairs
+        Link, and the efficiency of its machine, above 0 and up to 1. [-]
+    battery : float
+        Power that charges it. [kW]
+    """
+
+    efficiencies: Sequence[tuple[int, float]]
+    battery: float = 0.0
+
+
 class Gear(NamedTuple):
     """A shift state: what is engaged, and what is given besides.
 
@@ -428,6 +443,8 @@ class Gear(NamedTuple):
         the load says when not given, and forward if that says nothing either.
     kind : {"gear", "point"}
         An operating point has no step to another, and no part in the spread.
+    balance : Balance, optional
+        One of its links has neither a speed nor a torque, which is found.
     """
 
     engaged: Sequence[int] = ()
@@ -441,6 +458,12 @@ class Gear(NamedTuple):
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
+    balance: Balance | None = None
+
+    def open_links(self, ends: Sequence[int]) -> list[int]:
+        """Links of its balance that have neither speed nor torque, and are none of its ends."""
+        links = [link for link, _ in self.balance.efficiencies] if self.balance else []
+        return [one for one in links if one not in (*ends, *self.speeds, *self.torques)]
 
 
 def element_name(number: int, element: ShiftElement) -> str:

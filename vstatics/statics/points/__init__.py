@@ -1,12 +1,14 @@
 """Operating points: any number of a case varied, in SI, with all that follows from a load.
 
 `paths` tells which numbers a path names, `relative` what they are relative to the load, and
-which points go alike; `laws` follows drags and efficiencies that depend on speed or torque.
+which points go alike; `laws` follows drags and efficiencies that depend on speed or torque,
+`balance` looks for the torque that balances a battery.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +18,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
+from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
 from vstatics.statics.points.paths import CaseNumber, Columns, columns_of
 from vstatics.statics.points.relative import solve_points, with_numbers
@@ -34,12 +37,20 @@ def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
 
 
 def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
-    if not case.has_laws:
+    if not case.depends:
         return solve_points(case, columns, variants)
-    answer = follow_laws(case, columns, variants)
+    answer = _followed(case, columns, variants)
     points = answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     return answer.results._replace(case=case, points=points._replace(open=answer.open))
+
+
+def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
+    """All that depends on load and speed, with the torques of balances."""
+    if not any(gear.balance for gear in case.gears):
+        return follow_laws(case, columns, variants)
+    plain = case.replace(gears=[gear._replace(balance=None) for gear in case.gears])
+    return balanced(case, columns, variants, partial(follow_laws, plain))
 
 
 def solve_laws(
@@ -63,7 +74,7 @@ def solve_laws(
             arrays = {name: found.in_own_unit(name) for name in ARRAYS}
             shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
             return found._replace(**shaped)
-        return _alone(case, follow_laws(case, columns, 1))
+        return _alone(case, _followed(case, columns, 1))
 
 
 def _alone(case: Transmission, answer: Followed) -> Results:
@@ -100,9 +111,14 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     """Where no single torque agrees with efficiencies, and laws that were asked outside."""
     for gear, state in zip(case.gears, points.open.tolist(), strict=True):
         words = {NONE: "no torque agrees", SEVERAL: "more than one torque agrees"}
-        if state:
+        if state in words:
             text = f"{words[state]} with the efficiencies over torque: there are no torques"
             yield Message("W426", f"{text} with losses", gear.name)
+        if state in (NO_BALANCE, TWO_BALANCES):
+            link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
+            count = "none" if state == NO_BALANCE else "two"
+            text = f"gears.{gear.name}.balance: {count} of the torques on {case.link_name(link)}"
+            yield Message("W427", f"{text} balances the battery: there are no torques")
     if points.outside:
         text = f"outside the points of {spoken(points.outside)} the last one counts"
         yield Message("N414", text)

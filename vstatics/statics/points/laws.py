@@ -40,7 +40,7 @@ Laws = Mapping[CaseNumber, Law]
 
 
 class Followed(NamedTuple):
-    """What a case with laws comes to at its points."""
+    """What a case with laws, or with balances, comes to at its points."""
 
     results: Results
     columns: Columns
