@@ -400,7 +400,7 @@ class SpeedOf(NamedTuple):
     factor: float = 1.0
 
 
-class Balance(NamedTuple):
+class BatteryBalance(NamedTuple):
     """What machines on links give to a battery, which tells the torque of one of them.
 
     Parameters
@@ -443,7 +443,7 @@ class Gear(NamedTuple):
         the load says when not given, and forward if that says nothing either.
     kind : {"gear", "point"}
         An operating point has no step to another, and no part in the spread.
-    balance : Balance, optional
+    balance : BatteryBalance, optional
         One of its links has neither a speed nor a torque, which is found.
     """
 
@@ -458,7 +458,7 @@ class Gear(NamedTuple):
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
-    balance: Balance | None = None
+    balance: BatteryBalance | None = None
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Links of its balance that have neither speed nor torque, and are none of its ends."""

@@ -11,7 +11,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
 from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
-from vstatics.model.parts import Balance, Law, OfLoad, mechanism_record
+from vstatics.model.parts import BatteryBalance, Law, OfLoad, mechanism_record
 from vstatics.model.shape import (
     UNITS,
     Balances,
@@ -199,7 +199,7 @@ class _Writer:
             return {"over": value.over, "points": points}
         return points or value.text
 
-    def balance(self, value: Balance, shape: Balances) -> dict[int | str, Any]:
+    def balance(self, value: BatteryBalance, shape: Balances) -> dict[int | str, Any]:
         data = self.numbers(dict(value.efficiencies), shape.links)
         return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
 

@@ -28,7 +28,7 @@ def test_points_have_units_of_their_own(tmp_path: Path) -> None:
     case = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]"))
     law = case.gears[0].drag[2]
     assert isinstance(law, PointLaw)
-    assert law.points[1] == (pytest.approx(31.41592653589793), 3.5)
+    assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
 
 
 def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.errors import quoted
-from vstatics.model.parts import Balance, Law
+from vstatics.model.parts import BatteryBalance, Law
 from vstatics.model.shape import Balances, ByLaw, Leaf
 from vstatics.readers.named.compounds import ReadsShapes
 from vstatics.readers.named.nodes import Listing, Mapping, Spot
@@ -53,4 +53,4 @@ def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
             battery = walk.read(spot.key(shape.power, shape.power, value), Leaf("power"))
     others = [entry for entry in node.entries if entry[0].text != shape.power]
     numbers = walk.read(spot._replace(node=node._replace(entries=others)), shape.links)
-    return Balance(tuple(numbers.items()), battery)
+    return BatteryBalance(tuple(numbers.items()), battery)
