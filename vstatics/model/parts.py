@@ -376,6 +376,10 @@ class Law(float):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self._told == other._told
 
+    def __repr__(self) -> str:
+        """All that it is: what is known by its text must not take it for a number."""
+        return f"{type(self).__name__}({self.text or self.points!r}, over={self.over!r})"
+
     def __hash__(self) -> int:
         return hash(self._told)
 

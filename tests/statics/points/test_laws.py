@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from fractions import Fraction
 from typing import Any
 
@@ -16,6 +17,7 @@ from tests.trains import is_regular, random_train, seeded
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.model.laws import PointLaw
 from vstatics.model.parts import OfLoad
+from vstatics.numerics.traced import plain
 from vstatics.readers import loads
 from vstatics.readers.named.drag_formulas import DragFormula
 
@@ -291,3 +293,56 @@ def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> N
                 largest = 1 + np.abs(found.lossy_torques[point, number]).max()
                 assert abs(found.power_balance[point, number]) < 1e-12 * largest
     assert len(states) > 1
+
+
+TORQUES = """\
+links: [s, r, c]
+input: c
+output: s
+load: {{speed: 1000 rpm, torque: 60 N*m}}
+shift_elements: {{B: [r, housing]}}
+mechanisms: {{set: {{first: s, second: r, third: c, ratio: -2, efficiency: {efficiency}}}}}
+gears: {{a: [B]}}
+"""
+
+
+def sun(eta: float) -> float:
+    """Equilibrium: T = M (1 + 2/eta)."""
+    return 60 / (1 + 2 / eta)
+
+
+def test_where_two_torques_agree_there_are_none_and_a_message_says_so() -> None:
+    """With .3 the sun has 7.8 N*m, where .3 holds; with .95 it has 19.3 N*m, where .95 holds."""
+    assert sun(0.3) < 12
+    assert sun(0.95) > 13
+    law = "{over: torque, points: [[0, .3], [12, .3], [13, .95], [100, .95]]}"
+    results = solve(loads(TORQUES.format(efficiency=law)))
+    assert np.isnan(results.lossy_torques).all()
+    assert np.isnan(results.efficiency).all()
+    assert not np.isnan(results.torques).any()
+    assert [one.id for one in results.messages] == ["W426"]
+    state = results.gear(1)
+    assert state.status.name == results.status(1).name == "undecided"
+    assert all(math.isnan(plain(one)) for one in state.lossy_torques.on_first_link)
+
+
+def test_an_efficiency_that_falls_steeply_is_found_by_halves() -> None:
+    """Passes jump to and fro; M = 60/(1 + 2/eta) meets eta = .95 - .65 (M - 12) between 12 and 13."""
+    law = "{over: torque, points: [[0, .95], [12, .95], [13, .3], [100, .3]]}"
+    results = solve(loads(TORQUES.format(efficiency=law)))
+    torque = results.lossy_torques_Nm[0, -1]
+    eta = 0.95 - 0.65 * (torque - 12)
+    assert 0.3 < eta < 0.95
+    assert torque == pytest.approx(sun(eta), rel=1e-12)
+    assert results.messages == ()
+
+
+def test_a_law_is_taken_for_no_number_and_survives_another_process() -> None:
+    points, formula = PointLaw([(0, 2), (300, 3.5)]), DragFormula("2 + 0.005*w")
+    assert points != 2
+    assert points != formula
+    assert points != PointLaw([(0, 2), (300, 3.5)], "torque")
+    for law in (points, formula):
+        assert pickle.loads(pickle.dumps(law)) == law  # noqa: S301
+        assert hash(pickle.loads(pickle.dumps(law))) == hash(law)  # noqa: S301
+        assert repr(law) != repr(float(law))

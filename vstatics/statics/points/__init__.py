@@ -7,6 +7,7 @@ which points go alike; `laws` follows drags and efficiencies that depend on spee
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vstatics.errors import not_allowed, spoken
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
@@ -27,6 +28,10 @@ from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+
+SAID = frozenset({"W418", "W420", "W423", "W424"})
+"""What is said of torques that do not exist, where a message of laws or balances says why."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
@@ -85,15 +90,26 @@ def _alone(case: Transmission, answer: Followed) -> Results:
     points = points._replace(
         scales={unit: scale[0] for unit, scale in points.scales.items()},
         loaded=points.loaded[0],
-        gears=settled.gears,
+        gears=[*map(_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
         open=answer.open[0],
         outside=answer.outside,
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
     own = results._replace(case=settled, points=points, **arrays)
-    said = [*diagnosis.messages(own), *not_allowed(_messages(case, points), case.allow)]
+    unknown = [gear.name for gear, state in zip(case.gears, answer.open[0], strict=True) if state]
+    said = [one for one in diagnosis.messages(own) if not (one.gear in unknown and one.id in SAID)]
+    said += not_allowed(_messages(case, points), case.allow)
     return own._replace(case=case, messages=tuple(said))
+
+
+def _gear(case: Transmission, gear: Gear, state: int) -> Gear:
+    """A gear, whose open link has no torque where none balances it, or two do."""
+    if state not in (NO_BALANCE, TWO_BALANCES):
+        return gear
+    balance = case.gears[case.gear_number(gear.name) - 1]
+    [link] = balance.open_links((case.gear_input(gear), case.gear_output(gear)))
+    return gear._replace(torques={**gear.torques, link: math.nan})
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:
@@ -116,9 +132,10 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
             yield Message("W426", f"{text} with losses", gear.name)
         if state in (NO_BALANCE, TWO_BALANCES):
             link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
-            count = "none" if state == NO_BALANCE else "two"
-            text = f"gears.{gear.name}.balance: {count} of the torques on {case.link_name(link)}"
-            yield Message("W427", f"{text} balances the battery: there are no torques")
+            none, two = "none of the torques on {} balances", "two of the torques on {} balance"
+            text = (none if state == NO_BALANCE else two).format(case.link_name(link))
+            text = f"gears.{gear.name}.balance: {text} the battery: there are no torques"
+            yield Message("W427", text)
     if points.outside:
         text = f"outside the points of {spoken(points.outside)} the last one counts"
         yield Message("N414", text)

@@ -234,5 +234,6 @@ def _told(results: Results, asked: list[OpenBalance], columns: Columns, unknown:
         array = changed.get(name, results.in_own_unit(name))
         where = unknown.astype(bool).reshape(*unknown.shape, *[1] * (array.ndim - unknown.ndim))
         changed[name] = np.where(where, np.nan, array)
-    changed["consistent"] = results.consistent & (unknown == 0)
+    for name in ("consistent", "balanced"):
+        changed[name] = getattr(results, name) & (unknown == 0)
     return results._replace(**changed)
