@@ -376,6 +376,10 @@ class Law(float):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self._told == other._told
 
+    def __ne__(self, other: object) -> bool:
+        """As `__eq__` says; a float has its own."""
+        return not self == other
+
     def __repr__(self) -> str:
         """All that it is: what is known by its text must not take it for a number."""
         return f"{type(self).__name__}({self.text or self.points!r}, over={self.over!r})"
