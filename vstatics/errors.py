@@ -71,6 +71,7 @@ DOUBTS = {
     "W424": "statics leaves directions of power open",
     "W425": "no power flows through a mechanism by coincidence, on whose direction torques depend",
     "W426": "no torque, or more than one, agrees with efficiencies over torque",
+    "W427": "no torque, or more than one, balances the battery of a gear",
     "W501": "a partial frequency that is taken out is near one that is kept",
     "W502": "what a simplified scheme takes no account of",
     "W503": "what is doubtful about the modes of a gear",

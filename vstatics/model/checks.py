@@ -66,10 +66,11 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
 
 def _laws(case: TransmissionFields) -> Iterator[Problem]:
     """Drags and efficiencies that depend on speed or torque need a load."""
-    if case.has_laws:
-        from vstatics.model.laws import without_loads  # costs start-up time
+    if case.depends:
+        from vstatics.model.laws import of_balances, without_loads  # costs start-up time
 
         yield from without_loads(case)
+        yield from of_balances(case)
 
 
 def _moves(case: TransmissionFields) -> bool:

@@ -27,6 +27,7 @@ from vstatics.model.shape import (
     SPEED,
     TEXT,
     TORQUE,
+    Balances,
     ByKey,
     ByLaw,
     ByName,
@@ -296,6 +297,13 @@ GEAR = ByKey(
         KeyShape("output", LINK, "This gear's own output link."),
         KeyShape("load", LOAD, "This gear's own load."),
         COAST,
+        KeyShape(
+            "balance",
+            Balances(Numbers("link", NUMBER, {"exclusiveMinimum": 0, "maximum": 1}), "battery"),
+            "Efficiencies of machines on links, and the power that charges the `battery`; the "
+            "torque of the one link without speed and torque follows.",
+            examples=({"MG1": 0.92, "MG2": 0.9, "battery": "-2 kW"},),
+        ),
         KeyShape(
             "kind",
             Leaf("choice", GEAR_KINDS),

@@ -8,7 +8,7 @@ from typing import Any, Literal, Self
 
 import numpy as np
 
-from vstatics.errors import Path, Problem
+from vstatics.errors import Path, Problem, listed
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.parts import Gear, Law
 
@@ -77,6 +77,34 @@ def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> It
         least = max(least, x)
 
 
+def of_balances(case: TransmissionFields) -> Iterator[Problem]:
+    """Efficiencies of machines on links, one of which is left open."""
+    for number, gear in enumerate(case.gears, 1):
+        if gear.balance is None:
+            continue
+        path: Path = ("gears", number, "balance")
+        for link, efficiency in gear.balance.efficiencies:
+            if not (hasattr(link, "__index__") and 0 < link <= case.own_links):
+                expected = f"a link number from 1 to {case.own_links}"
+                yield Problem("E269", f"read {link!r}, expected {expected}", path)
+                return
+            if not 0 < efficiency <= 1:
+                what = f"read {efficiency:g}, expected an efficiency above 0 and up to 1"
+                yield Problem("E269", what, (*path, link))
+        if not math.isfinite(gear.balance.battery):
+            message = f"read {gear.balance.battery:g}, expected a finite power"
+            yield Problem("E269", message, (*path, "battery"))
+        ends = gear.input or case.input, gear.output or case.main_output
+        names = [
+            case.link_names[link - 1] if case.link_names else str(link)
+            for link in gear.open_links(ends)
+        ]
+        if len(names) != 1:
+            message = f"read {listed(names, 12) if names else 'no link'} without speed and torque"
+            expected = "expected exactly one, neither input nor output"
+            yield Problem("E269", f"{message}, {expected}", path)
+
+
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:
     """Laws in gears whose load does not tell speed and torque."""
     places: list[Path] = [
@@ -91,9 +119,10 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
         load = case.gear_load(gear)
         if load.speed is not None and load.torque is not None:
             continue
-        for path in (*places, *_of_gear(gear, number)):
+        of_balance: list[Path] = [("gears", number, "balance")] if gear.balance else []
+        for path in (*places, *_of_gear(gear, number), *of_balance):
             what = "speed" if load.speed is None else "torque"
-            message = f"it depends on speed or torque, but gear {gear.name or number} has no {what}"
+            message = f"it depends on the load, but gear {gear.name or number} has no {what}"
             yield Problem("E267", f"{message}: expected a `load` with both", path)
         return
 

@@ -376,6 +376,14 @@ class Law(float):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self._told == other._told
 
+    def __ne__(self, other: object) -> bool:
+        """As `__eq__` says; a float has its own."""
+        return not self == other
+
+    def __repr__(self) -> str:
+        """All that it is: what is known by its text must not take it for a number."""
+        return f"{type(self).__name__}({self.text or self.points!r}, over={self.over!r})"
+
     def __hash__(self) -> int:
         return hash(self._told)
 
@@ -398,6 +406,21 @@ class SpeedOf(NamedTuple):
 
     link: int
     factor: float = 1.0
+
+
+class BatteryBalance(NamedTuple):
+    """What machines on links give to a battery, which tells the torque of one of them.
+
+    Parameters
+    ----------
+    efficiencies : sequence of pairs
+        Link, and the efficiency of its machine, above 0 and up to 1. [-]
+    battery : float
+        Power that charges it. [kW]
+    """
+
+    efficiencies: Sequence[tuple[int, float]]
+    battery: float = 0.0
 
 
 class Gear(NamedTuple):
@@ -430,6 +453,8 @@ class Gear(NamedTuple):
         An operating point has no step to another, and no part in the spread.
     coast : bool, optional
         Power enters at the output; as the case or the sign of its load says when not given.
+    balance : BatteryBalance, optional
+        One of its links has neither a speed nor a torque, which is found.
     """
 
     engaged: Sequence[int] = ()
@@ -444,6 +469,12 @@ class Gear(NamedTuple):
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
     coast: bool | None = None
+    balance: BatteryBalance | None = None
+
+    def open_links(self, ends: Sequence[int]) -> list[int]:
+        """Links of its balance that have neither speed nor torque, and are none of its ends."""
+        links = [link for link, _ in self.balance.efficiencies] if self.balance else []
+        return [one for one in links if one not in (*ends, *self.speeds, *self.torques)]
 
 
 def element_name(number: int, element: ShiftElement) -> str:

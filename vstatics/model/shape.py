@@ -207,6 +207,13 @@ class ByLaw(NamedTuple):
     """Of points that stand alone."""
 
 
+class Balances(NamedTuple):
+    """Numbers of links, and a power under a word of its own."""
+
+    links: Numbers
+    power: str
+
+
 class ByKind(NamedTuple):
     """A mapping whose other keys depend on its `kind`."""
 
@@ -230,6 +237,7 @@ Shape: TypeAlias = (
     | OneOrMany
     | ByPoints
     | ByLaw
+    | Balances
     | ByKind
 )
 

@@ -243,6 +243,8 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
+        balance=gear.balance
+        and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
     )
 
 

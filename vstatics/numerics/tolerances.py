@@ -44,6 +44,8 @@ STANDS_STILL = 1e-13
 """An efficiency that moves by no more from pass to pass stands still."""
 SAME_SOLUTION = 1e-10
 """Efficiencies that differ by no more are one solution: passes that stand still are nearer."""
+BALANCED = 1e-9
+"""A battery that gets what it is to have to this part of all powers is balanced."""
 
 # results side by side
 SAME_RATIO = 1e-9

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.model.parts import Mechanism, ShiftElement, damping
+from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of
@@ -66,8 +66,8 @@ def _mechanisms(case: Transmission) -> Grid:
             one.name,
             *map(case.link_name, (one.first, one.second)),
             case.link_name(one.third) if one.third else NOTHING,
-            *(exact(value, 4) for value in (one.ratio, one.efficiency)),
-            *(exact(value, 4) for value in (one.back_efficiency, one.planet_ratio)),
+            *(_number_or_law(value) for value in (one.ratio, one.efficiency)),
+            *(_number_or_law(value) for value in (one.back_efficiency, one.planet_ratio)),
             *_elastic(one),
         )
         for one in case.mechanisms
@@ -80,6 +80,13 @@ def _mechanisms(case: Transmission) -> Grid:
     return grid_of(title, (*headings, *more), rows, optional=more)
 
 
+def _number_or_law(value: float | None) -> Any:
+    """A number, or a law in words."""
+    if isinstance(value, Law):
+        return value.text or f"{len(value.points)} points over {value.over}"
+    return exact(value, 4)
+
+
 def _shift_elements(case: Transmission) -> Grid:
     """Those of shift elements; how they slip, where any of them tells it."""
     elements = case.shift_elements
@@ -89,7 +96,7 @@ def _shift_elements(case: Transmission) -> Grid:
             one.name,
             (one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " "),
             *map(case.link_name, (one.first, one.second)),
-            exact(one.drag, 4) if drags else "",
+            _number_or_law(one.drag) if drags else "",
             one.capacity,
             exact(one.static) if slips else "",
             _said(one.friction._asdict()) if one.friction else "",

@@ -150,6 +150,11 @@ class PhysicalResults(ResultFields):
         power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
         return power
 
+    @property
+    def port_powers_kW(self) -> Floats:  # noqa: N802
+        """Of shape (..., gears, links): what enters by external torques on each, lossy [kW]."""
+        return self._port_powers("port_powers")
+
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
         """An array in a unit."""
         if not self.points and unit not in known_units(self.case):

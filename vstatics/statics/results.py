@@ -13,6 +13,7 @@ from vstatics.errors import listed, type_and_value
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.freewheels import find_state
+from vstatics.statics.losses import no_solution
 from vstatics.statics.physical import PhysicalResults
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status, statuses
@@ -96,7 +97,13 @@ class Results(PhysicalResults):
             efficiencies = self.points.efficiencies[index]
         ratios = [one.ratio for one in case.mechanisms]
         with np.errstate(all="ignore"):
-            return find_state(case, gears[index], ratios, efficiencies)
+            state = find_state(case, gears[index], ratios, efficiencies)
+        if self.points and self.undecided[index] and not state.search.undecided:
+            # no torque of its own agrees with the efficiencies
+            lossy = no_solution(state.ideal, (math.nan,) * len(ratios))
+            search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
+            return state._replace(search=search)
+        return state
 
     def status(self, number: int) -> Status:
         """What is to be said of a gear of one case as a whole; its number counts from 1."""

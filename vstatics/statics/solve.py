@@ -104,7 +104,7 @@ def solve(  # noqa: PLR0913
     if axes == () and (u is not None or eta is not None):
         case = _with_numbers(case, u, eta)
         u = eta = None
-    if case.has_laws:
+    if case.depends:
         from vstatics.statics.points import solve_laws  # likewise
 
         return solve_laws(case, axes, u, eta)

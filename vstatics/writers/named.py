@@ -11,9 +11,10 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import printable
 from vstatics.model.clutch_dump import dump_record
 from vstatics.model.keys import CASE
-from vstatics.model.parts import Law, OfLoad, mechanism_record
+from vstatics.model.parts import BatteryBalance, Law, OfLoad, mechanism_record
 from vstatics.model.shape import (
     UNITS,
+    Balances,
     ByKey,
     ByKind,
     ByLaw,
@@ -200,6 +201,10 @@ class _Writer:
             return {"over": value.over, "points": points}
         return points or value.text
 
+    def balance(self, value: BatteryBalance, shape: Balances) -> dict[int | str, Any]:
+        data = self.numbers(dict(value.efficiencies), shape.links)
+        return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
+
     def by_points(self, value: Any, shape: ByPoints) -> Any:
         """Points, or the number that holds everywhere."""
         rows = [self.row(one, shape.row) for one in value]
@@ -222,6 +227,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     RowOf: _Writer.row,
     ByPoints: _Writer.by_points,
     ByLaw: _Writer.by_law,
+    Balances: _Writer.balance,
 }
 """How what a shape describes is written."""
 

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
+import pickle
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.chance import seeded
+from tests.oracle.drag import solve_gear
+from tests.oracle.systems import Speeds
 from tests.statics.batches import ARRAYS, alike
-from tests.trains import random_train
+from tests.trains import is_regular, random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.model.laws import PointLaw
 from vstatics.model.parts import OfLoad
+from vstatics.numerics.traced import plain
 from vstatics.readers import loads
 from vstatics.readers.named.drag_formulas import DragFormula
 
@@ -215,3 +220,130 @@ def test_a_case_with_laws_is_written_as_it_was_read(tmp_path: Any) -> None:
         file = tmp_path / name
         file.write_text(text, encoding="utf-8")
         assert load(str(file)) == case
+
+
+def of_random_laws(seed: int) -> Transmission:
+    """A random train of regular gears with laws: two links, all open elements, one efficiency."""
+    random = seeded(seed)
+    case = random_train(random, regular=True, coast=False).replace(load=Load(1500, 100))
+    first, *others = case.mechanisms
+    open_drag = PointLaw([(0, 0), (200, 2)])
+    links = random.sample(range(1, case.links + 1), 2)
+    drag = dict(zip(links, (DRAG, PointLaw([(0, 1), (250, 1.5)])), strict=True))
+    return case.replace(
+        mechanisms=[first._replace(efficiency=PointLaw([(0, 0.9), (500, 0.98)])), *others],
+        shift_elements=[one._replace(drag=open_drag) for one in case.shift_elements],
+        gears=[gear._replace(drag=drag) for gear in case.gears],
+    )
+
+
+DRAG = DragFormula("0.5 + 0.002*w")
+
+
+def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> Any:
+    """All sets of signs in fractions, with laws asked at the exact speeds."""
+    moves = Speeds(case, gear)
+
+    def asked(law: Any, first: int, second: int) -> float:
+        slip = moves.difference(first, second)
+        assert slip is not None
+        return float(law.at(float(abs(slip)) * speed))
+
+    first, *others = case.mechanisms
+    efficiency = asked(first.efficiency, first.first, first.third)
+    elements = [one._replace(drag=0.0) for one in case.shift_elements]
+    plain = case.replace(
+        mechanisms=[first._replace(efficiency=efficiency), *others],
+        shift_elements=elements,
+        gears=[gear._replace(drag={})],
+    )
+    return solve_gear(
+        plain,
+        gear._replace(
+            drag={link: asked(law, link, 0) / torque for link, law in gear.drag.items()},
+            open_drag={
+                n: asked(one.drag, one.first, one.second) / torque
+                for n, one in enumerate(case.shift_elements, 1)
+            },
+        ),
+    )
+
+
+@pytest.mark.parametrize("seeds", [range(8), pytest.param(range(100, 200), marks=pytest.mark.slow)])
+def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
+    """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
+    states = set()
+    speed, torque = np.array([30.0, 150, 400, 400]), np.array([2.0, 8, 40, 250])
+    for seed in seeds:
+        case = of_random_laws(seed)
+        found = solve(case, vary={"load.speed": speed, "load.torque": torque})
+        for number, gear in enumerate(case.gears):
+            if not is_regular(case, gear):
+                continue
+            for point in range(4):
+                exact = exact_gear(case, gear, speed[point], torque[point])
+                state = bool(found.locked[point, number]), bool(found.dragged[point, number])
+                assert state == (exact.locked, exact.dragged)
+                states.add(state)
+                if exact.locked:
+                    continue
+                got = Fraction(float(found.lossy_torques[point, number, -1]))
+                size = float(max(abs(one.output) for one in exact.possible)) + 1
+                nearest = min(abs(got - one.output) for one in exact.possible)
+                assert nearest < 1e-9 * size
+                largest = 1 + np.abs(found.lossy_torques[point, number]).max()
+                assert abs(found.power_balance[point, number]) < 1e-12 * largest
+    assert len(states) > 1
+
+
+TORQUES = """\
+links: [s, r, c]
+input: c
+output: s
+load: {{speed: 1000 rpm, torque: 60 N*m}}
+shift_elements: {{B: [r, housing]}}
+mechanisms: {{set: {{first: s, second: r, third: c, ratio: -2, efficiency: {efficiency}}}}}
+gears: {{a: [B]}}
+"""
+
+
+def sun(eta: float) -> float:
+    """Equilibrium: T = M (1 + 2/eta)."""
+    return 60 / (1 + 2 / eta)
+
+
+def test_where_two_torques_agree_there_are_none_and_a_message_says_so() -> None:
+    """With .3 the sun has 7.8 N*m, where .3 holds; with .95 it has 19.3 N*m, where .95 holds."""
+    assert sun(0.3) < 12
+    assert sun(0.95) > 13
+    law = "{over: torque, points: [[0, .3], [12, .3], [13, .95], [100, .95]]}"
+    results = solve(loads(TORQUES.format(efficiency=law)))
+    assert np.isnan(results.lossy_torques).all()
+    assert np.isnan(results.efficiency).all()
+    assert not np.isnan(results.torques).any()
+    assert [one.id for one in results.messages] == ["W426"]
+    state = results.gear(1)
+    assert state.status.name == results.status(1).name == "undecided"
+    assert all(math.isnan(plain(one)) for one in state.lossy_torques.on_first_link)
+
+
+def test_an_efficiency_that_falls_steeply_is_found_by_halves() -> None:
+    """Passes jump to and fro; M = 60/(1 + 2/eta) meets eta = .95 - .65 (M - 12) between 12 and 13."""
+    law = "{over: torque, points: [[0, .95], [12, .95], [13, .3], [100, .3]]}"
+    results = solve(loads(TORQUES.format(efficiency=law)))
+    torque = results.lossy_torques_Nm[0, -1]
+    eta = 0.95 - 0.65 * (torque - 12)
+    assert 0.3 < eta < 0.95
+    assert torque == pytest.approx(sun(eta), rel=1e-12)
+    assert results.messages == ()
+
+
+def test_a_law_is_taken_for_no_number_and_survives_another_process() -> None:
+    points, formula = PointLaw([(0, 2), (300, 3.5)]), DragFormula("2 + 0.005*w")
+    assert points != 2
+    assert points != formula
+    assert points != PointLaw([(0, 2), (300, 3.5)], "torque")
+    for law in (points, formula):
+        assert pickle.loads(pickle.dumps(law)) == law  # noqa: S301
+        assert hash(pickle.loads(pickle.dumps(law))) == hash(law)  # noqa: S301
+        assert repr(law) != repr(float(law))

@@ -54,7 +54,7 @@ def at(case: Transmission, vary: Vary, point: int) -> Transmission:
     here = {path: float(numbers[point]) for path, numbers in vary.items()}
     gears = []
     for gear in case.gears:
-        own: dict[str, dict[int, Any]] = {
+        own: dict[str, Any] = {
             name: dict(getattr(gear, name)) for name in ("speeds", "torques", "drag", "open_drag")
         }
         for path, number in here.items():

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import re
-from pathlib import Path
 from typing import Any
 
 from vstatics.errors import quoted
-from vstatics.model.parts import Law
-from vstatics.model.shape import ByLaw, Measure
+from vstatics.model.parts import BatteryBalance, Law
+from vstatics.model.shape import Balances, ByLaw, Leaf
 from vstatics.readers.named.compounds import ReadsShapes
 from vstatics.readers.named.nodes import Listing, Mapping, Spot
-
-MOST_BYTES = 1_000_000
-"""Of a file of points."""
-_HEAD = re.compile(r"\s*(?P<name>speed|torque)\s*\[(?P<unit>[^\]]+)\]\s*")
-_COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 
 def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
@@ -40,58 +31,26 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
 def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
     """The points of a file, whose name is relative to the folder of the case."""
     from vstatics.model.laws import PointLaw  # likewise
+    from vstatics.readers.named.point_files import points_of
 
-    path = Path(walk.spots.found.source.file).parent / name
     try:
-        with path.open("rb") as file:
-            data = file.read(MOST_BYTES + 1)
-        return PointLaw(_points(data))
+        return PointLaw(points_of(walk.spots.found.source.file, name))
     except OSError as error:
         why = error.strerror or str(error)
         return walk.refuse(spot, shape, f"which can't be read: {why}", quoted(name))
-    except (ValueError, csv.Error) as error:
+    except ValueError as error:
         return walk.refuse(spot, shape, error, quoted(name))
 
 
-def _points(data: bytes) -> list[tuple[float, ...]]:
-    """Rows of a CSV file with the columns `speed [unit],torque [unit]`.
-
-    Raises
-    ------
-    ValueError
-        With what was expected.
-
-    Examples
-    --------
-    >>> _points(b"speed [rad/s],torque [N*m]\\n0,2\\n300,3.5\\n")
-    [(0.0, 2.0), (300.0, 3.5)]
-    """
-    from vstatics.readers.named.si_units import measured
-
-    if len(data) > MOST_BYTES:
-        raise ValueError(f"expected a file of {MOST_BYTES // 1000} kB at most")
-    rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
-    heads = [_HEAD.fullmatch(head) for head in rows[0]] if rows else []
-    names = [head["name"] for head in heads if head]
-    if names != [name for name, _ in _COLUMNS] or len(names) != len(heads):
-        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
-    points = []
-    for number, row in enumerate(rows[1:], 2):
-        if not row:
-            continue
-        if len(row) != len(names):
-            raise ValueError(f"line {number}: expected {len(names)} numbers")
-        try:
-            cells = zip(row, heads, _COLUMNS, strict=True)
-            points.append(
-                tuple(
-                    measured(f"{cell} {head['unit']}", kind)
-                    for cell, head, (_, kind) in cells
-                    if head
-                )
-            )
-        except ValueError as error:
-            raise ValueError(f"line {number}: {error}") from None
-    if not points:
-        raise ValueError("expected a point at least, below the head")
-    return points
+def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
+    """Efficiencies by links, and the power of the battery."""
+    node = spot.node
+    if not isinstance(node, Mapping):
+        return walk.refuse(spot, shape, "expected a mapping: an efficiency for each link")
+    battery = 0.0
+    for key, value in node.entries:
+        if key.text == shape.power:
+            battery = walk.read(spot.key(shape.power, shape.power, value), Leaf("power"))
+    others = [entry for entry in node.entries if entry[0].text != shape.power]
+    numbers = walk.read(spot._replace(node=node._replace(entries=others)), shape.links)
+    return BatteryBalance(tuple(numbers.items()), battery)

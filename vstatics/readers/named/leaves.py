@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any, NamedTuple, get_args
 
 from vstatics.model.shape import (
+    Balances,
     ByForm,
     ByKey,
     ByLaw,
@@ -88,7 +89,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
 }
 
 
-def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
     """What stands in for a value that cannot be read."""
     match shape:
         case Leaf():
@@ -109,6 +110,8 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
             return tuple(map(stand_in, shape.items))
         case ByPoints():
             return (stand_in(shape.row),)
+        case Balances():
+            return None
         case ByLaw():
             return stand_in(shape.scalar)
         case Parsed():

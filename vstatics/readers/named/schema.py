@@ -8,6 +8,7 @@ from typing import Any, get_args
 from vstatics.elements.keys import with_elements
 from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import (
+    Balances,
     ByForm,
     ByKey,
     ByKind,
@@ -181,6 +182,9 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
             return {"anyOf": [_shape(shape.row.items[-1]), points]}
+        case Balances():
+            words = _by_name(_shape(shape.links.item))
+            return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
         case ByLaw():
             rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
             return {"anyOf": [_shape(shape.scalar), *rows, _record(shape.mapping)]}

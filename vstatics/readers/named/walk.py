@@ -15,6 +15,7 @@ from vstatics.errors import quoted, spoken
 from vstatics.model.parts import HOUSING
 from vstatics.model.shape import (
     TEXT,
+    Balances,
     ByForm,
     ByKey,
     ByKind,
@@ -75,6 +76,7 @@ class Walk:
             Pair: self._pair,
             RowOf: partial(compounds.read_row, self),
             ByPoints: partial(compounds.read_points, self),
+            Balances: partial(laws.read_balance, self),
             ByLaw: partial(laws.read_law, self),
             Parsed: partial(compounds.read_parsed, self),
             ByForm: partial(compounds.read_form, self),

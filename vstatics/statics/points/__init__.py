@@ -1,21 +1,25 @@
 """Operating points: any number of a case varied, in SI, with all that follows from a load.
 
 `paths` tells which numbers a path names, `relative` what they are relative to the load, and
-which points go alike; `laws` follows drags and efficiencies that depend on speed or torque.
+which points go alike; `laws` follows drags and efficiencies that depend on speed or torque,
+`balance` looks for the torque that balances a battery.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vstatics.errors import not_allowed, spoken
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
+from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
 from vstatics.statics.points.paths import CaseNumber, Columns, columns_of
 from vstatics.statics.points.relative import solve_points, with_numbers
@@ -26,6 +30,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+SAID = frozenset({"W418", "W420", "W423", "W424"})
+"""What is said of torques that do not exist, where a message of laws or balances says why."""
+
+
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Every gear of a case at many points; see `vstatics.solve`."""
     columns, variants = columns_of(case, vary)
@@ -34,12 +42,20 @@ def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
 
 
 def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
-    if not case.has_laws:
+    if not case.depends:
         return solve_points(case, columns, variants)
-    answer = follow_laws(case, columns, variants)
+    answer = _followed(case, columns, variants)
     points = answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     return answer.results._replace(case=case, points=points._replace(open=answer.open))
+
+
+def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
+    """All that depends on load and speed, with the torques of balances."""
+    if not any(gear.balance for gear in case.gears):
+        return follow_laws(case, columns, variants)
+    plain = case.replace(gears=[gear._replace(balance=None) for gear in case.gears])
+    return balanced(case, columns, variants, partial(follow_laws, plain))
 
 
 def solve_laws(
@@ -63,7 +79,7 @@ def solve_laws(
             arrays = {name: found.in_own_unit(name) for name in ARRAYS}
             shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
             return found._replace(**shaped)
-        return _alone(case, follow_laws(case, columns, 1))
+        return _alone(case, _followed(case, columns, 1))
 
 
 def _alone(case: Transmission, answer: Followed) -> Results:
@@ -74,15 +90,26 @@ def _alone(case: Transmission, answer: Followed) -> Results:
     points = points._replace(
         scales={unit: scale[0] for unit, scale in points.scales.items()},
         loaded=points.loaded[0],
-        gears=settled.gears,
+        gears=[*map(_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
         open=answer.open[0],
         outside=answer.outside,
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
     own = results._replace(case=settled, points=points, **arrays)
-    said = [*diagnosis.messages(own), *not_allowed(_messages(case, points), case.allow)]
+    unknown = [gear.name for gear, state in zip(case.gears, answer.open[0], strict=True) if state]
+    said = [one for one in diagnosis.messages(own) if not (one.gear in unknown and one.id in SAID)]
+    said += not_allowed(_messages(case, points), case.allow)
     return own._replace(case=case, messages=tuple(said))
+
+
+def _gear(case: Transmission, gear: Gear, state: int) -> Gear:
+    """A gear, whose open link has no torque where none balances it, or two do."""
+    if state not in (NO_BALANCE, TWO_BALANCES):
+        return gear
+    balance = case.gears[case.gear_number(gear.name) - 1]
+    [link] = balance.open_links((case.gear_input(gear), case.gear_output(gear)))
+    return gear._replace(torques={**gear.torques, link: math.nan})
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:
@@ -100,9 +127,15 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     """Where no single torque agrees with efficiencies, and laws that were asked outside."""
     for gear, state in zip(case.gears, points.open.tolist(), strict=True):
         words = {NONE: "no torque agrees", SEVERAL: "more than one torque agrees"}
-        if state:
+        if state in words:
             text = f"{words[state]} with the efficiencies over torque: there are no torques"
             yield Message("W426", f"{text} with losses", gear.name)
+        if state in (NO_BALANCE, TWO_BALANCES):
+            link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
+            none, two = "none of the torques on {} balances", "two of the torques on {} balance"
+            text = (none if state == NO_BALANCE else two).format(case.link_name(link))
+            text = f"gears.{gear.name}.balance: {text} the battery: there are no torques"
+            yield Message("W427", text)
     if points.outside:
         text = f"outside the points of {spoken(points.outside)} the last one counts"
         yield Message("N414", text)

@@ -40,7 +40,7 @@ Laws = Mapping[CaseNumber, Law]
 
 
 class Followed(NamedTuple):
-    """What a case with laws comes to at its points."""
+    """What a case with laws, or with balances, comes to at its points."""
 
     results: Results
     columns: Columns
@@ -282,4 +282,4 @@ def _without_values(results: Results, state: Any) -> Results:
         array = results.in_own_unit(name)
         where = wrong if array.ndim == wrong.ndim else wrong[..., None]
         changed[name] = np.where(where, False if ARRAYS[name].dtype is np.bool_ else np.nan, array)
-    return results._replace(**changed)
+    return results._replace(**changed, undecided=results.undecided | wrong)

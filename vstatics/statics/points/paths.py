@@ -1,6 +1,6 @@
 """Which numbers of a case a path names, "load.torque", "gears.low.drag.out", and what they may be.
 
-Names stand as the case has them. Gears may be `*`, all of them.
+Names stand as the case has them; the power of a battery is in W. Gears may be `*`, all of them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class CaseNumber(NamedTuple):
 
     gear: int | None
     """Its index; None for a load that is the case's own."""
-    quantity: OfLoads | OfGear | OfMechanism
+    quantity: OfLoads | OfGear | OfMechanism | Literal["battery"]
     owner: int = 0
     """As that of a `GearNumber`; of a load nothing."""
 
@@ -102,12 +102,19 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
     for name, number in elements.items():
         yield f"{name}.drag", [CaseNumber(n, "open_drag", number) for n in everywhere]
     indexed = enumerate(case.mechanisms)
+    yield from _of_balances(case)
     mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
     mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
     for name, indices in mechanisms.items():
         for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ():
             own = [CaseNumber(n, of_mechanism, indices[0]) for n in everywhere]
             yield f"{name}.{of_mechanism}", own
+
+
+def _of_balances(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+    for n, gear in enumerate(case.gears):
+        if gear.balance:
+            yield f"gears.{gear.name}.balance.battery", [CaseNumber(n, "battery")]
 
 
 def _check(path: str, quantity: str, column: Floats) -> None:

@@ -1,0 +1,135 @@
+"""The torque that balances a battery: an input split in closed form, none, two, all points."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vstatics import CaseError, Transmission, solve
+from vstatics.numerics.arrays import Floats
+from vstatics.readers import loads
+from vstatics.writers.named import write_json, write_yaml
+
+RPM = 30 / math.pi
+SPLIT = """\
+links: [MG1, axle, engine, MG2]
+input: engine
+output: axle
+load: {speed: 2000 rpm, torque: 80 N*m}
+mechanisms:
+  split: {first: MG1, second: axle, third: engine, ratio: -2.6, efficiency: .98}
+  motor: {first: MG2, second: axle, ratio: -2.5, efficiency: .97}
+gears:
+  hold: {speeds: {MG1: 3000 rpm}, balance: {MG1: .92, MG2: .90, battery: -2 kW}}
+"""
+
+
+def split() -> Transmission:
+    return loads(SPLIT)
+
+
+def torque_of_mg2(engine: Floats, torque: Floats, mg1: Floats, battery: Floats) -> Floats:
+    """External torque on MG2 [N*m], by hand.
+
+    The sun carries T/(1 + 2.6 eta^x); x = -1 where it turns forward against the carrier, as its
+    torque holds it back. The battery gets .92 of what MG1 takes, or gives it/.92. MG2 gets what is
+    left, and gives it as torque at its speed, -2.5 that of the axle, with .9.
+    """
+    x = np.where(mg1 > engine, -1, 1)
+    sun = torque / (1 + 2.6 * 0.98**x)
+    axle = engine + (engine - mg1) / 2.6
+    from_mg1 = sun * mg1
+    charge = np.where(from_mg1 > 0, 0.92 * from_mg1, from_mg1 / 0.92)
+    left = battery - charge
+    return -np.where(left > 0, left / 0.9, left * 0.9) / (-2.5 * axle)
+
+
+def test_an_input_split_is_balanced_as_by_hand() -> None:
+    rng = np.random.default_rng(3)
+    engine, torque = rng.uniform(100, 400, 60), rng.uniform(20, 150, 60)
+    mg1, battery = rng.uniform(-300, 800, 60), rng.uniform(-2e4, 2e4, 60)
+    vary = {
+        "load.speed": engine,
+        "load.torque": torque,
+        "gears.hold.speeds.MG1": mg1,
+        "gears.hold.balance.battery": battery,
+    }
+    found = solve(split(), vary=vary)
+    own = found.lossy_holding_torques_Nm[:, 0, 3]
+    expected = torque_of_mg2(engine, torque, mg1, battery)
+    np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-10)
+    assert found.consistent.all()
+    lost = found.losses_kW.sum(axis=-1)
+    left = found.input_power_kW - found.output_power_kW - lost
+    assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
+
+
+def test_one_case_is_balanced_too_and_its_state_has_the_torque() -> None:
+    results = solve(split())
+    [expected] = torque_of_mg2(*map(np.atleast_1d, (2000 / RPM, 80.0, 3000 / RPM, -2000.0)))
+    assert results.lossy_holding_torques_Nm[0, 3] == pytest.approx(expected, rel=1e-12)
+    assert results.gear(1).gear.torques[4] == pytest.approx(expected / 80, rel=1e-12)
+    assert results.messages == ()
+
+
+COUPLED = """\
+links: [MG1, axle, engine, MG2]
+input: engine
+output: axle
+load: {{speed: 2000 rpm, torque: 80 N*m}}
+mechanisms:
+  split: {{first: MG1, second: axle, third: engine, ratio: -2.6}}
+  pair: {{first: MG2, second: MG1, ratio: -2}}
+gears:
+  hold: {{speeds: {{MG1: 3000 rpm}}, balance: {{MG1: .9, MG2: .9, battery: {battery} W}}}}
+"""
+TAKEN = 80 / 3.6 * 3000 / RPM
+"""What both machines take together, as MG2 turns with MG1. [W]"""
+
+
+@pytest.mark.parametrize(("part", "said"), [(0.8, "two"), (0.95, "none")])
+def test_where_power_may_go_round_there_are_two_torques_or_none(part: float, said: str) -> None:
+    """Both get .9 of it where both generate; less where one drives the other, on either side."""
+    results = solve(loads(COUPLED.format(battery=part * TAKEN)))
+    assert np.isnan(results.lossy_torques).all()
+    assert np.isnan(results.lossy_holding_torques).all()
+    assert not results.consistent.any()
+    said_of = [one for one in results.messages if one.id == "W427"]
+    assert [one.text.split(" of ")[0] for one in said_of] == [f"gears.hold.balance: {said}"]
+
+
+def test_a_machine_that_stands_balances_nothing() -> None:
+    """MG1 and engine turn such that the axle stands: w_axle = w_e + (w_e - w_1)/2.6 = 0."""
+    text = SPLIT.replace("3000 rpm", f"{2000 * 3.6} rpm")
+    results = solve(loads(text))
+    assert [one.text[:25] for one in results.messages if one.id == "W427"] == [
+        "gears.hold.balance: none "
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("balance: {MG1: .92, MG2: .90,", "balance: {MG1: .92,", "read no link without speed"),
+        ("speeds: {MG1: 3000 rpm}, ", "", "read MG1, MG2 without speed and torque"),
+        ("MG2: .90", "MG2: 1.90", "read 1.9, expected an efficiency above 0 and up to 1"),
+        ("MG2: .90", "MG3: .90", "MG3"),
+        ("-2 kW", "-2 N*m", "power"),
+        ("load: {speed: 2000 rpm, torque: 80 N*m}\n", "", "load"),
+    ],
+)
+def test_a_balance_that_can_not_be_is_told(old: str, new: str, said: str) -> None:
+    with pytest.raises(Exception, match=r"\[E\d\d\d\]") as caught:
+        loads(SPLIT.replace(old, new))
+    assert said in str(caught.value)
+
+
+def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
+    from vstatics.writers.deck_limits import check_deck
+
+    assert loads(write_yaml(split())) == split()
+    assert loads(write_json(split())) == split()
+    with pytest.raises(CaseError, match="the balance of gear of hold"):
+        check_deck(split())

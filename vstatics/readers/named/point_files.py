@@ -1,0 +1,75 @@
+"""Points of a law in a CSV file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+
+from vstatics.model.shape import Measure
+from vstatics.readers.named.si_units import measured
+
+MOST_BYTES = 1_000_000
+"""Of a file of points."""
+_HEAD = re.compile(r"\s*(?P<name>speed|torque)\s*\[(?P<unit>[^\]]+)\]\s*")
+_COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
+
+
+def points_of(case: str, name: str) -> list[tuple[float, ...]]:
+    """The points of a file, whose name is relative to the folder of a case.
+
+    Raises
+    ------
+    OSError
+    ValueError
+        With what was expected.
+    """
+    with (Path(case).parent / name).open("rb") as file:
+        data = file.read(MOST_BYTES + 1)
+    try:
+        return _points(data)
+    except csv.Error as error:
+        raise ValueError(f"expected CSV: {error}") from None
+
+
+def _points(data: bytes) -> list[tuple[float, ...]]:
+    """Rows of a CSV file with the columns `speed [unit],torque [unit]`.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> _points(b"speed [rad/s],torque [N*m]\\n0,2\\n300,3.5\\n")
+    [(0.0, 2.0), (300.0, 3.5)]
+    """
+    if len(data) > MOST_BYTES:
+        raise ValueError(f"expected a file of {MOST_BYTES // 1000} kB at most")
+    rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+    heads = [_HEAD.fullmatch(head) for head in rows[0]] if rows else []
+    names = [head["name"] for head in heads if head]
+    if names != [name for name, _ in _COLUMNS] or len(names) != len(heads):
+        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
+    points = []
+    for number, row in enumerate(rows[1:], 2):
+        if not row:
+            continue
+        if len(row) != len(names):
+            raise ValueError(f"line {number}: expected {len(names)} numbers")
+        try:
+            cells = zip(row, heads, _COLUMNS, strict=True)
+            points.append(
+                tuple(
+                    measured(f"{cell} {head['unit']}", kind)
+                    for cell, head, (_, kind) in cells
+                    if head
+                )
+            )
+        except ValueError as error:
+            raise ValueError(f"line {number}: {error}") from None
+    if not points:
+        raise ValueError("expected a point at least, below the head")
+    return points

@@ -1,0 +1,239 @@
+"""The torque that balances machines and a battery: one unknown of a gear, looked for everywhere.
+
+The power that a link gives to its machine is ``P = -external torque x speed``; the battery gets
+``P efficiency`` of it, or gives ``P/efficiency`` where P is below 0. What all of them give it, less
+what it is to have, is piecewise nearly linear in the torque of the open link: it is calculated at
+torques of both signs and of all sizes, and wherever it changes its sign a solution is looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.tolerances import BALANCED, EPSILON
+from vstatics.statics.physical import RELATIVE_TO_INPUT
+from vstatics.statics.points.laws import Followed
+from vstatics.statics.points.paths import CaseNumber, Columns
+from vstatics.statics.points.relative import loads_of
+from vstatics.statics.results import Results
+
+TRIED = 65
+"""Torques at which the battery is calculated."""
+WIDEST = 100.0
+"""The largest of them, by that which the powers of the gear would need."""
+FINEST = 1000.0
+"""The larger, the closer they stand at 0."""
+MOST_STEPS = 100
+"""Steps to a solution."""
+MOST_SOLUTIONS = 3
+"""Changes of sign that are followed."""
+MOST_AT_ONCE = 100_000
+"""Points that are calculated at once."""
+NO_BALANCE, TWO_BALANCES = 3, 4
+
+Follow = Callable[[Columns, int], Followed]
+"""Results of points, whatever else depends there."""
+
+
+@dataclass(frozen=True, eq=False)
+class OpenBalance:
+    """The balance of a gear."""
+
+    gear: int
+    link: int
+    """Whose torque is looked for."""
+    efficiencies: tuple[tuple[int, float], ...]
+    battery: Floats
+    """(points,) [W]"""
+
+    @property
+    def number(self) -> CaseNumber:
+        """The torque."""
+        return CaseNumber(self.gear, "torques", self.link)
+
+    def surplus(self, results: Results) -> Floats:
+        """What the battery gets above what it is to have, at each point [W]."""
+        entering = results.port_powers_kW[:, self.gear]
+        total = -self.battery
+        for link, efficiency in self.efficiencies:
+            power = -1000 * entering[:, link - 1]
+            total = total + np.where(power > 0, power * efficiency, power / efficiency)
+        return total
+
+
+def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) -> Followed:
+    """The results of all points, each balance with the torque that it needs.
+
+    Parameters
+    ----------
+    follow : callable
+        Calculates points whose torques are all given.
+    """
+    asked = [*_asked(case, given, variants)]
+    columns = {number: column for number, column in given.items() if number.quantity != "battery"}
+    columns |= {one.number: np.zeros(variants) for one in asked}
+    scales = _scales(case, asked, follow(columns, variants).results, columns)
+    grid = np.sinh(np.linspace(-1, 1, TRIED) * np.arcsinh(FINEST)) / FINEST * WIDEST
+    surplus = _tried(asked, columns, scales, grid, follow)
+    unknown = np.zeros((variants, len(case.gears)), np.int8)
+    counts = {one: np.zeros(variants, np.int64) for one in asked}
+    for turn in range(MOST_SOLUTIONS):
+        ends = {one: _ends(surplus[one], grid, scales[one], turn) for one in asked}
+        if turn and not any(ends[one][-1].any() for one in asked):
+            break
+        for one, (torque, stands) in _solutions(asked, columns, ends, follow).items():
+            columns[one.number] = np.where(stands & (counts[one] == 0), torque, columns[one.number])
+            counts[one] += stands
+    for one, count in counts.items():
+        unknown[count == 0, one.gear] = NO_BALANCE
+        unknown[count > 1, one.gear] = TWO_BALANCES
+    found = follow(columns, variants)
+    results = _told(found.results, asked, columns, unknown)
+    return Followed(results, found.columns, np.where(unknown, unknown, found.open), found.outside)
+
+
+def _asked(case: Transmission, given: Columns, variants: int) -> list[OpenBalance]:
+    found = []
+    for index, gear in enumerate(case.gears):
+        if gear.balance:
+            [link] = gear.open_links((case.gear_input(gear), case.gear_output(gear)))
+            own = np.full(variants, 1000 * gear.balance.battery)
+            battery = given.get(CaseNumber(index, "battery"), own)
+            found.append(OpenBalance(index, link, tuple(gear.balance.efficiencies), battery))
+    return found
+
+
+def _scales(
+    case: Transmission, asked: list[OpenBalance], results: Results, columns: Columns
+) -> dict[OpenBalance, Floats]:
+    """A torque of the size that a balance may need [N*m]."""
+    loads = loads_of(case, columns, len(results.speeds))
+    found = {}
+    for one in asked:
+        load: Any = loads[one.gear]
+        speed = np.abs(results.speeds[:, one.gear, one.link - 1] * load.speed)
+        entering = np.nan_to_num(np.abs(results.port_powers_kW[:, one.gear])).sum(axis=-1)
+        needed = (1000 * entering + np.abs(one.battery)) / np.where(speed > 0, speed, np.inf)
+        found[one] = np.nan_to_num(np.maximum(np.abs(load.torque), needed)) + 1.0
+    return found
+
+
+def _tried(
+    asked: list[OpenBalance], columns: Columns, scales: Any, grid: Floats, follow: Follow
+) -> dict[OpenBalance, Floats]:
+    """By balance the surplus at all torques of the grid, (torques, points)."""
+    variants = len(next(iter(scales.values())))
+    at_once = max(1, MOST_AT_ONCE // variants)
+    found: dict[OpenBalance, list[Floats]] = {one: [] for one in asked}
+    for start in range(0, len(grid), at_once):
+        part = grid[start : start + at_once]
+        many = {number: np.tile(column, len(part)) for number, column in columns.items()}
+        many |= {one.number: np.outer(part, scales[one]).ravel() for one in asked}
+        results = follow(many, variants * len(part)).results
+        for one in asked:
+            again = replace(one, battery=np.tile(one.battery, len(part)))
+            found[one].append(again.surplus(results).reshape(len(part), variants))
+    return {one: np.concatenate(parts) for one, parts in found.items()}
+
+
+def _ends(
+    surplus: Floats, grid: Floats, scale: Floats, turn: int
+) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
+    """The ends of one change of sign, with the surplus there; and where there is that change."""
+    signs = np.sign(surplus)
+    change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
+    change[0] |= signs[0] == 0
+    place = np.argmax(np.cumsum(change, axis=0) == turn + 1, axis=0)
+    is_there = change.sum(axis=0) > turn
+    at = np.arange(surplus.shape[1])
+    low, high = grid[place] * scale, grid[place + 1] * scale
+    return low, high, surplus[place, at], surplus[place + 1, at], is_there
+
+
+def _solutions(
+    asked: list[OpenBalance], columns: Columns, ends: Any, follow: Follow
+) -> dict[OpenBalance, tuple[Floats, Booleans]]:
+    """The torque between ends of unlike sign; where it balances."""
+    searches = {one: _Between(*ends[one][:4], is_there=ends[one][4]) for one in asked}
+    for step in range(MOST_STEPS):
+        guess = {one: search.guess(halve=step % 4 == 3) for one, search in searches.items()}
+        tried = {**columns, **{one.number: torque for one, torque in guess.items()}}
+        results = follow(tried, len(next(iter(guess.values())))).results
+        for one, torque in guess.items():
+            powers = 1000 * np.abs(results.port_powers_kW[:, one.gear]).sum(axis=-1)
+            searches[one].take(torque, one.surplus(results), powers + np.abs(one.battery))
+        if all(search.done for search in searches.values()):
+            break
+    return {one: (search.best, search.stands) for one, search in searches.items()}
+
+
+class _Between:
+    """The zeros between ends, of all points at once, by the rule of Illinois and by halves."""
+
+    def __init__(
+        self, low: Floats, high: Floats, at_low: Floats, at_high: Floats, *, is_there: Booleans
+    ) -> None:
+        self.low, self.high = low, high
+        self.at_low, self.at_high = at_low, at_high
+        self.is_there = is_there
+        self.best, self.left = low, np.full(low.shape, np.inf)
+        self.side = np.zeros(low.shape, np.int8)
+        """The end that was moved last."""
+
+    def guess(self, *, halve: bool) -> Floats:
+        """A torque between the ends."""
+        halves: Floats = (self.low + self.high) / 2
+        if halve:
+            return halves
+        straight = self.low - self.at_low * (self.high - self.low) / (self.at_high - self.at_low)
+        inside = (straight >= self.low) & (straight <= self.high)
+        found: Floats = np.where(inside, straight, halves)
+        return found
+
+    def take(self, torque: Floats, surplus: Floats, powers: Floats) -> None:
+        """Move an end; of an end that stays twice the value counts half."""
+        left = np.nan_to_num(np.abs(surplus / powers), nan=np.inf)
+        self.best = np.where(left < self.left, torque, self.best)
+        self.left = np.minimum(left, self.left)
+        same = np.sign(surplus) == np.sign(self.at_low)
+        self.at_high = np.where(same, self.at_high / np.where(self.side > 0, 2, 1), surplus)
+        self.at_low = np.where(same, surplus, self.at_low / np.where(self.side < 0, 2, 1))
+        self.low, self.high = np.where(same, torque, self.low), np.where(same, self.high, torque)
+        self.side = np.where(same, 1, -1).astype(np.int8)
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing can come nearer."""
+        width = np.abs(self.high - self.low)
+        narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
+        return bool((~self.is_there | narrow | (self.left <= 2 * EPSILON)).all())
+
+    @property
+    def stands(self) -> Booleans:
+        """Where it is a zero, not a jump."""
+        found: Booleans = self.is_there & (self.left <= BALANCED)
+        return found
+
+
+def _told(results: Results, asked: list[OpenBalance], columns: Columns, unknown: Any) -> Results:
+    """Results with the torques that were found among those that hold; none where there is none."""
+    changed: dict[str, Any] = {}
+    points: Any = results.points
+    for name in ("holding_torques", "lossy_holding_torques"):
+        changed[name] = np.array(results.in_own_unit(name))
+        for one in asked:
+            unit = points.scales["Nm"][:, one.gear]
+            changed[name][:, one.gear, one.link - 1] = columns[one.number] / unit
+    for name in RELATIVE_TO_INPUT:
+        array = changed.get(name, results.in_own_unit(name))
+        where = unknown.astype(bool).reshape(*unknown.shape, *[1] * (array.ndim - unknown.ndim))
+        changed[name] = np.where(where, np.nan, array)
+    for name in ("consistent", "balanced"):
+        changed[name] = getattr(results, name) & (unknown == 0)
+    return results._replace(**changed)
