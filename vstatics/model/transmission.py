@@ -197,6 +197,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 back_efficiency=_float(mechanism.back_efficiency),
                 stiffness=_float(mechanism.stiffness),
                 damping=damping(mechanism.damping),
+                points=tuple((float(one), float(other)) for one, other in mechanism.points),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
@@ -231,6 +232,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         name=gear.name or str(number),
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
+        speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},
     )
 
 
