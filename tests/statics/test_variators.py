@@ -54,9 +54,13 @@ def test_a_variator_that_holds_its_second_link_loses_nothing() -> None:
     assert results.speeds[0].tolist() == pytest.approx([1, 0, 1 / 3])
     assert results.lossy_torques[0].tolist() == pytest.approx([1, 0, 3])
     assert results.losses[0].tolist() == [0, 0]
-    [given] = [one for one in results.gear(1).powers() if one.member == "second" and one.number == 2]
+    [given] = [
+        one for one in results.gear(1).powers() if one.member == "second" and one.number == 2
+    ]
     assert given.power == 0
-    assert results.gear(1).member_torques(lossy=True)[1] == pytest.approx({"first": 0, "second": -2})
+    assert results.gear(1).member_torques(lossy=True)[1] == pytest.approx(
+        {"first": 0, "second": -2}
+    )
 
 
 @pytest.mark.parametrize(("i", "k"), [(0, 2.4), (0.4, 1.7), (0.8, 1), (0.9, 1), (1, 1)])

@@ -143,6 +143,8 @@ MECHANISM = ByKey(
             NUMBER,
             "Internal ratio (w_first - w_third)/(w_second - w_third); not of a kind that has a "
             "speed ratio.",
+            required=True,
+            unless="kind",
             limits={"not": {"const": 0}},
             examples=(-2.461, "-96/39"),
         ),

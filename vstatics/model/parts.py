@@ -258,8 +258,6 @@ def mechanism_fault(
     """
     if kind and ratio is not None:
         return f"read `ratio` of a {kind}, expected `speed_ratio`"
-    if not kind and ratio is None:
-        return "`ratio` is missing"
     if not kind and speed_ratio is not None:
         return "read `speed_ratio`, expected `kind: variator` or `kind: converter` beside it"
     if others.get("points") and kind != "converter":

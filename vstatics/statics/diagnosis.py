@@ -18,7 +18,7 @@ from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
-from vstatics.statics import digits, freewheels, matrix, torques
+from vstatics.statics import digits, freewheels, ideal, matrix, torques
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -309,7 +309,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             )
         yield Said("W418", f"there are no torques in balance: {advice}")
     elif not is_told and is_uncertain(
-        gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
+        case, gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
     ):
         yield Said(
             "W419",
@@ -438,12 +438,13 @@ def regular_gears(results: Results) -> Iterator[bool]:
             and True not in turned[number]
             and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
             and speed != 0
-            and not is_uncertain(gear, speed, torque)
+            and not is_uncertain(results.case, gear, speed, torque)
         )
 
 
-def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
+def is_uncertain(case: Transmission, gear: Gear, output_speed: float, output_torque: float) -> bool:
     """Whether speeds and torques, which check one another by ``Mx * w_output = 1``, do not."""
-    if gear.speeds or gear.torques:
+    converts = any(one.kind == "converter" for one in case.mechanisms)
+    if gear.speeds or gear.torques or converts:
         return False
     return abs(output_torque * output_speed - 1) > UNCERTAIN

@@ -97,9 +97,7 @@ def _that_matter(state: GearState) -> dict[str, bool]:
     if not gear.speeds and not gear.torques:
         # by virtual work the output torque depends on a ratio only where its mechanism
         # moves in the train that has the ratios with losses
-        relative_speeds = solve_speeds(
-            case, gear, rows(case, state.lossy_ratios)
-        ).relative_speeds
+        relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
     found = {}
     for place in idle:

@@ -346,7 +346,8 @@ def guard_power(state: GearState) -> None:
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
-    if not gear.speeds and not gear.torques and is_traced(power):
+    converts = any(one.kind == "converter" for one in state.case.mechanisms)
+    if not gear.speeds and not gear.torques and not converts and is_traced(power):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Residual):
         guard_within(balance, -CLOSED, CLOSED)
