@@ -170,7 +170,7 @@ class Torques(NamedTuple):
 
     @property
     def factors(self) -> list[Number]:
-        """By device: what its column is multiplied with. [-]
+        """By device [-]: what its column is multiplied with.
 
         That is the torque on its first link, but of a variator minus that on its second link.
         """
