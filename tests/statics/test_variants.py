@@ -606,6 +606,8 @@ OTHER: dict[type, dict[str, object]] = {
         "friction": Friction(0.1, 0.006, 8, ((0.0, 0.12),)),
     },
     Mechanism: {
+        "kind": "variator",
+        "points": ((0.0, 2.0),),
         "first": 4,
         "second": 4,
         "third": 4,
@@ -627,6 +629,7 @@ OTHER: dict[type, dict[str, object]] = {
         "limit": 3000.0,
     },
     Gear: {
+        "speed_ratios": {1: 0.5},
         "engaged": (),
         "speeds": {4: 0.5},
         "torques": {2: 0.25},

@@ -156,6 +156,11 @@ class TransmissionFields:
         return "" if not said else "forward" if said > 0 else "backward"
 
     @property
+    def has_converter(self) -> bool:
+        """Whether output torque by input torque is not the ratio, even without losses."""
+        return any(one.kind == "converter" for one in self.mechanisms)
+
+    @property
     def own_mechanisms(self) -> slice:
         """Where the mechanisms stand that the case gives: behind those of drawn elements."""
         drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0

@@ -308,8 +308,8 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
                 "speed of the reacting link instead"
             )
         yield Said("W418", f"there are no torques in balance: {advice}")
-    elif not is_told and is_uncertain(
-        case, gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
+    elif not (is_told or case.has_converter) and is_uncertain(
+        gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
     ):
         yield Said(
             "W419",
@@ -326,7 +326,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
 
 def _gaining(results: Results, number: int) -> str:
     """Converters that would gain power at the speed ratio of the gear."""
-    if not any(one.kind == "converter" for one in results.case.mechanisms):
+    if not results.case.has_converter:
         return ""
     state = results.gear(number + 1)
     variant = state.ideal.variant
@@ -438,13 +438,12 @@ def regular_gears(results: Results) -> Iterator[bool]:
             and True not in turned[number]
             and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
             and speed != 0
-            and not is_uncertain(results.case, gear, speed, torque)
+            and (results.case.has_converter or not is_uncertain(gear, speed, torque))
         )
 
 
-def is_uncertain(case: Transmission, gear: Gear, output_speed: float, output_torque: float) -> bool:
+def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
     """Whether speeds and torques, which check one another by ``Mx * w_output = 1``, do not."""
-    converts = any(one.kind == "converter" for one in case.mechanisms)
-    if gear.speeds or gear.torques or converts:
+    if gear.speeds or gear.torques:
         return False
     return abs(output_torque * output_speed - 1) > UNCERTAIN

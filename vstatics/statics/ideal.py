@@ -82,7 +82,8 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques) -> bo
 def converter_slip(variant: Variant, place: int) -> Number:
     """``1 - K i``: the part of its power that a converter loses [-]."""
     ratio = variant.ratios[place]
-    return 1 - matrix.torque_ratio_of(variant.case.mechanisms[place], ratio) * ratio
+    torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
+    return 1 - torque_ratio * ratio
 
 
 def no_torques(torques: Torques) -> Torques:

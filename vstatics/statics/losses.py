@@ -125,8 +125,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     Otherwise power out by power in, each port on the side of its flow without losses;
     a port without any counts on neither.
     """
-    converts = any(one.kind == "converter" for one in ideal.case.mechanisms)
-    if not ideal.gear.speeds and not ideal.gear.torques and not converts:
+    if not ideal.gear.speeds and not ideal.gear.torques and not ideal.case.has_converter:
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
         one, other = (lossy, lossless) if ideal.variant.direction > 0 else (lossless, lossy)
         return math.nan if other == 0 else one / other

@@ -92,7 +92,7 @@ def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
         exact = type(speed_ratio)
         points = tuple((exact(one), exact(other)) for one, other in points)
     if isinstance(speed_ratio, np.ndarray):
-        return np.interp(speed_ratio, *zip(*points, strict=True))
+        return np.interp(speed_ratio, *np.transpose(points))
     if speed_ratio <= points[0][0]:
         return points[0][1]
     for (left, before), (right, after) in pairwise(points):
@@ -326,5 +326,6 @@ def variant_of(
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)
     torques = columns(case, ratios)
-    plain = all(mechanism.kind != "converter" for mechanism in case.mechanisms)
-    return Variant(case, ratios, both, torques, torques if plain else rows(case, ratios))
+    return Variant(
+        case, ratios, both, torques, rows(case, ratios) if case.has_converter else torques
+    )

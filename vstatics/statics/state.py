@@ -346,8 +346,7 @@ def guard_power(state: GearState) -> None:
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
-    converts = any(one.kind == "converter" for one in state.case.mechanisms)
-    if not gear.speeds and not gear.torques and not converts and is_traced(power):
+    if not gear.speeds and not gear.torques and not state.case.has_converter and is_traced(power):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Residual):
         guard_within(balance, -CLOSED, CLOSED)

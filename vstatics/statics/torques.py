@@ -204,7 +204,7 @@ def solve_torques(
     for device, one in enumerate(case.mechanisms, len(case.shift_elements)):
         if one.kind == "variator":
             factors = factors or list(on_first_link)
-            on_first_link[device] = times(factors[device], columns[device][one.first])
+            on_first_link[device] = times(factors[device], matrix.value(columns[device][one.first]))
     return Torques(on_first_link, holding, solution.consistent, certain, factors)
 
 
