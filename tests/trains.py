@@ -210,6 +210,18 @@ def no_losses(case: Transmission) -> Transmission:
     return replace(case, mechanisms=[m._replace(efficiency=1.0) for m in case.mechanisms])
 
 
+def with_variators(rng: Random, case: Transmission) -> Transmission:
+    """The train in which every pair of wheels is a variator, of a speed ratio of any sign."""
+
+    def variator(one: Mechanism) -> Mechanism:
+        if one.third or not (one.first and one.second):
+            return one
+        ratio = rng.choice((-1, 1)) * round(rng.uniform(0.1, 2), 2)
+        return one._replace(ratio=ratio, kind="variator", planet_ratio=None, is_set=False)
+
+    return replace(case, mechanisms=list(map(variator, case.mechanisms)))
+
+
 def on_springs(case: Transmission, chosen: Container[int] | None = None) -> Transmission:
     """The train in which springs stand for loss-free mechanisms: their rows as twists.
 
@@ -243,6 +255,7 @@ def shown(case: Transmission) -> str:
 
 def _mechanism_text(one: Mechanism) -> str:
     planet = "" if one.planet_ratio is None else f", {one.planet_ratio}"
+    planet += f", kind={one.kind!r}" if one.kind else ""
     first, second, third = one.links
     return f"Mechanism({first}, {second}, {third}, {one.ratio}, {one.efficiency}{planet})"
 

@@ -17,8 +17,11 @@ Values = tuple[Fraction | None, ...]
 
 
 def ratios(case: Transmission) -> list[Fraction]:
-    """Internal ratios of the mechanisms."""
-    return [exact(mechanism.ratio) for mechanism in case.mechanisms]
+    """Internal ratios of the mechanisms; a variator is a pair of wheels of ratio 1/x."""
+    return [
+        1 / exact(one.ratio) if one.kind == "variator" else exact(one.ratio)
+        for one in case.mechanisms
+    ]
 
 
 def element_column(case: Transmission, number: int) -> Row:

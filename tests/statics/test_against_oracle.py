@@ -17,7 +17,7 @@ from tests.chance import count, seeded
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear
-from tests.trains import random_train, shown
+from tests.trains import random_train, shown, with_variators
 from vstatics import Results, Transmission, solve
 
 TOLERANCE = 1e-9
@@ -99,6 +99,17 @@ def test_every_number_is_that_of_exact_arithmetic(*, regular: bool) -> None:
     for seed in range(25):
         case = random_train(seeded(seed), regular=regular)
         assert _disagreements(case) == [], (seed, shown(case))
+
+
+def test_trains_with_variators_are_those_of_exact_arithmetic() -> None:
+    tried = 0
+    for seed in range(80):
+        rng = seeded(seed)
+        case = with_variators(rng, random_train(rng, regular=seed % 2 == 0))
+        if any(one.kind for one in case.mechanisms):
+            tried += 1
+            assert _disagreements(case) == [], (seed, shown(case))
+    assert tried >= 20
 
 
 @pytest.mark.slow

@@ -607,6 +607,8 @@ OTHER: dict[type, dict[str, object]] = {
         "friction": Friction(0.1, 0.006, 8, ((0.0, 0.12),)),
     },
     Mechanism: {
+        "kind": "variator",
+        "points": ((0.0, 2.0),),
         "first": 4,
         "second": 4,
         "third": 4,
@@ -628,6 +630,7 @@ OTHER: dict[type, dict[str, object]] = {
         "limit": 3000.0,
     },
     Gear: {
+        "speed_ratios": {1: 0.5},
         "engaged": (),
         "speeds": {4: 0.5},
         "torques": {2: 0.25},
@@ -640,6 +643,7 @@ OTHER: dict[type, dict[str, object]] = {
         "input_turns": "backward",
         "kind": "point",
         "coast": True,
+        "balance": None,  # it acts as given torques, which are in the key
     },
     Transmission: {
         "links": 5,

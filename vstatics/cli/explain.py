@@ -14,6 +14,7 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
+from vstatics.errors import CaseError, ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
@@ -57,7 +58,11 @@ def _shown(
     from vstatics.explain import explain_gear
 
     case = results.case
-    explanations = [explain_gear(results, i + 1) for i in arguments.gear_indices(case, gears)]
+    indices = arguments.gear_indices(case, gears)
+    try:
+        explanations = [explain_gear(results, index + 1) for index in indices]
+    except CaseError as error:
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
 
     def as_text(_: str | None) -> str:
         from vstatics.explain import text

@@ -8,6 +8,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from vstatics.errors import CaseError
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import speed_system, torque_system
 from vstatics.explain.formula import RatioFormula, formula, symbols_of
@@ -96,6 +97,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_results(results, "explain_gear")
+    if kinds := [one.name for one in results.case.mechanisms if one.kind]:
+        message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
+        raise CaseError("E279", message)
     state, number = results.gear(gear), results.case.gear_number(gear) - 1
     case, actual = state.case, state.gear
     names = names_of(case)

@@ -122,8 +122,7 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
     """Mechanisms, the last ones, that were not made from elements, which are checked as such."""
-    drawn = len(case.mechanisms) - len(case.drawing.mechanisms) if case.drawing else 0
-    return list(enumerate(case.mechanisms, 1))[drawn:]
+    return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
 
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:

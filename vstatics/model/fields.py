@@ -189,6 +189,30 @@ class TransmissionFields:
         said = load.speed or load.torque
         return "" if not said else "forward" if said > 0 else "backward"
 
+    @property
+    def has_converter(self) -> bool:
+        """Whether output torque by input torque is not the ratio, even without losses."""
+        return any(one.kind == "converter" for one in self.mechanisms)
+
+    @property
+    def own_mechanisms(self) -> slice:
+        """Where the mechanisms stand that the case gives: behind those of drawn elements."""
+        drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
+        return slice(drawn, len(self.mechanisms))
+
+    def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
+        """The ratio of each mechanism in a gear [-]: its speed ratios in place of others.
+
+        Parameters
+        ----------
+        ratios : sequence, optional
+            In place of the mechanisms' own, for all gears. [-]
+        """
+        own = list(ratios) if ratios is not None else [one.ratio for one in self.mechanisms]
+        for number, ratio in gear.speed_ratios.items():
+            own[self.own_mechanisms.start + number - 1] = ratio
+        return own
+
     def link_name(self, link: int) -> str:
         """The name of a link; the housing is ``housing``."""
         return self.link_names[link - 1] if link else "housing"

@@ -12,11 +12,13 @@ from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
     GEAR_KINDS,
+    MECHANISM_KINDS,
     Friction,
     Gear,
     ShiftElement,
     load_fault,
     load_of,
+    mechanism_fault,
     mechanism_of,
 )
 from vstatics.model.shape import (
@@ -196,10 +198,30 @@ MECHANISM = ByKey(
         KeyShape(
             "ratio",
             NUMBER,
-            "Internal ratio (w_first - w_third)/(w_second - w_third).",
+            "Internal ratio (w_first - w_third)/(w_second - w_third); not of a kind that has a "
+            "speed ratio.",
             required=True,
+            unless="kind",
             limits={"not": {"const": 0}},
             examples=(-2.461, "-96/39"),
+        ),
+        KeyShape(
+            "kind",
+            Leaf("choice", MECHANISM_KINDS),
+            "A variator, or a hydrodynamic converter, between two links.",
+        ),
+        KeyShape(
+            "speed_ratio",
+            NUMBER,
+            "Of a variator or converter: w_second/w_first, where a gear gives none.",
+            examples=(0.4,),
+        ),
+        KeyShape(
+            "points",
+            ListOf(RowOf((NUMBER, NUMBER), "speed ratio, torque ratio")),
+            "Of a converter: [speed ratio, torque ratio M_second/M_first] in ascending order, "
+            "straight between.",
+            examples=([[0, 2.4], [0.8, 1]],),
         ),
         KeyShape(
             "efficiency",
@@ -226,6 +248,7 @@ MECHANISM = ByKey(
         *ELASTIC,
     ),
     mechanism_of,
+    mechanism_fault,
 )
 
 LOAD = ByKey(
@@ -287,6 +310,12 @@ GEAR = ByKey(
             "open_drag",
             Numbers("shift element", DRAG, {"minimum": 0}),
             "Drag of shift elements in this gear when they are open, in place of their own.",
+        ),
+        KeyShape(
+            "speed_ratios",
+            Numbers("mechanism", NUMBER),
+            "Speed ratios of variators and converters in this gear.",
+            examples=({"hydro": -0.2},),
         ),
         KeyShape("input", LINK, "This gear's own input link."),
         KeyShape(

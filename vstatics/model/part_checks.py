@@ -12,6 +12,7 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     HOUSING,
+    MECHANISM_KINDS,
     Friction,
     Gear,
     Law,
@@ -145,7 +146,9 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     if len(set(members)) < len(members):
         yield Problem("E228", f"links {mechanism.links}: expected different links", path)
     ratio = mechanism.ratio
-    if not math.isfinite(ratio):
+    if mechanism.kind:
+        yield from _of_kind(mechanism, path)
+    elif not math.isfinite(ratio):
         yield Problem("E229", f"read {ratio}, expected a finite number", (*path, "ratio"))
     elif ratio == 0:
         yield Problem("E230", "read 0, expected a ratio other than 0", (*path, "ratio"))
@@ -153,6 +156,63 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
     if (planet := mechanism.planet_ratio) is not None:
         yield from not_0(planet, "a finite ratio", (*path, "planet_ratio"))
+
+
+def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    """A variator or converter joins two links, at a finite speed ratio if it has its own."""
+    if mechanism.kind not in MECHANISM_KINDS:
+        kinds = ", ".join(f"`{kind}`" for kind in MECHANISM_KINDS)
+        yield Problem("E271", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
+        return
+    for member in ("first", "second"):
+        if getattr(mechanism, member) == HOUSING:
+            message = f"a {mechanism.kind} joins two links, expected a link, not the housing"
+            yield Problem("E272", message, (*path, member))
+    if mechanism.third != HOUSING or mechanism.is_set:
+        message = f"a {mechanism.kind} joins two links; leave the third out"
+        yield Problem("E273", message, (*path, "third"))
+    if math.isinf(mechanism.ratio):
+        message = f"read {mechanism.ratio}, expected a finite number"
+        yield Problem("E229", message, (*path, "speed_ratio"))
+    if mechanism.kind == "converter":
+        yield from _torque_ratios(mechanism.points, (*path, "points"))
+
+
+def _torque_ratios(points: Sequence[tuple[float, float]], path: Path) -> Iterator[Problem]:
+    """Speed ratios that ascend, torque ratios of 0 or more."""
+    if not points:
+        yield Problem("E219", "there is no point, expected one at least", path)
+    before = -math.inf
+    for number, (speed_ratio, torque_ratio) in enumerate(points, 1):
+        if not before < speed_ratio < math.inf:
+            message = f"read {speed_ratio:g}, expected a speed ratio above {before:g}"
+            yield Problem("E274", f"{message}: points are in ascending order", (*path, number, 1))
+        what, right = "a torque ratio of 0 or more", 0 <= torque_ratio < math.inf
+        yield from expect(torque_ratio, what, (*path, number, 2), right=right)
+        before = speed_ratio
+
+
+def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The speed ratio of every variator and converter, by the gear or by itself."""
+    own = case.mechanisms[case.own_mechanisms]
+    for number, ratio in gear.speed_ratios.items():
+        inner = (*path, "speed_ratios", number)
+        if not is_number(number, len(own), 1):
+            expected = f"the number of a mechanism, from 1 to {len(own)}"
+            yield Problem("E275", f"read {number!r}, expected {expected}", inner)
+        elif not own[number - 1].kind:
+            name = own[number - 1].name or number
+            message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
+            yield Problem("E276", message, inner)
+        elif not math.isfinite(ratio):
+            yield Problem("E249", f"read {ratio}, expected a finite number", inner)
+    for number, one in enumerate(own, 1):
+        if one.kind and math.isnan(one.ratio) and number not in gear.speed_ratios:
+            message = (
+                f"`speed_ratio` of {one.kind} {one.name or number} is missing: give it in this "
+                "gear under `speed_ratios`, or in the mechanism for all gears"
+            )
+            yield Problem("E277", message, path)
 
 
 def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
@@ -202,7 +262,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     """What may be meant, but may be a mistake too."""
     ratio = mechanism.ratio
     if mechanism.third == HOUSING:
-        return
+        return  # so is a variator's
     if ratio == 1:
         message = (
             "with ratio 1 the first link turns as the second whatever the third does, which takes "
@@ -230,6 +290,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         yield Problem("E231", f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from _dragging(case, gear, path)
+    yield from _speed_ratios(case, gear, path)
     if gear.kind not in GEAR_KINDS:
         yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
     if gear.speeds or gear.torques:

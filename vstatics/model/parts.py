@@ -86,6 +86,9 @@ GearKind = Literal["gear", "point"]
 """A gear of the shift pattern, or an operating point, as of a variable drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
+MechanismKind = Literal["variator", "converter"]
+"""What a mechanism is whose speed ratio may be any number, and is given."""
+MECHANISM_KINDS: tuple[MechanismKind, ...] = get_args(MechanismKind)
 
 
 class Friction(NamedTuple):
@@ -165,14 +168,16 @@ class ShiftElement(NamedTuple):
 
 
 class Mechanism(NamedTuple):
-    """A three-link device of constant structure.
+    """A three-link device of constant structure; a variator or converter between two links.
 
     Parameters
     ----------
     first, second, third : int
         Link numbers; 0 is the housing. In a planetary set: sun, ring, carrier.
     ratio : float
-        ``(w_first - w_third)/(w_second - w_third)``, the internal ratio. [-]
+        ``(w_first - w_third)/(w_second - w_third)``, the internal ratio. Of a variator or
+        converter the speed ratio ``w_second/w_first``, of any sign, 0 too; NaN where gears give
+        it. [-]
     efficiency : float
         With the third link held still, above 0 and up to 1. [-]
     back_efficiency : float, optional
@@ -191,6 +196,11 @@ class Mechanism(NamedTuple):
     is_set : bool
         With the housing as third link: whether it is a planetary set with its carrier held, not
         a pair of wheels.
+    kind : {"variator", "converter"}, optional
+        A variator divides power as a pair of wheels of the ratio ``1/x`` would; one with the
+        speed ratio x = 0 holds its second link. A converter is hydrodynamic.
+    points : sequence of (float, float)
+        Of a converter: speed ratio, torque ratio ``M_second/M_first``. [-]
     """
 
     first: int
@@ -204,6 +214,8 @@ class Mechanism(NamedTuple):
     stiffness: float | None = None
     damping: Damping | float = NO_DAMPING
     is_set: bool = False
+    kind: MechanismKind | Literal[""] = ""
+    points: tuple[tuple[float, float], ...] = ()
 
     @property
     def links(self) -> tuple[int, int, int]:
@@ -219,7 +231,9 @@ class Mechanism(NamedTuple):
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
 
-def mechanism_of(third: int | None = None, **others: Any) -> Mechanism:
+def mechanism_of(
+    third: int | None = None, speed_ratio: float | None = None, **others: Any
+) -> Mechanism:
     """The mechanism of what a case gives: the housing as third link is the carrier of a set.
 
     Examples
@@ -229,13 +243,36 @@ def mechanism_of(third: int | None = None, **others: Any) -> Mechanism:
     >>> mechanism_of(first=1, second=2, ratio=1.5).is_set
     False
     """
+    if others.get("kind"):
+        others["ratio"] = math.nan if speed_ratio is None else speed_ratio
     return Mechanism(third=third or HOUSING, is_set=third == HOUSING, **others)
+
+
+def mechanism_fault(
+    kind: str = "", ratio: float | None = None, speed_ratio: float | None = None, **others: Any
+) -> str:
+    """Why the numbers of a mechanism are not those of its kind.
+
+    >>> mechanism_fault("variator", ratio=2.0)
+    'read `ratio` of a variator, expected `speed_ratio`'
+    """
+    if kind and ratio is not None:
+        return f"read `ratio` of a {kind}, expected `speed_ratio`"
+    if not kind and speed_ratio is not None:
+        return "read `speed_ratio`, expected `kind: variator` or `kind: converter` beside it"
+    if others.get("points") and kind != "converter":
+        return "read `points`, expected `kind: converter` beside them"
+    return ""
 
 
 def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
     """What `mechanism_of` takes."""
     has_third = mechanism.third != HOUSING or mechanism.is_set
-    return {**mechanism._asdict(), "third": mechanism.third if has_third else None}
+    record = {**mechanism._asdict(), "third": mechanism.third if has_third else None}
+    if mechanism.kind:
+        ratio = record.pop("ratio")
+        record["speed_ratio"] = None if math.isnan(ratio) else ratio
+    return record
 
 
 class Load(NamedTuple):
@@ -455,6 +492,9 @@ class Gear(NamedTuple):
         Power enters at the output; as the case or the sign of its load says when not given.
     balance : BatteryBalance, optional
         One of its links has neither a speed nor a torque, which is found.
+    speed_ratios : mapping of int to float
+        Number of a variator or converter among the mechanisms that the case gives -> its speed
+        ratio in this gear, in place of its own. [-]
     """
 
     engaged: Sequence[int] = ()
@@ -470,6 +510,7 @@ class Gear(NamedTuple):
     kind: GearKind = "gear"
     coast: bool | None = None
     balance: BatteryBalance | None = None
+    speed_ratios: Mapping[int, float] = MappingProxyType({})
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Links of its balance that have neither speed nor torque, and are none of its ends."""

@@ -78,7 +78,7 @@ class Ends(NamedTuple):
 class Numbers(NamedTuple):
     """Links or shift elements with a number for each, or with what else it has in its place."""
 
-    by: Literal["link", "shift element"]
+    by: Literal["link", "shift element", "mechanism"]
     item: Shape
     limits: Limits = NO_LIMITS
 
@@ -100,6 +100,8 @@ class KeyShape(NamedTuple):
     default: Any = None
     limits: Limits = NO_LIMITS
     examples: tuple[Any, ...] = ()
+    unless: str = ""
+    """Another key beside which this one need not be there."""
 
     def leaves_out(self, value: Any) -> bool:
         """Whether a value says what a document says that has not the key.
@@ -124,7 +126,7 @@ class ByKey(NamedTuple):
     @property
     def required(self) -> list[str]:
         """Names of the keys that must be there."""
-        return [key.name for key in self.keys if key.required]
+        return [key.name for key in self.keys if key.required and not key.unless]
 
 
 class Either(NamedTuple):

@@ -209,6 +209,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 else as_float(mechanism.back_efficiency),
                 stiffness=_float(mechanism.stiffness),
                 damping=damping(mechanism.damping),
+                points=tuple((float(one), float(other)) for one, other in mechanism.points),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
@@ -245,6 +246,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         open_drag=_by_load(gear.open_drag, abs(torque)),
         balance=gear.balance
         and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
+        speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},
     )
 
 

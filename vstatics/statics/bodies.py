@@ -9,7 +9,7 @@ from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.numerics.traced import Number, absolute
-from vstatics.statics.matrix import column
+from vstatics.statics.matrix import row_of, value
 from vstatics.statics.speeds import is_tie
 
 Bodies = list[int]
@@ -111,6 +111,8 @@ def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) 
     """Mechanisms by the three bodies that they join."""
     for index in mechanisms:
         one = case.mechanisms[index]
+        if one.kind:  # its ratio is the gear's
+            continue
         own = bodies[one.first], bodies[one.second], bodies[one.third]
         joined = frozenset(own)
         if len(joined) == 3:
@@ -129,4 +131,5 @@ def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) 
 def _torques(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
     """The torques of a mechanism on the three bodies that it joins, in the order of these."""
     joined = (bodies[link] for link in mechanism.links)
-    return [torque for _, torque in sorted(zip(joined, column(mechanism.ratio), strict=True))]
+    torques = map(value, row_of(mechanism, mechanism.ratio))
+    return [torque for _, torque in sorted(zip(joined, torques, strict=True))]

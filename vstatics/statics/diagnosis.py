@@ -18,7 +18,7 @@ from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
-from vstatics.statics import digits, freewheels, matrix, torques
+from vstatics.statics import digits, freewheels, ideal, matrix, torques
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -42,7 +42,7 @@ def freedom(case: Transmission) -> int:
     >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
     2
     """
-    rows = matrix.speed_rows(case, Gear(), _columns(case))[:-1]
+    rows = matrix.speed_rows(case, Gear(), _rows(case, case.gears[0]))[:-1]
     return elimination.solve(rows, case.links).missing
 
 
@@ -126,9 +126,9 @@ def _named(case: Transmission, path: str, text: str) -> str:
     return f"{path}: {text}"
 
 
-def _columns(case: Transmission) -> list[matrix.Column]:
-    """Of the structural-distribution matrix."""
-    return matrix.columns(case, [mechanism.ratio for mechanism in case.mechanisms])
+def _rows(case: Transmission, gear: Gear) -> list[matrix.Column]:
+    """The equations for speeds, with the speed ratios of a gear."""
+    return matrix.rows(case, case.gear_ratios(gear))
 
 
 def _s(count: int) -> str:
@@ -141,7 +141,7 @@ def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
 
 def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Freewheels that the engaged elements drive backward."""
-    speeds = solve_speeds(case, gear, _columns(case))
+    speeds = solve_speeds(case, gear, _rows(case, gear))
     for number in freewheels.driven_backward(case, gear, speeds):
         name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
         side = "below 0" if slip < 0 else "above 0, with an input that turns backward"
@@ -161,7 +161,7 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
     free = [n for n in case.freewheels if n not in gear.engaged]
 
     def drives(*held: int) -> bool:
-        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _columns(case))
+        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _rows(case, gear))
         return speeds.consistent and not is_nan(speeds.links[output])
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
@@ -232,7 +232,7 @@ def _is_adrift(results: Results, number: int) -> bool:
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """What is said of sets of conditions that repeat or contradict each other."""
     case, repeated, same = results.case, list[str](), list[str]()
-    rows = matrix.speed_rows(case, gear, _columns(case))
+    rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(case.mechanisms) + len(case.springs)
     for involved, agrees in elimination.dependencies(rows):
@@ -301,14 +301,14 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
             return  # said with the speeds
-        advice = _nothing_holds(case, gear)
+        advice = _gaining(results, number) or _nothing_holds(case, gear)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
                 "speed of the reacting link instead"
             )
         yield Said("W418", f"there are no torques in balance: {advice}")
-    elif not is_told and is_uncertain(
+    elif not (is_told or case.has_converter) and is_uncertain(
         gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
     ):
         yield Said(
@@ -322,6 +322,17 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
         unknown = _unknown_torques(results, number)
         if unknown:
             yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
+
+
+def _gaining(results: Results, number: int) -> str:
+    """Converters that would gain power at the speed ratio of the gear."""
+    if not results.case.has_converter:
+        return ""
+    state = results.gear(number + 1)
+    variant = state.ideal.variant
+    torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
+    names = ideal.gaining(variant, state.gear, state.ideal.speeds, torques_)
+    return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 
 def _nothing_holds(case: Transmission, gear: Gear) -> str:
@@ -427,7 +438,7 @@ def regular_gears(results: Results) -> Iterator[bool]:
             and True not in turned[number]
             and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
             and speed != 0
-            and not is_uncertain(gear, speed, torque)
+            and (results.case.has_converter or not is_uncertain(gear, speed, torque))
         )
 
 

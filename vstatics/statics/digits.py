@@ -67,7 +67,7 @@ def lost_digits(state: GearState) -> LostDigits | None:
     The gear is that of one case, not of arrays of variants.
     """
     case, ideal = state.case, state.ideal
-    speeds = _exactly(speed_rows(case, state.gear, ideal.variant.columns), case.links)
+    speeds = _exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
     by_link = _parts(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
     if state.consistent and all(abs(plain(u)) < math.inf for u in state.lossy_ratios):
@@ -95,7 +95,7 @@ def _torque_parts(
     loaded = [*loaded_devices(case, gear), len(case.devices)]
     drag = state.drag.external if lossy else {}
     exact = _exactly(torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding))
-    found = [torques.on_first_link[device] for device in loaded]
+    found = [torques.factors[device] for device in loaded]
     parts = [0.0] * (len(case.devices) + 1)
     for device, part in zip(loaded, _parts(found, exact[: len(loaded)]), strict=True):
         parts[device] = part

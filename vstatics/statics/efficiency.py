@@ -3,7 +3,8 @@
 With losses the internal ratio u of a mechanism becomes ``u * efficiency**x`` in the
 torque system; x is +1 where power enters by the first link, seen from the third, and
 -1 where it leaves by it (equation (5) of docs/method.md). Some mechanisms, worm gears
-say, have another efficiency for x = -1.
+say, have another efficiency for x = -1. The speed ratio of a variator, which is that of the
+second link to the first, is divided by what the ratio of a mechanism is multiplied with.
 """
 
 from __future__ import annotations
@@ -26,6 +27,8 @@ class Efficiency(NamedTuple):
     """From the first link to the second."""
     back: Number
     """0: power can't flow back."""
+    divides: bool = False
+    """Whether losses divide the ratio, as of a variator."""
 
     @property
     def lossless(self) -> bool:
@@ -50,12 +53,15 @@ def efficiencies_by_direction(
     """
     if efficiencies is None:
         efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
-    backs = (mechanism.back_efficiency for mechanism in case.mechanisms)
     return [
         forward
         if isinstance(forward, Efficiency)
-        else Efficiency(forward, forward if back is None else back)
-        for forward, back in zip(efficiencies, backs, strict=True)
+        else Efficiency(
+            forward,
+            forward if one.back_efficiency is None else one.back_efficiency,
+            one.kind == "variator",
+        )
+        for forward, one in zip(efficiencies, case.mechanisms, strict=True)
     ]
 
 
@@ -69,11 +75,19 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Numb
         return ratio
     if is_nan(exponent):
         return ratio if efficiency.lossless else math.nan
+    if efficiency.divides:
+        return ratio / passed(efficiency, exponent)
     forward = ratio if efficiency.forward == 1 else ratio * efficiency.forward
     if efficiency.back == 0:
         return forward if exponent > 0 else math.nan
     back = ratio if efficiency.back == 1 else ratio / efficiency.back
     return chosen(exponent > 0, forward, back)
+
+
+def passed(efficiency: Efficiency, exponent: Number) -> Number:
+    """``efficiency**x``; a whole 1 keeps fractions exact."""
+    own = efficiency._replace(divides=False) if efficiency.divides else efficiency
+    return lossy_ratio(1, own, exponent)
 
 
 def lossy_ratios(

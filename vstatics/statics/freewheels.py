@@ -45,8 +45,10 @@ def find_state(
     Parameters
     ----------
     ratios, efficiencies : sequence of Number
-        Of each mechanism: floats, or traced numbers, as those of the gear may be. [-]
+        Of each mechanism: floats, or traced numbers, as those of the gear may be; its speed
+        ratios go before. [-]
     """
+    ratios = case.gear_ratios(gear, ratios)
     if not is_nearly_one(case, ratios):
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
@@ -78,7 +80,7 @@ def _exact_state(
 
     def exactly(one: Number | Efficiency) -> Any:
         if isinstance(one, Efficiency):
-            return Efficiency(*map(exactly, one))
+            return one._replace(forward=exactly(one.forward), back=exactly(one.back))
         return Fraction(plain(one))
 
     exact = [list(map(exactly, numbers)) for numbers in (ratios, efficiencies)]
@@ -94,14 +96,14 @@ def _find_state(
 ) -> GearState:
     """The state in the arithmetic of the given numbers."""
     variant = variant_of(case, ratios, efficiencies)
-    nobody = solve_speeds(case, gear, variant.columns)
+    nobody = solve_speeds(case, gear, variant.rows)
     if not case.freewheels or not nobody.consistent:  # tied up, whatever the freewheels do
         return _state(variant, gear, nobody)
     if driven_backward(case, gear, nobody):
         return _conflict(variant, gear, nobody)
     for held in _sets(case):
         chosen = with_engaged(gear, held)
-        speeds = solve_speeds(case, chosen, variant.columns) if held else nobody
+        speeds = solve_speeds(case, chosen, variant.rows) if held else nobody
         state = _possible(variant, chosen, speeds)
         if state is not None:
             return state
@@ -130,12 +132,12 @@ def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[in
     held : sequence of int
         The freewheels that hold.
     """
-    variant = variant_of(case)
+    variant = variant_of(case, case.gear_ratios(gear))
     others: set[int] = set()
     for chosen in combinations(case.freewheels, len(held)):
         other = with_engaged(gear, chosen)
         if chosen != tuple(held):
-            speeds = solve_speeds(case, other, variant.columns)
+            speeds = solve_speeds(case, other, variant.rows)
             if _possible(variant, other, speeds) is not None:
                 others.update(chosen)
     return sorted(others.difference(held))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -11,7 +12,14 @@ from vstatics.numerics.traced import Number, absolute, is_nothing_beside
 from vstatics.statics import matrix
 from vstatics.statics.matrix import Column, Variant
 from vstatics.statics.speeds import Speeds
-from vstatics.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques
+from vstatics.statics.torques import (
+    NO_DRAG,
+    Drag,
+    Torques,
+    drag_torques,
+    solve_torques,
+    times,
+)
 
 OUTSIDE = -1
 """Stands for an external torque, where a device has its index."""
@@ -52,9 +60,44 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     """Torques without losses, for the elements that are engaged and their speeds."""
     case, columns = variant.case, variant.columns
     torques = solve_torques(case, gear, columns)
+    if gaining(variant, gear, speeds, torques):
+        torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
     with_drag = torques if drag is NO_DRAG else solve_torques(case, gear, columns, drag)
     return IdealGear(variant, gear, speeds, torques, drag, with_drag)
+
+
+def gaining(variant: Variant, gear: Gear, speeds: Speeds, torques: Torques) -> list[str]:
+    """Names of converters that would gain power, as none does."""
+    mechanisms = enumerate(variant.case.mechanisms)
+    way = -1 if variant.case.coasts(gear) else 1
+    return [one.name for n, one in mechanisms if _gains(variant, n, speeds, torques, way)]
+
+
+def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, way: int) -> bool:
+    """Whether a mechanism is a converter, and would gain power; `way` is -1 when coasting."""
+    if variant.case.mechanisms[place].kind != "converter":
+        return False
+    entering = times(
+        torques.on_first_link[len(variant.case.shift_elements) + place],
+        speeds.relative_speeds[place],
+    )
+    return bool(times(entering, converter_slip(variant, place)) * way < 0)
+
+
+def converter_slip(variant: Variant, place: int) -> Number:
+    """``1 - K i``: the part of its power that a converter loses [-]."""
+    ratio = variant.ratios[place]
+    torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
+    return 1 - torque_ratio * ratio
+
+
+def no_torques(torques: Torques) -> Torques:
+    """Those of a gear that has none."""
+    nan = math.nan
+    return Torques(
+        [nan] * len(torques.on_first_link), dict.fromkeys(torques.holding, nan), consistent=False
+    )
 
 
 def mechanism_torques(
@@ -104,7 +147,7 @@ def _torques_by_link(
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, column in enumerate(columns):
         for link, share in column.items():
-            torque = absolute(matrix.value(share) * torques.on_first_link[device])
+            torque = absolute(matrix.value(share) * torques.factors[device])
             by_link[link].append((device, torque))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     external = matrix.external_torques(case, gear)

@@ -10,7 +10,7 @@ from vstatics.numerics.tolerances import TIE
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.bodies import held_as_one
 from vstatics.statics.efficiency import lossy_ratios
-from vstatics.statics.matrix import columns
+from vstatics.statics.matrix import columns, rows
 from vstatics.statics.power import power
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
@@ -97,9 +97,7 @@ def _that_matter(state: GearState) -> dict[str, bool]:
     if not gear.speeds and not gear.torques:
         # by virtual work the output torque depends on a ratio only where its mechanism
         # moves in the train that has the ratios with losses
-        relative_speeds = solve_speeds(
-            case, gear, columns(case, state.lossy_ratios)
-        ).relative_speeds
+        relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
     found = {}
     for place in idle:

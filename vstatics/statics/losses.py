@@ -13,8 +13,8 @@ from typing import NamedTuple
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
 from vstatics.numerics.traced import Number, absolute, chosen, is_nan, residual, sign
-from vstatics.statics.efficiency import Signs, is_possible, lossy_ratio, lossy_ratios
-from vstatics.statics.ideal import IdealGear, mechanism_torques
+from vstatics.statics.efficiency import Signs, is_possible, lossy_ratios, passed
+from vstatics.statics.ideal import IdealGear, converter_slip, mechanism_torques, no_torques
 from vstatics.statics.matrix import Column, columns
 from vstatics.statics.power import entering_powers, power
 from vstatics.statics.torques import Torques, solve_torques
@@ -71,6 +71,9 @@ def check_signs(
     for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
         if not (x == 0 or own.lossless):
             agrees = agrees & (x * direction >= 0)
+    for one, loss in zip(ideal.case.mechanisms, losses, strict=True):
+        if one.kind == "converter":
+            agrees = agrees & (loss * ideal.direction >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     if passes is False:  # of one variant; those of a plan all pass power, or none of them does
         passes = not _passes_power(ideal)
@@ -91,11 +94,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
     nan = math.nan
     return LossyTorques(
         signs=signs,
-        torques=Torques(
-            [nan] * len(ideal.torques.on_first_link),
-            dict.fromkeys(ideal.torques.holding, nan),
-            consistent=False,
-        ),
+        torques=no_torques(ideal.torques),
         directions=(nan,) * len(signs),
         losses=[nan] * len(signs),
         efficiency=nan,
@@ -107,8 +106,12 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Power lost in each mechanism, from the power by its first link: equation (2)."""
-    for entering, own, x in zip(by_first_link, ideal.variant.efficiencies, signs, strict=True):
-        yield power(entering, 1 - lossy_ratio(1, own, x))  # a whole 1 keeps fractions exact
+    variant = ideal.variant
+    for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
+        if ideal.case.mechanisms[place].kind == "converter":
+            yield power(entering, converter_slip(variant, place))
+        else:
+            yield power(entering, 1 - passed(variant.efficiencies[place], x))
 
 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
@@ -122,7 +125,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
     Otherwise power out by power in, each port on the side of its flow without losses;
     a port without any counts on neither.
     """
-    if not ideal.gear.speeds and not ideal.gear.torques:
+    if not ideal.gear.speeds and not ideal.gear.torques and not ideal.case.has_converter:
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
         one, other = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
         return math.nan if other == 0 else one / other
@@ -156,6 +159,6 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Whether the gear has an efficiency without losses, which is then 1."""
+    """Whether the gear has an efficiency without losses, 1 but for converters; 0 if one stalls."""
     entering = _entering(ideal, ideal.torques)
-    return bool(absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)
+    return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -8,22 +8,27 @@ its links give to it when the torque on its first link is 1. External torques ac
 a link, positive like the input's, which is 1; the output torque is the one that the
 train gives to its load. So with a ratio ``w_input/w_output`` above 0 and no losses
 the output torque equals the ratio.
+
+The column of a set or pair is its equation for speeds, too. A variator of the speed ratio x
+has the column (x, -1), which holds at 0 as well: there its second link stands, takes any torque,
+and the first has none. A converter has the row (i, -1) and the column (1, -K).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 from vstatics.model.parts import OfLoad
-from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
+from vstatics.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.elimination import RIGHT, Coefficient, Equation
-from vstatics.numerics.traced import Number
+from vstatics.numerics.traced import Number, is_exact
 from vstatics.statics.efficiency import Efficiency, efficiencies_by_direction
 
 if TYPE_CHECKING:
@@ -60,6 +65,48 @@ def value(coefficient: Any) -> Any:
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
+def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
+    """The equation for the speeds of a mechanism's links, the last coefficient as two terms.
+
+    >>> row_of(Mechanism(1, 2, 0, 0.4, kind="variator"), 0.4)
+    (0.4, -1, (1, -0.4))
+    """
+    return (ratio, -1, (1, -ratio)) if mechanism.kind else on_mechanism(ratio)
+
+
+def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
+    """The torques on a mechanism's links, the last as two terms.
+
+    >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
+    (1, -1.7, (1.7, -1))
+    """
+    if mechanism.kind != "converter":
+        return row_of(mechanism, ratio)
+    torque_ratio = torque_ratio_of(mechanism, ratio)
+    return 1, -torque_ratio, (torque_ratio, -1)
+
+
+def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
+    """``M_second/M_first`` of a converter: straight between its points, constant outside [-]."""
+    points = converter.points
+    if is_exact(speed_ratio):
+        exact = type(speed_ratio)
+        points = tuple((exact(one), exact(other)) for one, other in points)
+    if isinstance(speed_ratio, np.ndarray):
+        return np.interp(speed_ratio, *np.transpose(points))
+    if speed_ratio <= points[0][0]:
+        return points[0][1]
+    for (left, before), (right, after) in pairwise(points):
+        if speed_ratio <= right:
+            return before + (speed_ratio - left) * ((after - before) / (right - left))
+    return points[-1][1]
+
+
+def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
+    """The equations for speeds of shift elements, mechanisms, springs: see `columns`."""
+    return _by_device(case, map(row_of, case.mechanisms, ratios))
+
+
 def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
     """Columns of the structural-distribution matrix: shift elements, mechanisms, springs.
 
@@ -70,15 +117,20 @@ def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
     ratios : sequence of Number
         Internal ratio of each mechanism. [-]
     """
+    return _by_device(case, map(column_of, case.mechanisms, ratios))
+
+
+def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
+    """What shift elements, mechanisms and springs have for each of their links."""
     of_elements = [
         _without_housing((element.first, element.second), ON_ELEMENT)
         for element in case.shift_elements
     ]
-    of_mechanisms = [
-        _without_housing(mechanism.links, on_mechanism(ratio))
-        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
+    mechanisms = [
+        _without_housing(mechanism.links, torques)
+        for mechanism, torques in zip(case.mechanisms, of_mechanisms, strict=True)
     ]
-    return [*of_elements, *of_mechanisms, *(spring.form for spring in case.springs)]
+    return [*of_elements, *mechanisms, *(spring.form for spring in case.springs)]
 
 
 def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Column:
@@ -121,8 +173,8 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
             matrix[..., link, number] = torque
     by_device = given.tolist() if given.ndim == 1 else np.moveaxis(given, -1, 0)
     for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
-        for link, torques in zip(mechanism.links, column(u), strict=True):
-            matrix[..., link, elements + number] = torques
+        for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
+            matrix[..., link, elements + number] = value(torques)
     for number, spring in enumerate(case.springs, elements + len(own)):
         for link, coefficient in spring.form.items():
             matrix[..., link, number] = coefficient
@@ -174,22 +226,27 @@ def impossible(quantity: Quantity, numbers: Floats) -> Booleans:
     return wrong
 
 
-def speed_rows(case: Transmission, gear: Gear, columns: Sequence[Column]) -> list[Equation]:
+def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
     """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
 
-    The column of a mechanism, of a spring, or of an engaged element, is its equation, ``w_f -
+    The row of a mechanism, of a spring, or of an engaged element, is its equation, ``w_f -
     u w_s + (u - 1) w_h = 0`` and ``w_a - w_b = 0``: at mean speeds no twist grows. The input has
     speed 1; then one equation for each further given speed (figure 3), a number or that of
     another link.
+
+    Parameters
+    ----------
+    rows : sequence of Column
+        See `rows`.
     """
     elements = len(case.shift_elements)
-    held = [columns[number - 1] for number in gear.engaged]
-    rows: list[Equation] = [
-        {link - 1: torque for link, torque in one.items()} for one in (*columns[elements:], *held)
+    held = [rows[number - 1] for number in gear.engaged]
+    equations: list[Equation] = [
+        {link - 1: part for link, part in one.items()} for one in (*rows[elements:], *held)
     ]
-    rows.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
-    rows += [_given_speed(link, speed) for link, speed in gear.speeds.items()]
-    return rows
+    equations.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
+    equations += [_given_speed(link, speed) for link, speed in gear.speeds.items()]
+    return equations
 
 
 def _given_speed(link: int, speed: float | SpeedOf) -> Equation:
@@ -287,6 +344,8 @@ class Variant(NamedTuple):
     efficiencies: Sequence[Efficiency]
     columns: Sequence[Column]
     """Of the structural-distribution matrix, without losses."""
+    rows: Sequence[Column]
+    """The equations for speeds."""
 
 
 def variant_of(
@@ -298,4 +357,7 @@ def variant_of(
     if ratios is None:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)
-    return Variant(case, ratios, both, columns(case, ratios))
+    torques = columns(case, ratios)
+    return Variant(
+        case, ratios, both, torques, rows(case, ratios) if case.has_converter else torques
+    )

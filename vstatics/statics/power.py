@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.traced import Number
 from vstatics.statics.matrix import external_torques, held_links
-from vstatics.statics.torques import Drag, Torques
+from vstatics.statics.torques import Drag, Torques, times
 
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 """`element`: a shift element; `mechanism`: also a drawn element; `drag`: of a link."""
@@ -28,12 +28,8 @@ class LinkPower(NamedTuple):
     """NaN where it is not determined. [-]"""
 
 
-def power(torque: Number, speed: Number) -> Number:
-    """Torque times speed, or power times a share.
-
-    It is 0 where one of them is 0, even if the other does not exist.
-    """
-    return 0.0 if torque == 0 or speed == 0 else torque * speed
+power = times
+"""Torque times speed, or power times a share."""
 
 
 def port_torques(

@@ -278,6 +278,7 @@ def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
             list(map(_same, zip(*(one.on_first_link for one in torques), strict=True))),
             {link: _same([one.holding[link] for one in torques]) for link in none.torques.holding},
             consistent=True,
+            of_columns=list(map(_same, zip(*(one.factors for one in torques), strict=True))),
         ),
         directions=tuple(map(_same_sign, zip(*(one.directions for one in tried), strict=True))),
         losses=list(map(_same, zip(*(one.losses for one in tried), strict=True))),

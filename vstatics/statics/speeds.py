@@ -28,18 +28,18 @@ class Speeds(NamedTuple):
     """Rounding leaves digits of what they are made from."""
 
 
-def solve_speeds(case: Transmission, gear: Gear, columns: Sequence[Column]) -> Speeds:
+def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) -> Speeds:
     """Solve the speed system of a gear.
 
     Parameters
     ----------
-    columns : sequence of Column
-        Of the structural-distribution matrix, without losses.
+    by_device : sequence of Column
+        The equations of devices, `matrix.rows`.
     """
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
-    rows = speed_rows(case, gear, columns)
+    rows = speed_rows(case, gear, by_device)
     solution, certain = elimination.solve_told(rows, case.links, sums)
     links = solution.values[: case.links]
     relative = solution.values[case.links : case.links + len(differences)]

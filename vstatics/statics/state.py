@@ -17,7 +17,7 @@ from vstatics.numerics.traced import Number, guard_within, is_traced, plain, res
 from vstatics.statics.bodies import Bodies, turning_as_one
 from vstatics.statics.efficiency import Signs, lossy_ratios
 from vstatics.statics.ideal import IdealGear
-from vstatics.statics.matrix import column, columns
+from vstatics.statics.matrix import column_of, columns, value
 from vstatics.statics.power import LinkPower, device_powers, drag_powers, port_powers
 from vstatics.statics.signs import SignSearch
 from vstatics.statics.status import OK, Status, statuses
@@ -202,7 +202,7 @@ class GearState(NamedTuple):
             factors = lossy_ratios([1.0] * len(ratios), self.ideal.variant.efficiencies, self.signs)
             ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
         torques = self.lossy_torques if lossy else self.torques
-        shares_of = list(map(column, ratios))
+        shares_of = list(map(column_of, self.case.mechanisms, ratios))
         elements = len(self.case.shift_elements)
         found: list[dict[str, Number | Residual]] = []
         unknown: list[tuple[int, str, dict[int, Number]]] = []
@@ -210,9 +210,10 @@ class GearState(NamedTuple):
             found.append({})
             for member in device.members:
                 shares = [
-                    (elements + index, shares_of[index][part]) for index, part in member.places
+                    (elements + index, value(shares_of[index][part]))
+                    for index, part in member.places
                 ]
-                torque = residual([share * torques.on_first_link[index] for index, share in shares])
+                torque = residual([share * torques.factors[index] for index, share in shares])
                 found[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
                     unknown.append((place, member.name, dict(shares)))
@@ -221,8 +222,8 @@ class GearState(NamedTuple):
             sums = [shares for _, _, shares in unknown]
             drag = self.drag if lossy else NO_DRAG
             values = solve_sums(self.case, self.gear, columns(self.case, ratios), sums, drag)
-            for (place, name, _), value in zip(unknown, values, strict=True):
-                found[place][name] = value
+            for (place, name, _), sum_ in zip(unknown, values, strict=True):
+                found[place][name] = sum_
         return found
 
 
@@ -345,7 +346,7 @@ def guard_power(state: GearState) -> None:
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
-    if not gear.speeds and not gear.torques and is_traced(power):
+    if not gear.speeds and not gear.torques and not state.case.has_converter and is_traced(power):
         guard_within(power, 1 - CLOSED, 1 + CLOSED)
     if isinstance(balance, Residual):
         guard_within(balance, -CLOSED, CLOSED)

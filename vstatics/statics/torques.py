@@ -144,6 +144,11 @@ def without_load(case: Transmission) -> list[str]:
     ]
 
 
+def times(one: Number, other: Number) -> Number:
+    """A product, 0 where one of the two is 0, even if the other does not exist."""
+    return 0.0 if one == 0 or other == 0 else one * other
+
+
 Shares = Mapping[int, Number]
 """Index of a device -> its share in a sum."""
 
@@ -160,6 +165,16 @@ class Torques(NamedTuple):
     """There is an equilibrium."""
     certain: bool = True
     """Rounding leaves digits of what they are made from."""
+    of_columns: list[Number] | None = None
+    """See `factors`, where these are others."""
+
+    @property
+    def factors(self) -> list[Number]:
+        """By device [-]: what its column is multiplied with.
+
+        That is the torque on its first link, but of a variator minus that on its second link.
+        """
+        return self.on_first_link if self.of_columns is None else self.of_columns
 
 
 def solve_torques(
@@ -185,7 +200,12 @@ def solve_torques(
         for device, torque in drag.elements.items():
             on_first_link[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
-    return Torques(on_first_link, holding, solution.consistent, certain)
+    factors = None
+    for device, one in enumerate(case.mechanisms, len(case.shift_elements)):
+        if one.kind == "variator":
+            factors = factors or list(on_first_link)
+            on_first_link[device] = times(factors[device], matrix.value(columns[device][one.first]))
+    return Torques(on_first_link, holding, solution.consistent, certain, factors)
 
 
 def solve_sums(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
@@ -103,7 +104,9 @@ def _inputs(
     A single case has nothing fixed, so that its plans suit others of its structure.
     """
     mechanisms = case.mechanisms
-    own = [one.ratio for one in mechanisms] + [one.efficiency for one in mechanisms]
+    # every gear has a ratio of its own where a mechanism has none, NaN
+    own = [0.0 if math.isnan(one.ratio) else one.ratio for one in mechanisms]
+    own += [one.efficiency for one in mechanisms]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []
     varied = []

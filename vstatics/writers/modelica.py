@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import PlanetInertia, planet_inertias
+from vstatics.errors import CaseError
 from vstatics.model.parts import HOUSING, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Transmission
@@ -42,6 +43,9 @@ def write(case: Transmission) -> str:
     >>> print(write(case).partition("equation")[2].splitlines()[1].strip())
     connect(pair.flange_a, '1');
     """
+    if kinds := [one.name for one in case.mechanisms if one.kind]:
+        message = f"{kinds[0]} has a speed ratio, which no model in Modelica holds yet"
+        raise CaseError("E278", message)
     gearbox = _Gearbox(case)
     gearbox.fill()
     package = class_name(case.name)

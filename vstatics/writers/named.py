@@ -76,7 +76,7 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["dump"] = dump_record(case.dump)
     values["vehicle"] = vehicle_record(case.vehicle)
     order = _CASE if shape is CASE else _as_written(shape)
-    return _Writer(links, ["", *values["shift_elements"]]).by_key(values, order)
+    return _Writer(links, ["", *values["shift_elements"]], ["", *sets]).by_key(values, order)
 
 
 def write_yaml(case: Transmission) -> str:
@@ -130,9 +130,12 @@ _CASE = _as_written(CASE)
 class _Writer:
     """Gives parts of the model as plain data, by their shapes."""
 
-    def __init__(self, links: Sequence[int | str], elements: Sequence[str]) -> None:
-        """Keep how each link and each shift element is written, by their numbers."""
+    def __init__(
+        self, links: Sequence[int | str], elements: Sequence[str], mechanisms: Sequence[str]
+    ) -> None:
+        """Keep how links, shift elements and mechanisms are written, by their numbers."""
         self.links = links
+        self.mechanisms = [str(name) for name in mechanisms]
         self.elements = [str(name) for name in elements]
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
@@ -180,7 +183,8 @@ class _Writer:
         return data[shape.key] if shape.written and [*data] == [shape.key] else data
 
     def numbers(self, value: Any, shape: Numbers) -> dict[int | str, Any]:
-        words = self.links if shape.by == "link" else self.elements
+        by = {"link": self.links, "shift element": self.elements, "mechanism": self.mechanisms}
+        words = by[shape.by]
         return {words[part]: self.value(number, shape.item) for part, number in value.items()}
 
     def list_of(self, value: Any, shape: ListOf) -> list[Any]:

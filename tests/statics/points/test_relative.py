@@ -66,7 +66,7 @@ def at(case: Transmission, vary: Vary, point: int) -> Transmission:
                 own["drag"][case.link_number(words[1])] = OfLoad(number, 1.0)
             elif words[1] == "drag":
                 own["open_drag"][1] = OfLoad(number, 1.0)
-        gears.append(gear._replace(**own))  # type: ignore[arg-type]
+        gears.append(gear._replace(**own))
     first, *others = case.mechanisms
     first = first._replace(
         ratio=here.get("D1.ratio", first.ratio),

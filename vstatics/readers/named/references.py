@@ -40,6 +40,7 @@ class References:
         self._links = 0
         self._link_numbers: dict[str, int] = {}
         self._elements: dict[str, int] = {}
+        self._mechanisms: dict[str, int] = {}
 
     def set_links(self, links: int) -> None:
         """Links that have numbers only."""
@@ -54,6 +55,23 @@ class References:
     def set_elements(self, names: Iterable[str]) -> None:
         """The shift elements in order."""
         self._elements = _numbered(names)
+
+    def set_mechanisms(self, names: Iterable[str]) -> None:
+        """The mechanisms in order, without those of drawn elements."""
+        self._mechanisms = _numbered(names)
+
+    def mechanism(self, text: str) -> int:
+        """The number of a mechanism.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if text in self._mechanisms:
+            return self._mechanisms[text]
+        known = self._known(text, self._mechanisms)
+        raise ValueError(f"expected the name of a mechanism{known}")
 
     def link(self, text: str) -> int:
         """The number of a link, 0 for the housing, `NO_LINK` if no links are known.

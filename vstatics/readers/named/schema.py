@@ -125,6 +125,9 @@ def _record(shape: ByKey) -> Words:
         "properties": {key.name: _key(key) for key in shape.keys},
         "additionalProperties": False,
     }
+    for key in shape.keys:
+        if key.unless:
+            words["anyOf"] = [{"required": [key.name]}, {"required": [key.unless]}]
     return {**words, "required": shape.required} if shape.required else words
 
 

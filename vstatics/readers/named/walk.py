@@ -111,8 +111,10 @@ class Walk:
             if key.name in given:
                 inner = spot.key(key.name, key.name, given[key.name])
                 values[key.name] = self.read(inner, key.shape)
-            elif key.required:
+            elif key.required and key.unless not in given:
                 self.spots.missing(spot, key.name)
+            elif key.required:
+                del values[key.name]
         if fault := shape.fault(**values):
             self.spots.refuse(spot, fault)
             return stand_in(shape)
@@ -126,6 +128,8 @@ class Walk:
         given = list(entries(self.spots, spot))
         if elements:
             self.references.set_elements(key.text for key, _ in given)
+        if shape.kind == "mechanism":
+            self.references.set_mechanisms(key.text for key, _ in given)
         items: dict[str, Any] = {}
         for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)
@@ -193,6 +197,8 @@ class Walk:
         refer, nobody = self.references.link, NO_LINK
         if shape.by == "shift element":
             refer, nobody = self.references.element, NO_ELEMENT
+        elif shape.by == "mechanism":
+            refer, nobody = self.references.mechanism, NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in entries(self.spots, spot):
             try:

@@ -19,7 +19,7 @@ from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import Form, free_motions, values_of
-from vstatics.statics.matrix import columns, value
+from vstatics.statics.matrix import rows, value
 from vstatics.torsion.system.bodies import Body, Shares, planet_bodies
 
 
@@ -152,7 +152,7 @@ def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
 
 
 def _devices(case: Transmission, gear: Gear) -> Iterator[TorsionalDevice]:
-    by_device = columns(case, [mechanism.ratio for mechanism in case.mechanisms])
+    by_device = rows(case, case.gear_ratios(gear))
     devices: list[ShiftElement | Mechanism | Spring] = [*case.shift_elements, *case.mechanisms]
     devices += case.springs
     for number, (one, column) in enumerate(zip(devices, by_device, strict=True), 1):

@@ -1,0 +1,90 @@
+"""Variators and converters: closed forms written by hand, the balance of power."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from vstatics import Gear, Mechanism, Transmission, solve
+from vstatics.errors import CaseError
+
+VARIATOR = Mechanism(1, 2, 0, 0.4, 0.86, kind="variator", name="hydro")
+POINTS = ((0.0, 2.4), (0.8, 1.0), (1.0, 1.0))
+CONVERTER = Mechanism(1, 2, 0, math.nan, kind="converter", points=POINTS, name="TC")
+
+
+@pytest.mark.parametrize("x", [-2.0, -0.2, 0.4, 1.0, 3.0])
+@pytest.mark.parametrize("coast", [False, True])
+def test_a_variator_has_the_torques_of_its_speed_ratio(x: float, *, coast: bool) -> None:
+    # torque by the balance of power: T_out w_out = eta T_in w_in, and 1/eta when coasting
+    results = solve(Transmission(2, [], [VARIATOR._replace(ratio=x)], [Gear()], coast=coast))
+    assert results.speeds[0].tolist() == [1, x]
+    assert results.torques[0].tolist() == pytest.approx([1, 1 / x], rel=1e-14)
+    eta = 1 / 0.86 if coast else 0.86
+    assert results.lossy_torques[0].tolist() == pytest.approx([1, eta / x], rel=1e-14)
+    assert results.efficiency[0] == pytest.approx(0.86, rel=1e-14)
+
+
+@pytest.mark.parametrize("x", [-1.0, -0.5, -0.1, 0.0, 0.3, 1.0])
+def test_an_output_split_by_its_equations(x: float) -> None:
+    # the set (u = -2) joins input (sun), second of the variator (ring) and output (carrier):
+    # 3 w_out = 1 + 2 x; the carrier has 3 parts of torque, the ring 2, the sun 1, where the
+    # pump takes from the input what the motor gives to the ring
+    parts = [Mechanism(1, 2, 3, -2.0), VARIATOR._replace(ratio=math.nan, efficiency=0.8)]
+    results = solve(Transmission(3, [], parts, [Gear(speed_ratios={2: x})]))
+    assert results.speeds[0].tolist() == pytest.approx([1, x, (1 + 2 * x) / 3], abs=1e-15)
+    if x == -0.5:
+        return  # the output stands
+    # the set's sun has m; the ring 2 m is held by the motor, whose pump takes 2 m x eta^-s from
+    # the input, s = +1 where the ring gets power; m + pump = 1
+    drives = 1 if x * (1 + 2 * x) > 0 else -1
+    m = 1 / (1 + 2 * x * 0.8**-drives)
+    if m * (1 + 2 * x) <= 0:
+        assert results.locked[0]
+        return
+    assert results.lossy_torques[0, -1] == pytest.approx(3 * m, rel=1e-13)
+    assert results.lossy_torques[0, 1] == pytest.approx(2 * m * x * 0.8**-drives, abs=1e-13)
+    assert abs(results.power_balance[0]) < 1e-12
+
+
+def test_a_variator_that_holds_its_second_link_loses_nothing() -> None:
+    parts = [Mechanism(1, 2, 3, -2.0), VARIATOR._replace(ratio=0)]
+    results = solve(Transmission(3, [], parts, [Gear()]))
+    assert results.speeds[0].tolist() == pytest.approx([1, 0, 1 / 3])
+    assert results.lossy_torques[0].tolist() == pytest.approx([1, 0, 3])
+    assert results.losses[0].tolist() == [0, 0]
+    [given] = [
+        one for one in results.gear(1).powers() if one.member == "second" and one.number == 2
+    ]
+    assert given.power == 0
+    assert results.gear(1).member_torques(lossy=True)[1] == pytest.approx(
+        {"first": 0, "second": -2}
+    )
+
+
+@pytest.mark.parametrize(("i", "k"), [(0, 2.4), (0.4, 1.7), (0.8, 1), (0.9, 1), (1, 1)])
+def test_a_converter_multiplies_torque_in_both_tables(i: float, k: float) -> None:
+    results = solve(Transmission(2, [], [CONVERTER], [Gear(speed_ratios={1: i})]))
+    assert results.torques[0, -1] == results.lossy_torques[0, -1] == pytest.approx(k)
+    assert results.efficiency[0] == pytest.approx(k * i)
+    assert results.losses[0, 0] == pytest.approx(1 - k * i)
+    assert abs(results.power_balance[0]) < 1e-12
+
+
+def test_a_converter_that_would_gain_power_has_no_torques() -> None:
+    results = solve(Transmission(2, [], [CONVERTER], [Gear(speed_ratios={1: 1.2})]))
+    assert math.isnan(results.torques[0, -1])
+    assert "converter TC would gain power" in results.messages[0].text
+
+
+def test_a_gear_without_the_speed_ratio_is_refused() -> None:
+    with pytest.raises(CaseError, match="`speed_ratio` of converter TC is missing") as caught:
+        Transmission(2, [], [CONVERTER], [Gear()])
+    assert caught.value.problems[0].path == ("gears", 1)
+
+
+def test_points_of_a_converter_ascend() -> None:
+    wrong = CONVERTER._replace(points=((0.5, 1.0), (0.2, 2.0)))
+    with pytest.raises(CaseError, match="points are in ascending order"):
+        Transmission(2, [], [wrong], [Gear(speed_ratios={1: 0})])
