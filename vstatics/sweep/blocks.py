@@ -32,10 +32,12 @@ from vstatics.sweep.chunk import (
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.kept.meanings import SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
     OfMechanism,
     Target,
+    Varied,
     impossible,
     own_number,
 )
@@ -60,31 +62,56 @@ class BlockTables(NamedTuple):
 
 
 def possible_numbers(
-    case: Transmission, targets: Sequence[Target], values: Floats
+    case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
     """The varied numbers, with the case's own in place of impossible ones, and who has these."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
-        wrong = impossible(target.quantity, values[:, column])
+        given = values[:, column]
+        wrong, stands_in = _wrong(case, target, given)
         if wrong.any():
             possible = values.copy(order="F") if possible is values else possible
-            possible[wrong, column] = own_number(case, target.owner, target.quantity)
+            possible[wrong, column] = stands_in
             invalid |= wrong
     return possible, invalid
+
+
+def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
+    """Which values can't be, and what stands in for them."""
+    if isinstance(target, Target):
+        own = own_number(case, target.owner, target.quantity)
+        return impossible(target.quantity, given), own
+    assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
+    return target.impossible(given), 1.0
 
 
 def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
     """What the plan asks for, of varied numbers that are possible."""
     case, targets, asked = plan.case, plan.targets, plan.modes
     results = modes = None
-    if plan.asks_for_results:
+    own = values if len(targets) == values.shape[1] else values[:, plan.places]
+    if plan.asks_for_results and len(targets) < values.shape[1]:
+        results = solve(case, vary=_by_path(plan, values))
+    elif plan.asks_for_results:
         numbers = _of_mechanisms(case, targets, values)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
-        first, _ = possible_numbers(case, targets, plan.variants.block(0, 1))
-        modes = frequencies(case, targets, values, asked, first)
+        first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
+        modes = frequencies(case, targets, own, asked, first[:, plan.places])
     return BlockTables(results, modes)
+
+
+def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
+    """What `vstatics.solve` varies, by paths in SI."""
+    found: dict[str, Floats] = {}
+    for target, column in zip(plan.variants.targets, values.T, strict=True):
+        if isinstance(target, CasePath):
+            found[target.path] = target.in_si(column)
+        elif isinstance(target, Target) and target.quantity in OF_MECHANISM:
+            name = plan.case.mechanisms[target.owner].name
+            found[f"{name}.{target.quantity}"] = column
+    return found
 
 
 def _of_mechanisms(
@@ -159,7 +186,7 @@ def variant_bytes(case: Transmission) -> int:
 def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk:
     """The rows of a block."""
     values = plan.variants.block(start, stop)
-    possible, invalid = possible_numbers(plan.case, plan.targets, values)
+    possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
     tables = block_tables(plan, possible)
     status = _status(tables, own, plan, len(values))
     status[invalid] = INVALID

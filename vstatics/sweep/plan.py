@@ -80,6 +80,11 @@ class SweepPlan:
         return tuple(one for one in self.variants.targets if isinstance(one, Target))
 
     @property
+    def places(self) -> list[int]:
+        """Where the columns of `targets` stand among all varied numbers."""
+        return [n for n, one in enumerate(self.variants.targets) if isinstance(one, Target)]
+
+    @property
     def names(self) -> tuple[str, ...]:
         """Of the varied numbers."""
         return tuple(target.name for target in self.variants.targets)

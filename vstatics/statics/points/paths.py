@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, nearest, quoted
+from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics import matrix
@@ -75,6 +76,35 @@ def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Colum
     return columns, shape[0]
 
 
+def paths_of(case: Transmission) -> dict[str, str]:
+    """All paths of a case, each with its quantity.
+
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> paths_of(case)["gears.1.torques.2"], paths_of(case)["load.speed"]
+    ('torques', 'load.speed')
+    """
+    return {path: numbers[0].quantity for path, numbers in _named(case) if numbers}
+
+
+def measure_of(quantity: str) -> Measure | Literal["power"] | None:
+    """What a quantity is measured in; None for a number without a unit.
+
+    >>> measure_of("speeds"), measure_of("efficiency")
+    ('si_speed', None)
+    """
+    if quantity in ("load.speed", "speeds"):
+        return "si_speed"
+    if quantity in ("load.torque", "torques", "drag", "open_drag"):
+        return "si_torque"
+    return "power" if quantity == "battery" else None
+
+
+def wrong_numbers(quantity: str, numbers: Floats) -> Booleans:
+    """Which numbers in SI can't be those of a quantity."""
+    return _wrong(quantity, numbers)[0]
+
+
 def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
     """All paths of a case, each with its numbers."""
     quantities: tuple[OfLoads, ...] = get_args(OfLoads)
@@ -106,8 +136,8 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
     mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
     mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
     for name, indices in mechanisms.items():
-        for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ():
-            own = [CaseNumber(n, of_mechanism, indices[0]) for n in everywhere]
+        for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ("efficiency",):
+            own = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
             yield f"{name}.{of_mechanism}", own
 
 

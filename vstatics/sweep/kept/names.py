@@ -15,7 +15,9 @@ from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, STEP, Selection, VariedNumber
-from vstatics.sweep.variants.targets import Target, Varied, own_number, target
+from vstatics.sweep.variants.path_numbers import CasePath
+from vstatics.sweep.variants.subject import number_of_case
+from vstatics.sweep.variants.targets import Target, Varied, own_number
 from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
 from vstatics.tables.quantities import BY_NAME
 
@@ -50,20 +52,32 @@ class SweepNames:
         self.source = source
         self.language = LANGUAGE
         self.case = case
-        self.targets = [one for one in targets if isinstance(one, Target)]
+        self.varied = targets
         self.by_gear = by_gear
         self.gears = [] if by_gear else [gear.name for gear in case.gears]
         """None where a row is of a gear."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
         """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
-        found = target(name.written, self.case, self.source.place(name.at))
-        for column, varied in enumerate(self.targets):
+        found = number_of_case(name.written, self.case, self.source.place(name.at))
+        for column, varied in enumerate(self.varied):
             if varied.number == found.number:
                 number = VariedNumber(column)
-                same = varied.quantity == found.quantity
-                return number if same else Applied("/", (Constant(1.0), number), name.at, 1)
+                if not isinstance(varied, Target) or varied.quantity == found.quantity:
+                    return number
+                return Applied("/", (Constant(1.0), number), name.at, 1)
+        if isinstance(found, CasePath):
+            message = f"{quoted(found.path)} is not varied, so it has no number here"
+            raise self.source.error(message, name.at)
         return Constant(own_number(self.case, found.owner, found.quantity))
+
+    @property
+    def _units(self) -> set[str]:
+        """In which tables stand: by the load of the case, or that which is varied."""
+        loads = {one.quantity for one in self.varied if isinstance(one, CasePath)}
+        by_load = {"rpm": {"load.speed"}, "Nm": {"load.torque"}}
+        known = known_units(self.case) | {unit for unit, of in by_load.items() if of & loads}
+        return known | {"kW"} if {"rpm", "Nm"} <= known else known
 
     def table(self, read: TableName) -> Selection:
         """A table, or a part of it."""
@@ -80,7 +94,7 @@ class SweepNames:
         if known.columns != "gears":
             message = f"`{read.name}` is not of a gear, so a sweep does not have it"
             raise self.source.error(message, read.at)
-        if known.unit and known.unit not in known_units(self.case):
+        if known.unit and known.unit not in self._units:
             raise self.source.error(lacking_load(read.name, known.unit), read.at)
         kind, subscripts, row = known.rows, list(read.subscripts), None
         rows = self.rows(known.name)
@@ -125,7 +139,7 @@ class SweepNames:
 
     @cached_property
     def _modes(self) -> list[str]:
-        return mode_names(self.case, self.targets)
+        return mode_names(self.case, [one for one in self.varied if isinstance(one, Target)])
 
     def _frequency(self, read: TableName) -> Selection:
         """Natural frequencies; a mode that the case has not may be one of a variant."""

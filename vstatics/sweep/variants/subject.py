@@ -11,9 +11,11 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from vstatics.errors import Place, ReadError, quoted
+from vstatics.errors import Place, ReadError, nearest, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import Mapping, Node, decode
+from vstatics.statics.points.paths import paths_of
+from vstatics.sweep.variants.path_numbers import CasePath, case_path
 from vstatics.sweep.variants.scenario_numbers import (
     NumberPath,
     Trees,
@@ -23,7 +25,7 @@ from vstatics.sweep.variants.scenario_numbers import (
     with_numbers,
     written_number,
 )
-from vstatics.sweep.variants.targets import Varied, refusal, target
+from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusal, target
 
 if TYPE_CHECKING:
     from vstatics.readers import Format
@@ -262,5 +264,28 @@ Subject: TypeAlias = Transmission | VariedScenario
 def target_of(text: str, subject: Subject, place: Place | None = None) -> Varied:
     """The number that a text speaks of; parameters and errors as of `targets.target`."""
     if isinstance(subject, Transmission):
-        return target(text, subject, place)
+        return number_of_case(text, subject, place)
     return subject.target(text, place)
+
+
+def number_of_case(text: str, case: Transmission, place: Place | None = None) -> Target | CasePath:
+    """A number of a case: as `D1.ratio`, else by its path.
+
+    Raises
+    ------
+    ReadError
+        If there is no such number; it names the nearest.
+    """
+    path = case_path(text, case)
+    if path is not None and path.quantity not in OF_MECHANISM:
+        return path
+    try:
+        return target(text, case, place)
+    except ReadError as error:
+        if path is not None:
+            return path
+        hint = nearest(text.strip(), paths_of(case))
+        raise ReadError(
+            one if "did you mean" in one.message else one._replace(message=one.message + hint)
+            for one in error.problems
+        ) from None

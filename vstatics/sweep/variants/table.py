@@ -16,6 +16,7 @@ from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.variants.numbered import VariantTable
+from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import Subject, target_of
 from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
@@ -157,6 +158,8 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
         place = Place(file, 1, column, line)
         try:
             varied = target_of(name, subject, place)
+            if isinstance(varied, CasePath):
+                varied = _with_unit(varied, place)
         except ReadError as error:
             hint = nearest(name, [NUMBER_COLUMN])
             problems += [
@@ -174,6 +177,14 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
     if problems:
         raise ReadError(problems)
     return _Columns(file, separator, names, targets, chosen)
+
+
+def _with_unit(varied: CasePath, place: Place) -> CasePath:
+    """A path whose heading tells the unit of its column, where it has one."""
+    try:
+        return varied.in_unit("")
+    except ValueError as error:
+        raise refusal(f"{error}; in brackets behind it", place) from None
 
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:

@@ -14,6 +14,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.readers.named.scalars import number as finite_number
 from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.scenario_numbers import NumberPath, common_unit
 from vstatics.sweep.variants.steps import Steps, stepped
 from vstatics.sweep.variants.subject import Subject, target_of
@@ -97,6 +98,12 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
         except ValueError as error:
             raise refusal(str(error), begin) from None
         varied = subject.in_unit(varied, unit, begin)
+    if isinstance(varied, CasePath):
+        try:
+            values, unit = common_unit(values)
+            varied = varied.in_unit(unit)
+        except ValueError as error:
+            raise refusal(str(error), begin) from None
     read = _range(values, begin) if ":" in values else _list(values, begin)
     return Variation(varied, read, place)
 

@@ -1,0 +1,111 @@
+"""Numbers of a case by their paths: `load.torque`, `gears.split.speeds.MG1`, in units of their own.
+
+What `vstatics.solve` varies can vary in a sweep, too; the values stand in the unit that is written
+behind them, and are turned into SI where they are calculated with.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Literal, NamedTuple
+
+from vstatics.model.shape import Measure
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.readers.named.si_units import measured
+from vstatics.statics.points.paths import measure_of, paths_of, wrong_numbers
+
+_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
+_QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
+EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "-50 N*m", "power": "2 kW"}
+
+
+WATTS = {"W": 1.0, "kW": 1e3, "MW": 1e6, "Вт": 1.0, "кВт": 1e3}
+"""Units of power."""
+
+
+class CasePath(NamedTuple):
+    """A number of the case that is varied by its path."""
+
+    path: str
+    quantity: str
+    """As of `CaseNumber`."""
+    unit: str = ""
+    """In which its values are; nothing for bare ones, which are in SI."""
+
+    @property
+    def name(self) -> str:
+        """As it is written: `load.speed [rpm]`."""
+        return f"{self.path} [{self.unit}]" if self.unit else self.path
+
+    @property
+    def number(self) -> str:
+        """What two have in common that vary the same."""
+        return self.path
+
+    @property
+    def measure(self) -> Measure | Literal["power"] | None:
+        """What its values are; None for a number without a unit."""
+        return measure_of(self.quantity)
+
+    def in_unit(self, unit: str) -> CasePath:
+        """The same with values in a unit.
+
+        Raises
+        ------
+        ValueError
+            If that is none of what it is, or there is none where one belongs.
+        """
+        if self.measure is None:
+            if unit:
+                raise ValueError(f"{self.path}: read values in {unit}, expected bare numbers")
+            return self
+        unit = unit or self.unit
+        if not unit:
+            raise ValueError(f"{self.path}: its values need their unit, such as {self._example}")
+        _size(unit, self.measure)
+        if self.unit and unit != self.unit:
+            raise ValueError(f"read values in {unit}, expected them in {self.unit}")
+        return self._replace(unit=unit)
+
+    @property
+    def _example(self) -> str:
+        return EXAMPLES[self.measure] if self.measure else "0.5"
+
+    def in_si(self, values: Floats) -> Floats:
+        """Values in SI."""
+        if not self.unit or self.measure is None:
+            return values
+        return values * _size(self.unit, self.measure)
+
+    def impossible(self, values: Floats) -> Booleans:
+        """Which values can't be."""
+        return wrong_numbers(self.quantity, self.in_si(values))
+
+
+def _size(unit: str, measure: Measure | Literal["power"]) -> float:
+    """A unit in SI; a ValueError says what was expected."""
+    if measure != "power":
+        return measured(f"1 {unit}", measure)
+    if unit not in WATTS:
+        raise ValueError(f"read a power in {unit}, expected one in {', '.join(WATTS)}")
+    return WATTS[unit]
+
+
+def case_path(text: str, case: Transmission) -> CasePath | None:
+    """The number that a path speaks of, perhaps with `[rpm]` behind it; None if it is no path.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], link_names=["in", "out"])
+    >>> case_path("load.speed [rpm]", case), case_path("gears.*.torques.out", case).quantity
+    (CasePath(path='load.speed', quantity='load.speed', unit='rpm'), 'torques')
+    """
+    unit = _UNIT.search(text)
+    typed = (text[: unit.start()] if unit else text).strip()
+    path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
+    quantity = paths_of(case).get(path)
+    if quantity is None:
+        return None
+    return CasePath(path, quantity, unit[1].strip() if unit else "")
