@@ -37,7 +37,7 @@ _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
-OfGear = Literal["speeds", "torques", "drag", "open_drag"]
+OfGear = Literal["speeds", "torques", "drag", "open_drag", "speed_ratios"]
 
 
 class GearNumber(NamedTuple):

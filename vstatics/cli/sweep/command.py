@@ -98,7 +98,8 @@ def sweep(
 
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
     --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
-    .compliance or .damping; engine.inertia. EXPR and LIST speak of tables by name:
+    .compliance or .damping; engine.inertia; by its path load.speed, drag.out,
+    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'. EXPR and LIST speak of tables by name:
     efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
     second natural frequency in gear 1. Of a scenario NAME is any number of it or of
     its case by its path, shifts.1.overlap, and EXPR speaks of the run: heat[F2],
@@ -111,6 +112,7 @@ def sweep(
                 --sample 100000 --max 'min(efficiency)' --best 10
       vstatics sweep box.yaml --vary D3.efficiency=.95,.97 --out losses[D3]
                 --where 'efficiency[1] > .95 and max(speeds) < 3'
+      vstatics sweep box.yaml --vary 'load.torque=-50 N*m:50 N*m:5' --by gear
       vstatics sweep box.yaml --vary shaft.stiffness=1e3:1e4:91 --out omega[1]
       vstatics sweep shift.yaml --vary shifts.1.overlap=.1:.6:26
                 --out 'heat[F2],max(abs(slips[F2]))'

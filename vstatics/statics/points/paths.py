@@ -33,6 +33,8 @@ class CaseNumber(NamedTuple):
     """As that of a `GearNumber`; of a load nothing."""
 
 
+FREE_RATIOS = ("variator", "converter")
+"""Kinds of mechanisms whose speed ratio may differ from gear to gear."""
 Columns = Mapping[CaseNumber, Floats]
 """Of shape (variants,): rad/s, N*m, or without a unit."""
 
@@ -114,7 +116,10 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
     by_gear = [("*", everywhere), *((gear.name, [n]) for n, gear in enumerate(case.gears))]
     links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
     elements = {element.name: n for n, element in enumerate(case.shift_elements, 1)}
+    devices = case.mechanisms[case.own_mechanisms]
+    free = {one.name: n for n, one in enumerate(devices, 1) if one.kind in FREE_RATIOS}
     owners: dict[OfGear, dict[str, int]] = {
+        "speed_ratios": free,
         "speeds": links,
         "torques": links,
         "drag": links,
@@ -131,8 +136,18 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
         yield f"drag.{name}", [CaseNumber(n, "drag", link) for n in everywhere]
     for name, number in elements.items():
         yield f"{name}.drag", [CaseNumber(n, "open_drag", number) for n in everywhere]
-    indexed = enumerate(case.mechanisms)
     yield from _of_balances(case)
+    yield from _of_mechanisms(case, free)
+
+
+def _of_mechanisms(
+    case: Transmission, free: Mapping[str, int]
+) -> Iterator[tuple[str, list[CaseNumber]]]:
+    """Numbers of mechanisms and drawn elements, the same in all gears."""
+    everywhere = range(len(case.gears))
+    for name, number in free.items():
+        yield f"{name}.speed_ratio", [CaseNumber(n, "speed_ratios", number) for n in everywhere]
+    indexed = enumerate(case.mechanisms)
     mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
     mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
     for name, indices in mechanisms.items():

@@ -63,6 +63,8 @@ class GearLoad(NamedTuple):
         """What a given speed, torque or drag is related to [rad/s, N*m]."""
         if quantity == "speeds":
             return self.speed
+        if quantity == "speed_ratios":
+            return np.ones(1)
         unit = self.torque_unit
         return unit if unit is None or quantity == "torques" else np.abs(unit)
 
@@ -169,7 +171,8 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
     for (index, quantity, owner), column in columns.items():
         if index is not None and quantity in OF_GEAR:
             given = float(column[0]) * (RPM if quantity == "speeds" else 1.0)
-            numbers: Any = {**getattr(gears[index], quantity), owner: OfLoad(given, 1.0)}
+            number = given if quantity == "speed_ratios" else OfLoad(given, 1.0)
+            numbers: Any = {**getattr(gears[index], quantity), owner: number}
             gears[index] = gears[index]._replace(**{quantity: numbers})
     return case.replace(load=load(None, case.load), gears=gears)
 

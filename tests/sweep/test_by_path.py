@@ -1,0 +1,128 @@
+"""Sweeps over loads, given numbers and speed ratios, by their paths and in units."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import vstatics
+from tests.chance import seeded
+from tests.commands import vstatics as run
+from vstatics import Load, load, solve
+
+CASE = """
+links: [in, mid, out]
+mechanisms:
+  a: {first: in, second: mid, ratio: -3, efficiency: .96}
+  b: {first: mid, second: out, ratio: 2, efficiency: .9}
+load: {speed: 2000 rpm, torque: 50 N*m}
+drag: {mid: 2 N*m}
+gears: {one: {torques: {mid: 4 N*m}}, two: []}
+"""
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> vstatics.Transmission:
+    (tmp_path / "case.yaml").write_text(CASE)
+    return load(tmp_path / "case.yaml")
+
+
+def test_points_of_load_are_those_of_cases_made_anew(case: vstatics.Transmission) -> None:
+    """The same numbers as a loop over cases; N*m of the case stay what they are."""
+    rng = seeded(2780)
+    speeds = [rng.choice([-1, 1]) * rng.uniform(500, 4000) for _ in range(20)]
+    torques = [rng.choice([-1, 1]) * rng.uniform(20, 90) for _ in range(20)]
+    table = {"load.speed": np.array(speeds) * math.pi / 30, "load.torque": np.array(torques)}
+    out = "efficiency, lossy_torques_Nm[b], drag_losses_kW, speeds_rpm[out]"
+    [chunk] = vstatics.sweep(case, variants=table, out=out)
+    for row, speed, torque in zip(chunk.columns, speeds, torques, strict=True):
+        one = solve(case.replace(load=Load(speed, torque)))
+        own = (one.efficiency, one.lossy_torques_Nm[:, 1], one.drag_losses_kW, one.speeds_rpm[:, 2])
+        np.testing.assert_allclose(row, np.concatenate(own), rtol=1e-11)
+
+
+def test_values_and_headings_have_the_unit_that_is_written(tmp_path: Path) -> None:
+    """A constant drag T_d on the input: eta = 1 - T_d/T, whatever the speed."""
+    file = tmp_path / "pair.json"
+    made = {
+        "links": ["in", "out"],
+        "mechanisms": {"pair": {"first": "in", "second": "out", "ratio": 2}},
+        "gears": {"1": {"drag": {"in": "2 N*m"}}},
+        "load": {"speed": "100 rad/s", "torque": "10 N*m"},
+    }
+    file.write_text(json.dumps(made))
+    vary = "--vary", "load.torque=.01 kN*m:.04 kN*m:4", "--vary", "load.speed=60 rpm"
+    ran = run("sweep", str(file), *vary, "--out", "efficiency, k=load.torque, W_rpm[out]")
+    lines = [line.split(",") for line in ran.out.splitlines()]
+    assert lines[0][1:3] == ["load.torque [kN*m]", "load.speed [rpm]"]
+    assert [float(one[4]) for one in lines[1:]] == pytest.approx(
+        [1 - 2 / t for t in (10, 20, 30, 40)]
+    )
+    assert [float(one[5]) for one in lines[1:]] == pytest.approx([0.01, 0.02, 0.03, 0.04])
+    assert {one[6] for one in lines[1:]} == {"30"}
+
+
+def test_numbers_of_gears_and_mechanisms_vary_together(case: vstatics.Transmission) -> None:
+    values = {
+        "gears.one.torques.mid": [0.0, 6.0],
+        "b.efficiency": [0.9, 0.8],
+        "drag.mid": [0.0, 3.0],
+    }
+    [chunk] = vstatics.sweep(case, variants=values, out="lossy_output_torque_Nm")
+    one, two = case.gears
+    for row, (torque, eta, drag) in zip(
+        chunk.columns, zip(*values.values(), strict=True), strict=True
+    ):
+        shared = {2: drag / 50}
+        gears = [one._replace(torques={2: torque / 50}, drag=shared), two._replace(drag=shared)]
+        sets = [case.mechanisms[0], case.mechanisms[1]._replace(efficiency=eta)]
+        own = solve(case.replace(gears=gears, mechanisms=sets)).lossy_output_torque_Nm
+        np.testing.assert_allclose(row, own, rtol=1e-11)
+
+
+def test_the_ratio_of_a_variator_varies_through_0(tmp_path: Path) -> None:
+    """Speeds by hand: w_motor = -x w_in, w_out = w_motor - (w_in - w_motor)/2."""
+    (tmp_path / "h.yaml").write_text(
+        "links: [in, pump, motor, out]\noutput: out\ngears: {a: []}\nmechanisms:\n"
+        "  set: {first: in, second: out, third: motor, ratio: -2}\n"
+        "  pair: {first: in, second: pump, ratio: -1}\n"
+        "  hydro: {kind: variator, first: pump, second: motor, speed_ratio: .4, efficiency: .9}\n"
+    )
+    case = load(tmp_path / "h.yaml")
+    for path in ("gears.a.speed_ratios.hydro", "hydro.speed_ratio"):
+        x = np.linspace(-1, 1, 21)
+        [chunk] = vstatics.sweep(case, {path: x}, out="speeds[out], speeds[motor]")
+        np.testing.assert_allclose(chunk.columns[:, 1], -x, atol=1e-15)
+        np.testing.assert_allclose(chunk.columns[:, 0], -x - (1 + x) / 2, atol=1e-14)
+
+
+def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -> None:
+    [chunk] = vstatics.sweep(case, {"load.speed": [0.0, 100.0]}, out="ratio")
+    assert chunk.counts == {"invalid": 1, "ok": 1}
+
+
+@pytest.mark.parametrize(
+    ("vary", "said"),
+    [
+        ("load.sped=1 rpm", "did you mean `load.speed`"),
+        ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
+        ("load.speed=1 kg,2 kg", "this is a mass"),
+        ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
+        ("a.efficiency=.9 rpm", "read `.9 rpm`"),
+        ("load.torque=nan N*m", "read"),
+    ],
+)
+def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
+    (tmp_path / "case.yaml").write_text(CASE)
+    out = tmp_path / "out.csv"
+    ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", vary, "-o", str(out))
+    if vary.startswith("load.torque=nan"):
+        assert ran.status == 1
+        return
+    assert (ran.status, out.exists()) == (1, False)
+    assert "--vary:1:" in ran.err
+    assert said in ran.err
