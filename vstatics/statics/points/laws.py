@@ -1,9 +1,9 @@
 """Drags and efficiencies that depend: a fixed point over arrays.
 
 Speeds come first; from them follow drags, and efficiencies over speed, for all points at once.
-Where freewheels change with that, it is done again. Efficiencies over torque are looked for
-from the least and from the largest that they can be, and where only one of a gear is unknown
-between them, too: one solution is wanted.
+Where freewheels change with that, it is done again until they stay. Efficiencies over torque are
+looked for from the least and from the largest that they can be, and where only one of a gear is
+unknown between them, too: one solution is wanted.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import HOUSING, Law
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL
+from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.statics.points.paths import CaseNumber, Columns
 from vstatics.statics.points.relative import loads_of, solve_points
 from vstatics.statics.result_arrays import ARRAYS, row_names
@@ -95,31 +95,53 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
     over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
     columns: dict[CaseNumber, Floats] = dict(given)
-    results = solve_points(plain, columns, variants)
-    told = None
-    for _ in range(MOST_STATES):
-        sizes = {number: _speed(plain, results, columns, number) for number in over_speed}
-        for number, law in over_speed.items():
-            columns[number] = _checked(case, number, law.at(sizes[number]))
-        results = solve_points(plain, columns, variants)
-        speeds = results.speeds
-        if not case.freewheels or (
-            told is not None and np.array_equal(told, speeds, equal_nan=True)
-        ):
-            break
-        told = speeds
-    unsettled = np.zeros((variants, len(case.gears)), np.int8)
+    results, sizes, moved = _with_speeds(case, plain, over_speed, columns, variants)
+    unsettled = np.where(moved, NONE, 0)
     if over_torque:
         search = _Search(plain, columns, over_torque, variants)
-        results, found, unsettled = search.solved()
-        columns = {**found}
+        with_efficiencies, columns, states = search.solved()
+        moved = _differ(with_efficiencies.speeds, results.speeds)
+        unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
+        results = with_efficiencies
         sizes |= search.sizes(results)
+    results = _without_values(results, unsettled)
     outside = [
         _called(case, number)
         for number, law in laws.items()
         if law.points and bool(np.any(law.is_outside(sizes[number])))  # type: ignore[attr-defined] # it has points
     ]
     return Followed(results, columns, unsettled, list(dict.fromkeys(outside)))
+
+
+def _with_speeds(
+    case: Transmission,
+    plain: Transmission,
+    laws: Laws,
+    columns: dict[CaseNumber, Floats],
+    variants: int,
+) -> tuple[Results, dict[CaseNumber, Floats], Booleans]:
+    """Results with what depends on speed, the speeds that laws asked for, where they still move.
+
+    Drag may turn a freewheel, which changes the speeds.
+    """
+    results = solve_points(plain, columns, variants)
+    for _ in range(MOST_STATES):
+        before = results.speeds
+        sizes = {number: _speed(plain, results, columns, number) for number in laws}
+        for number, law in laws.items():
+            columns[number] = _checked(case, number, law.at(sizes[number]))
+        results = solve_points(plain, columns, variants)
+        moved = _differ(results.speeds, before) & bool(case.freewheels)
+        if not moved.any():
+            break
+    return results, sizes, moved
+
+
+def _differ(speeds: Floats, others: Floats) -> Booleans:
+    """By point and gear: whether a speed is another one, or is no longer determined."""
+    same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
+    differ: Booleans = (~same).any(axis=-1)
+    return differ
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
@@ -207,7 +229,7 @@ class _Search:
                 break
         return guess, still
 
-    def solved(self) -> tuple[Results, Columns, Any]:
+    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
         """Results with the one solution, its numbers, and where there is none or another."""
         low, low_still = self._from(min)
         high, high_still = self._from(max)
@@ -223,7 +245,7 @@ class _Search:
         self._scan(best, state)
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
-        return _without_values(results, state), columns, state
+        return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
         """Look between the ends where a gear has one unknown: how many solutions there are."""
