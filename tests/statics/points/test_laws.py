@@ -20,6 +20,7 @@ from vstatics.model.parts import OfLoad
 from vstatics.numerics.traced import plain
 from vstatics.readers import loads
 from vstatics.readers.named.drag_formulas import DragFormula
+from vstatics.simulation.system.devices import drags
 
 RPM = 30 / math.pi
 
@@ -373,3 +374,20 @@ def test_freewheels_hold_as_the_drags_of_their_own_state_let_them(seed: int) -> 
         expected = alone.lossy_torques[0]
         size = max(1.0, float(np.abs(np.nan_to_num(expected)).max()))
         np.testing.assert_allclose(results.lossy_torques[index], expected, atol=1e-11 * size)
+
+
+def test_two_efficiencies_over_torque_in_a_row_solve_a_quadratic_each() -> None:
+    """The carrier of the second set gets what the sun of the first gives."""
+    law = PointLaw([(0, 0.9), (150, 0.975)], "torque")
+    sets = [Mechanism(3, 2, 1, -2.0, law, name="a"), Mechanism(4, 2, 3, -2.0, law, name="b")]
+    case = Transmission(4, [ShiftElement(2)], sets, [Gear([1])], load=Load(1000, 200), output=4)
+    results = solve(case)
+    expected = quadratic(0.9, 0.0005, quadratic(0.9, 0.0005, 200))
+    assert results.lossy_torques_Nm[0, -1] == pytest.approx(expected, rel=1e-12)
+    assert results.messages == ()
+
+
+def test_a_scenario_takes_no_laws() -> None:
+    with pytest.raises(CaseError, match="the drag of engine depends on speed") as caught:
+        list(drags(loads(EAXLE), None))
+    assert "the efficiency of b depends on speed or torque" in str(caught.value)
