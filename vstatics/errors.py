@@ -70,7 +70,7 @@ DOUBTS = {
     "W423": "the search for directions of power was cut short",
     "W424": "statics leaves directions of power open",
     "W425": "no power flows through a mechanism by coincidence, on whose direction torques depend",
-    "W426": "no torque, or more than one, agrees with efficiencies over torque",
+    "W426": "no torque, or more than one, agrees with losses that depend on speed or torque",
     "W427": "no torque, or more than one, balances the battery of a gear",
     "W501": "a partial frequency that is taken out is near one that is kept",
     "W502": "what a simplified scheme takes no account of",

@@ -185,12 +185,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
             return {"anyOf": [_shape(shape.row.items[-1]), points]}
-        case Balances():
-            words = _by_name(_shape(shape.links.item))
-            return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
-        case ByLaw():
-            rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
-            return {"anyOf": [_shape(shape.scalar), *rows, _record(shape.mapping)]}
+        case Balances() | ByLaw():
+            return _of_law(shape)
         case Parsed():
             return {"type": ["number", "string"]}
         case ByForm():
@@ -207,6 +203,15 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             return _by_name(_leaf(Leaf("share")))
         case Leaf():
             return _leaf(shape)
+
+
+def _of_law(shape: Balances | ByLaw) -> Words:
+    """A number or a law; efficiencies of machines and the power of their battery."""
+    if isinstance(shape, Balances):
+        words = _by_name(_shape(shape.links.item))
+        return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
+    rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
+    return {"anyOf": [_shape(shape.scalar), *rows, _record(shape.mapping)]}
 
 
 def _of_kind(kind: str, record: ByKey) -> Words:

@@ -126,10 +126,10 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     """Where no single torque agrees with efficiencies, and laws that were asked outside."""
     for gear, state in zip(case.gears, points.open.tolist(), strict=True):
-        words = {NONE: "no torque agrees", SEVERAL: "more than one torque agrees"}
-        if state in words:
-            text = f"{words[state]} with the efficiencies over torque: there are no torques"
-            yield Message("W426", f"{text} with losses", gear.name)
+        if state in (NONE, SEVERAL):
+            words = "no torques agree" if state == NONE else "more than one torque agrees"
+            text = f"{words} with the losses that depend: there are no torques with losses"
+            yield Message("W426", text, gear.name)
         if state in (NO_BALANCE, TWO_BALANCES):
             link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
             none, two = "none of the torques on {} balances", "two of the torques on {} balance"

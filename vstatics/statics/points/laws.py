@@ -1,14 +1,14 @@
 """Drags and efficiencies that depend: a fixed point over arrays.
 
 Speeds come first; from them follow drags, and efficiencies over speed, for all points at once.
-Where freewheels change with that, it is done again. Efficiencies over torque are looked for
-from the least and from the largest that they can be, and where only one of a gear is unknown
-between them, too: one solution is wanted.
+Where freewheels change with that, it is done again until they stay. Efficiencies over torque are
+looked for from the least and from the largest that they can be, and where only one of a gear is
+unknown between them, too: one solution is wanted.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import HOUSING, Law
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL
+from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.statics.points.paths import CaseNumber, Columns
 from vstatics.statics.points.relative import loads_of, solve_points
 from vstatics.statics.result_arrays import ARRAYS, row_names
@@ -29,6 +29,10 @@ MOST_STATES = 8
 """Passes in which freewheels have to stand still."""
 SCANNED = 17
 """Efficiencies between the least and the largest, at which a single unknown is tried."""
+MOST_FOUND = 3
+"""Solutions that are followed."""
+HALVES = 60
+"""Steps to one of them."""
 NONE, SEVERAL = 1, 2
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
@@ -95,31 +99,53 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
     over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
     columns: dict[CaseNumber, Floats] = dict(given)
-    results = solve_points(plain, columns, variants)
-    told = None
-    for _ in range(MOST_STATES):
-        sizes = {number: _speed(plain, results, columns, number) for number in over_speed}
-        for number, law in over_speed.items():
-            columns[number] = _checked(case, number, law.at(sizes[number]))
-        results = solve_points(plain, columns, variants)
-        speeds = results.speeds
-        if not case.freewheels or (
-            told is not None and np.array_equal(told, speeds, equal_nan=True)
-        ):
-            break
-        told = speeds
-    unsettled = np.zeros((variants, len(case.gears)), np.int8)
+    results, sizes, moved = _with_speeds(case, plain, over_speed, columns, variants)
+    unsettled = np.where(moved, NONE, 0)
     if over_torque:
         search = _Search(plain, columns, over_torque, variants)
-        results, found, unsettled = search.solved()
-        columns = {**found}
+        with_efficiencies, columns, states = search.solved()
+        moved = _differ(with_efficiencies.speeds, results.speeds)
+        unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
+        results = with_efficiencies
         sizes |= search.sizes(results)
+    results = _without_values(results, unsettled)
     outside = [
         _called(case, number)
         for number, law in laws.items()
         if law.points and bool(np.any(law.is_outside(sizes[number])))  # type: ignore[attr-defined] # it has points
     ]
     return Followed(results, columns, unsettled, list(dict.fromkeys(outside)))
+
+
+def _with_speeds(
+    case: Transmission,
+    plain: Transmission,
+    laws: Laws,
+    columns: dict[CaseNumber, Floats],
+    variants: int,
+) -> tuple[Results, dict[CaseNumber, Floats], Booleans]:
+    """Results with what depends on speed, the speeds that laws asked for, where they still move.
+
+    Drag may turn a freewheel, which changes the speeds.
+    """
+    results = solve_points(plain, columns, variants)
+    for _ in range(MOST_STATES):
+        before = results.speeds
+        sizes = {number: _speed(plain, results, columns, number) for number in laws}
+        for number, law in laws.items():
+            columns[number] = _checked(case, number, law.at(sizes[number]))
+        results = solve_points(plain, columns, variants)
+        moved = _differ(results.speeds, before) & bool(case.freewheels)
+        if not moved.any():
+            break
+    return results, sizes, moved
+
+
+def _differ(speeds: Floats, others: Floats) -> Booleans:
+    """By point and gear: whether a speed is another one, or is no longer determined."""
+    same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
+    differ: Any = (~same).any(axis=-1)
+    return differ  # type: ignore[no-any-return] # an array
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
@@ -207,23 +233,24 @@ class _Search:
                 break
         return guess, still
 
-    def solved(self) -> tuple[Results, Columns, Any]:
+    def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
         """Results with the one solution, its numbers, and where there is none or another."""
-        low, low_still = self._from(min)
-        high, high_still = self._from(max)
-        state = np.zeros(low_still.shape, np.int8)
-        best = {}
-        for number in self.laws:
-            gear = number.gear or 0
-            best[number] = np.where(low_still[:, gear], low[number], high[number])
-            both = low_still[:, gear] & high_still[:, gear]
-            apart = np.abs(low[number] - high[number]) > SAME_SOLUTION
-            state[both & apart, gear] = SEVERAL
-            state[~(low_still[:, gear] | high_still[:, gear]), gear] = NONE
+        several = any(len(numbers) > 1 for numbers in self.of_gear.values())
+        starts = [self._from(end) for end in (min, max, *[_middle] * several)]
+        best, still = starts[0]
+        state = np.where(still, 0, NONE).astype(np.int8)
+        for numbers, stands in starts[1:]:
+            for number in self.laws:
+                gear = number.gear or 0
+                apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
+                state[still[:, gear] & stands[:, gear] & apart, gear] = SEVERAL
+                best[number] = np.where(still[:, gear], best[number], numbers[number])
+            state[~still & stands] = 0
+            still = still | stands
         self._scan(best, state)
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
-        return _without_values(results, state), columns, state
+        return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
         """Look between the ends where a gear has one unknown: how many solutions there are."""
@@ -239,37 +266,52 @@ class _Search:
             for n in single:
                 left[n][place] = found[n] - guess[n]
         for n in single:
-            turns = np.sign(left[n][1:]) * np.sign(left[n][:-1]) < 0
-            turns |= (left[n][1:] == 0) & (np.arange(1, SCANNED) < SCANNED - 1)[:, None]
-            count = turns.sum(axis=0)
-            gear = n.gear or 0
-            state[(count > 1) & (state[:, gear] != SEVERAL), gear] = SEVERAL
-            lost = (state[:, gear] == NONE) & (count == 1)
-            if lost.any():
-                place = turns.argmax(axis=0)
-                root = self._between(n, best, grid[n][place], grid[n][place + 1], left[n], place)
-                best[n] = np.where(lost, root[0], best[n])
-                state[lost & root[1], gear] = 0
+            self._count(n, best, state, grid[n], left[n])
 
-    def _between(  # noqa: PLR0913, PLR0917
+    def _count(
+        self, number: CaseNumber, best: dict[CaseNumber, Floats], state: Any, grid: Any, left: Any
+    ) -> None:
+        """Follow the changes of sign where there are several, or nothing stood still."""
+        turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
+        turns |= (left[1:] == 0) & (np.arange(1, SCANNED) < SCANNED - 1)[:, None]
+        own, order = state[:, number.gear], np.cumsum(turns, axis=0)
+        asked = (order[-1] > 1) | ((own == NONE) & (order[-1] > 0))
+        solutions = np.zeros(self.variants, np.int64)
+        for turn in range(min(int(order[-1].max()), MOST_FOUND) if asked.any() else 0):
+            place = np.argmax(turns & (order == turn + 1), axis=0)
+            root, stands = self._between(number, best, grid, left, place)
+            stands &= asked & (order[-1] > turn)
+            first = stands & (own == NONE) & (solutions == 0)
+            best[number] = np.where(first, root, best[number])
+            solutions += stands
+        own[asked & (own == NONE) & (solutions == 1)] = 0
+        own[asked & (solutions > 1)] = SEVERAL
+
+    def _between(
         self,
         number: CaseNumber,
         best: Mapping[CaseNumber, Floats],
-        low: Floats,
-        high: Floats,
+        grid: Floats,
         left: Floats,
         place: Any,
     ) -> tuple[Floats, Booleans]:
-        """The solution between two guesses, by halves; and where it is one, not a jump."""
+        """The solution behind a place of the grid, by halves; and where it is one, not a jump."""
+        low, high = grid[place], grid[place + 1]
         at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
-        values = low
-        for _ in range(60):
+        for _ in range(HALVES):
             middle = (low + high) / 2
             _, found = self._tried({**best, number: middle})
             values = found[number] - middle
             above = np.sign(values) == at_low
             low, high = np.where(above, middle, low), np.where(above, high, middle)
-        return middle, np.abs(values) <= SAME_SOLUTION
+        stands: Booleans = np.abs(values) <= SAME_SOLUTION
+        return middle, stands
+
+
+def _middle(values: Iterable[float]) -> float:
+    """Between the least and the largest."""
+    known = [*values]
+    return (min(known) + max(known)) / 2
 
 
 def _without_values(results: Results, state: Any) -> Results:
