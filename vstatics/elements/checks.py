@@ -19,6 +19,7 @@ from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.group_checks import LARGEST_WHEEL
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.elements.lower import at_meshes, part_of
+from vstatics.elements.mesh_losses import LEAST_RING, mesh_losses
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
 from vstatics.model.part_checks import of_back_efficiency, of_efficiency, sets_side_by_side
 from vstatics.model.torsional_checks import not_negative, of_elastic
@@ -27,6 +28,7 @@ from vstatics.model.torsional_checks import not_negative, of_elastic
 def problems(drawing: DrawingFields) -> Iterator[Problem]:
     """Every error of the elements, in their order."""
     yield from _mesh_efficiency(drawing.mesh_efficiency, ())
+    yield from _friction(drawing)
     for number, element in enumerate(drawing.elements, 1):
         path = ("elements", number)
         found = [*_problems(element, path)]
@@ -119,6 +121,23 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         yield from of_torsion(element, path)
 
 
+def _friction(drawing: DrawingFields) -> Iterator[Problem]:
+    """Rings whose efficiency would follow from teeth that cannot be standard ones."""
+    for number, element in enumerate(drawing.elements, 1):
+        losses = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
+        if losses.friction is None or "internal" in losses.given or element.efficiency is not None:
+            continue
+        rings = [name for name in element.teeth if name.startswith("ring")]
+        rings += ["second"] * (element.kind == "internal_pair")
+        for ring in rings:
+            if (teeth := element.teeth.get(ring, LEAST_RING)) < LEAST_RING:
+                message = (
+                    f"read {teeth} teeth, expected {LEAST_RING} at least: the tips of a standard "
+                    "ring with fewer lie within its base circle, so friction gives no efficiency"
+                )
+                yield Problem("E334", message, ("elements", number, "teeth", ring))
+
+
 def _is_torsional(element: Element) -> bool:
     """Whether it has anything for vibration."""
     return bool(element.stiffness is not None or element.damping or element.planet_masses)
@@ -126,6 +145,11 @@ def _is_torsional(element: Element) -> bool:
 
 def _mesh_efficiency(efficiencies: Mapping[str, float], path: Path) -> Iterator[Problem]:
     for mesh, value in efficiencies.items():
+        if mesh == "friction":
+            if not 0 < value < 1:
+                message = f"read {value:g}, expected a coefficient of friction between 0 and 1"
+                yield Problem("E333", message, (*path, "mesh_efficiency", mesh))
+            continue
         yield from of_efficiency(value, (*path, "mesh_efficiency", mesh))
 
 

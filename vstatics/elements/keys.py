@@ -41,9 +41,19 @@ _MESHES = {
 MESH_EFFICIENCY = ByKey(
     "Efficiencies of meshes",
     "Efficiency of a single mesh, both axes held.",
-    tuple(
-        KeyShape(mesh, NUMBER, text, limits={**_EFFICIENCY, "default": default})
-        for (mesh, text), default in zip(_MESHES.items(), MeshEfficiency(), strict=True)
+    (
+        *(
+            KeyShape(mesh, NUMBER, text, limits={**_EFFICIENCY, "default": default})
+            for (mesh, text), default in zip(_MESHES.items(), MeshEfficiency(), strict=True)
+        ),
+        KeyShape(
+            "friction",
+            NUMBER,
+            "Coefficient of friction of the teeth: efficiencies that are not given follow from "
+            "the teeth, but of bevel wheels.",
+            limits={"exclusiveMinimum": 0, "exclusiveMaximum": 1},
+            examples=(0.06,),
+        ),
     ),
 )
 

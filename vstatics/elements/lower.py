@@ -12,11 +12,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import chain, pairwise, repeat
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel, DrawingFields, Element, MeshEfficiency
+from vstatics.elements.element import CentralWheel, DrawingFields, Element
 from vstatics.elements.group import PlanetGroup, group_of
 from vstatics.elements.kinds import Planetary, Simple
+from vstatics.elements.mesh_losses import MeshLosses, mesh_losses
 from vstatics.model.parts import Mechanism
 
 
@@ -76,7 +78,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
     """What an element becomes; planets that are links count on from the last link."""
-    per_mesh = MeshEfficiency(**{**drawing.mesh_efficiency, **element.mesh_efficiency})
+    per_mesh = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
     group = group_of(element)
@@ -86,12 +88,14 @@ def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
     return DrawnPart(element.name, element, tuple(_meshes(element, group, links, per_mesh)), links)
 
 
-def _simple(element: Element, kind: Simple, per_mesh: MeshEfficiency) -> Lowered:
+def _simple(element: Element, kind: Simple, per_mesh: MeshLosses) -> Lowered:
     """A gear pair, a chain, a shaft, a support: one mechanism."""
     first, second, third = (*kind.members, "", "")[:3]
     efficiency = element.efficiency
     if efficiency is None:
-        efficiency = math.prod(getattr(per_mesh, mesh) for mesh in kind.meshes)
+        teeth = [element.teeth.get(name) for name in kind.toothed]
+        pairs = zip(kind.meshes, chain(pairwise(teeth), repeat((None, None))), strict=False)
+        efficiency = math.prod(per_mesh.efficiency(mesh, *two) for mesh, two in pairs)
     between = [element.teeth[name] for name in kind.toothed[1:-1] if name in element.teeth]
     mechanism = Mechanism(
         element.link(first),
@@ -122,7 +126,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
     return kind.sign * Fraction(element.teeth[last]) / Fraction(element.teeth[first])
 
 
-def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshEfficiency) -> Iterator[Lowered]:
+def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
     """Mechanisms from each wheel of a train of planets to one of them."""
     for train in group.trains:
         wheels = group.wheels_of(train)
@@ -137,8 +141,13 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshEfficiency) -> 
                 name = "" if single else f".{wheel.member}-{reference.member}"
                 ratio = group.ratio(wheel, reference)
                 between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
-                efficiency = _of_wheel(wheel, per_mesh) * per_mesh.external ** len(between)
-                efficiency *= _of_wheel(reference, per_mesh)
+                efficiency = math.prod(
+                    [
+                        _of_wheel(wheel, group, per_mesh),
+                        *(_of_planets(group, *two, per_mesh) for two in between),
+                        _of_wheel(reference, group, per_mesh),
+                    ]
+                )
                 mechanism = Mechanism(
                     wheel.link,
                     reference.link,
@@ -167,7 +176,7 @@ def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> floa
 
 
 def _meshes(
-    element: Element, group: PlanetGroup, links: Mapping[str, int], per_mesh: MeshEfficiency
+    element: Element, group: PlanetGroup, links: Mapping[str, int], per_mesh: MeshLosses
 ) -> Iterator[Lowered]:
     """A mechanism for each mesh; the planets are links."""
 
@@ -186,13 +195,30 @@ def _meshes(
 
     for wheel in group.wheels:
         planet, ratio = group.planet_of[wheel.rim], group.mesh_ratio(wheel)
-        yield mesh(wheel.member, wheel.link, planet, ratio, _of_wheel(wheel, per_mesh))
+        yield mesh(wheel.member, wheel.link, planet, ratio, _of_wheel(wheel, group, per_mesh))
     for one, other in group.meshes:
         first, second = group.planet_of[one], group.planet_of[other]
         ratio = -group.teeth(other) / group.teeth(one)
-        yield mesh(first, links[first], second, ratio, per_mesh.external)
+        yield mesh(first, links[first], second, ratio, _of_planets(group, one, other, per_mesh))
 
 
-def _of_wheel(wheel: CentralWheel, per_mesh: MeshEfficiency) -> float:
+def _of_wheel(wheel: CentralWheel, group: PlanetGroup, per_mesh: MeshLosses) -> float:
     """Efficiency of the mesh of a central wheel."""
-    return per_mesh.internal if wheel.internal else per_mesh.external
+    mesh = "internal" if wheel.internal else "external"
+    return per_mesh.efficiency(mesh, _teeth(group, wheel.rim), wheel.teeth)
+
+
+def _of_planets(group: PlanetGroup, one: str, other: str, per_mesh: MeshLosses) -> float:
+    """Efficiency of the mesh of two rims of planets."""
+    return per_mesh.efficiency("external", _teeth(group, one), _teeth(group, other))
+
+
+def _teeth(group: PlanetGroup, rim: str) -> float | None:
+    """Teeth of a rim: given, or as many as fill the gap between a sun and a ring; else None."""
+    if group.is_known(group.planet_of[rim]):
+        return float(group.teeth(rim))
+    suns, rings = (
+        [one.teeth for one in group.wheels if one.rim == rim and one.internal == internal]
+        for internal in (False, True)
+    )
+    return (rings[0] - suns[0]) / 2 if suns and rings else None
