@@ -22,6 +22,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.results import Results, expect_results
+from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.answer import Known, Words, schema
@@ -98,8 +99,12 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     """
     expect_results(results, "explain_gear")
     if kinds := [one.name for one in results.case.mechanisms if one.kind]:
-        message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
-        raise CaseError("E279", message)
+        whole = results.case
+        pairs = whole.as_pairs(whole.gears[whole.gear_number(gear) - 1])
+        if pairs is None:
+            message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
+            raise CaseError("E279", message)
+        results = solve(pairs)
     state, number = results.gear(gear), results.case.gear_number(gear) - 1
     case, actual = state.case, state.gear
     names = names_of(case)

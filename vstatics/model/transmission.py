@@ -125,6 +125,27 @@ class Transmission(TransmissionFields):
         unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
         return replace(self, coast=coast, gears=gears) if unlike else self
 
+    def as_pairs(self, gear: Gear) -> Transmission | None:
+        """The case whose variators are pairs of the ratios that they have in a gear.
+
+        None where that cannot be: of a converter, or of a variator at a speed ratio of 0.
+
+        Examples
+        --------
+        >>> hydro = Mechanism(1, 2, 0, 0.4, name="hydro", kind="variator")
+        >>> case = Transmission(2, [], [hydro], [Gear()])
+        >>> case.as_pairs(case.gears[0]).mechanisms[0].ratio
+        2.5
+        """
+        ratios = self.gear_ratios(gear)
+        pairs = []
+        for one, ratio in zip(self.mechanisms, ratios, strict=True):
+            if one.kind == "converter" or (one.kind and not ratio):
+                return None
+            pairs.append(one._replace(kind="", ratio=1 / ratio, points=()) if one.kind else one)
+        gears = [each._replace(speed_ratios={}) for each in self.gears]
+        return replace(self, mechanisms=pairs, gears=gears)
+
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
         """The same transmission with other ratios, efficiencies and planet ratios.
 

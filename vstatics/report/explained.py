@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from textwrap import dedent
 
+from vstatics.errors import CaseError
 from vstatics.explain import explain_gear
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.grids import matrix
@@ -22,7 +23,15 @@ def explained(material: Material) -> list[Sequence[Markup]]:
     What is the same for all gears, that there is no formula, `no_formula` says once.
     """
     gears = range(1, len(material.results.case.gears) + 1)
-    return [list(_gear(explain_gear(material.results, gear), material.digits)) for gear in gears]
+    return [list(_explained(material, gear)) for gear in gears]
+
+
+def _explained(material: Material, gear: int) -> Iterator[Markup]:
+    """A gear, or why no equations are written of it."""
+    try:
+        yield from _gear(explain_gear(material.results, gear), material.digits)
+    except CaseError as error:
+        yield tag("p", error.problems[0].message)
 
 
 def no_formula() -> str:

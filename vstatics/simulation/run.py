@@ -13,7 +13,7 @@ from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
 from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
-from vstatics.simulation.events.start import start_gear, start_speeds
+from vstatics.simulation.events.start import start_gear, start_speeds, with_fixed_ratios
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
@@ -88,6 +88,7 @@ def simulate(
 
 def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard | None) -> Motion:
     """The motion by its own equations."""
+    scenario = with_fixed_ratios(scenario)
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)

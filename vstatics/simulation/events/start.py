@@ -17,6 +17,28 @@ from vstatics.simulation.system.structure import null, solved
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 
 
+def with_fixed_ratios(scenario: Scenario) -> Scenario:
+    """The scenario with variators as pairs of the ratios that they have in its first gear.
+
+    Raises
+    ------
+    CaseError
+        If one of them stands at 0, or there is a converter.
+    """
+    case, name = scenario.case, scenario.start.gear
+    kinds = [one for one in case.mechanisms if one.kind]
+    if not kinds:
+        return scenario
+    gear = next((one for one in case.gears if one.name == name), Gear())
+    pairs = case.as_pairs(gear)
+    if pairs is None:
+        message = f"{kinds[0].name} is a {kinds[0].kind}, which a scenario can't have yet"
+        if all(one.kind == "variator" for one in kinds):
+            message = f"{kinds[0].name} has a speed ratio of 0 at the start, expected another one"
+        raise CaseError("E698", message, ("case",))
+    return scenario._replace(case=pairs)
+
+
 def start_gear(scenario: Scenario) -> Gear | None:
     """The gear of the start, with the freewheels that hold in it among the engaged elements.
 

@@ -99,9 +99,6 @@ def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
         if back == 0:
             message = f"{one.name} is self-locking, which a scenario can't have yet"
             raise CaseError("E666", message, ("case",))
-        if one.kind:
-            message = f"{one.name} is a {one.kind}, which a scenario can't have yet"
-            raise CaseError("E698", message, ("case",))
         u = one.ratio
         found.append(
             RigidMechanism(
