@@ -252,6 +252,6 @@ def test_an_element_with_several_mechanisms_lists_them(everything: Transmission)
     with pytest.raises(
         ReadError, match=r"`set` has the mechanisms set\.small_sun-short, set\.large_sun"
     ):
-        sweep(everything, {"set.efficiency": [0.98]})
+        sweep(everything, {"set.ratio": [0.98]})
     with pytest.raises(ReadError, match="did you mean `ETAI`"):
         sweep(everything, {"P1.etai": [0.98]})
