@@ -219,7 +219,10 @@ def test_broken_links_are_found(tmp_path: Path) -> None:
 
 
 def test_every_document_is_reached_from_the_readme() -> None:
+    """Pages of the cookbook by its list."""
     linked = set(LINK.findall((ROOT / "README.md").read_text(encoding="utf-8")))
+    pages = LINK.findall((ROOT / "docs/cookbook/README.md").read_text(encoding="utf-8"))
+    linked |= {f"docs/cookbook/{page}" for page in pages}
     assert {name for name in NAMES if name != "README.md"} <= {
         link.partition("#")[0] for link in linked
     }
