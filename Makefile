@@ -31,7 +31,7 @@ test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, on
 	$(MARKED) -n 0 -m "slow and alone" $(call with_mark,alone)
 
 # ALL=1: also the rooms that ask nothing of other packages but arithmetic of NumPy.
-PLAIN_ROOMS := model statics elements flow operation summary
+PLAIN_ROOMS := model statics elements flow summary
 PLAIN_TESTS := $(PLAIN_ROOMS:%=tests/%) $(PLAIN_ROOMS:%=vstatics/%) tests/published tests/oracle
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
 	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider \

@@ -34,7 +34,6 @@ ROOMS = (
     "sweep",
     "writers",
     "flow",
-    "operation",
     "summary",
     "explain",
     "synthesis",

@@ -21,10 +21,10 @@ from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid, grid_of
 
 if TYPE_CHECKING:
-    from vstatics.operation.drive_cycle import CycleAnswer, DriveCycle, GearChoice
-    from vstatics.operation.fuel_map import FuelMap
-    from vstatics.operation.shifting import ShiftSpeed
-    from vstatics.operation.trace import Trace
+    from vstatics.summary.operation.drive_cycle import CycleAnswer, DriveCycle, GearChoice
+    from vstatics.summary.operation.fuel_map import FuelMap
+    from vstatics.summary.operation.shifting import ShiftSpeed
+    from vstatics.summary.operation.trace import Trace
 
 
 def _speed(text: str) -> float:
@@ -41,7 +41,7 @@ def _speed(text: str) -> float:
 
 
 def _shifts(text: str) -> list[ShiftSpeed]:
-    from vstatics.operation.shifting import read_shifts
+    from vstatics.summary.operation.shifting import read_shifts
 
     return read_shifts(text)
 
@@ -96,8 +96,8 @@ def cycle(
         raise click.UsageError("--least-speed and --shift exclude one another")
     to = wanted.destination([case, trace])
     arguments.check_streams([case, trace])
-    from vstatics.operation.drive_cycle import GearChoice
-    from vstatics.operation.trace import read_trace
+    from vstatics.summary.operation.drive_cycle import GearChoice
+    from vstatics.summary.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace))
     choice = GearChoice(least_speed, shifts or ())
@@ -127,7 +127,7 @@ def _shown(
         yield grid_of("Cycle", headings, [row], key="cycle")
 
     def answer() -> CycleAnswer:
-        from vstatics.operation.drive_cycle import CycleAnswer
+        from vstatics.summary.operation.drive_cycle import CycleAnswer
 
         return CycleAnswer(results.case.name, made)
 
@@ -144,7 +144,7 @@ def _driven(
     ReadError
         With places in the trace, where a row is in error.
     """
-    from vstatics.operation.drive_cycle import drive
+    from vstatics.summary.operation.drive_cycle import drive
 
     vehicle = results.case.vehicle
     if vehicle is None:
@@ -166,7 +166,7 @@ def _located(problem: Problem, trace: Trace, file: str) -> Problem:
 
 def _fuel(case: str, name: str) -> FuelMap | None:
     """The fuel map beside a case, if there is one."""
-    from vstatics.operation.fuel_map import read_fuel_map
+    from vstatics.summary.operation.fuel_map import read_fuel_map
 
     if not name:
         return None

@@ -16,11 +16,11 @@ from vstatics.cli.torsion import dump
 from vstatics.explain.answer import ExplanationAnswer
 from vstatics.flow.answer import FlowAnswer
 from vstatics.model.shape import Measure
-from vstatics.operation.drive_cycle import CycleAnswer
 from vstatics.readers.named import schema as case
 from vstatics.simulation.record.answer import MotionAnswer
 from vstatics.simulation.scenario.keys import SCENARIO
 from vstatics.summary.answer import SummaryAnswer
+from vstatics.summary.operation.drive_cycle import CycleAnswer
 from vstatics.sweep.kept.statistics import SamplesAnswer
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.synthesis.gears.kinds import EngagedSet, EngagedSetList

@@ -1,6 +1,7 @@
 """What a designer asks of a gearbox first: design table, shifts, largest values.
 
 Results go in; `summarize` makes a `Summary`, `grids` its tables, `vstatics.tables` their text.
+`operation` is what a box does in a vehicle, over points of load, over a driving cycle.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> from vstatics.summary.grids import grids
@@ -24,13 +25,13 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats
-from vstatics.operation.load_spectrum import Spectrum
-from vstatics.operation.traction import Performance, performance
 from vstatics.statics.results import Results, expect_results
 from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
 from vstatics.summary.inertia import GearInertia, reduced_inertias
+from vstatics.summary.operation.load_spectrum import Spectrum
+from vstatics.summary.operation.traction import Performance, performance
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.summary.shifts import Transition, transitions
 from vstatics.summary.unused_sets import Combination, combinations

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.operation.load_spectrum import Spectrum
-from vstatics.operation.traction import Performance
 from vstatics.summary import Summary
 from vstatics.summary.design_table import Design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed
 from vstatics.summary.inertia import GearInertia
+from vstatics.summary.operation.load_spectrum import Spectrum
+from vstatics.summary.operation.traction import Performance
 from vstatics.summary.shifts import Transition
 from vstatics.summary.unused_sets import Combination
 from vstatics.tables.answer import Flat, Sometimes, document

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.operation.load_spectrum import Spectrum
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
+from vstatics.summary.operation.load_spectrum import Spectrum
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed

@@ -14,10 +14,10 @@ from tests.chance import seeded
 from tests.commands import vstatics
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
-from vstatics.operation.drive_cycle import GearChoice, drive
-from vstatics.operation.fuel_map import FuelMap, read_fuel_map
-from vstatics.operation.shifting import read_shifts
-from vstatics.operation.trace import Trace, read_trace
+from vstatics.summary.operation.drive_cycle import GearChoice, drive
+from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.summary.operation.shifting import read_shifts
+from vstatics.summary.operation.trace import Trace, read_trace
 
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
 CASE = Transmission(

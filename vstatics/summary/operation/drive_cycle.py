@@ -19,12 +19,12 @@ from vstatics.errors import CaseError, Problem, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.model.vehicle import Vehicle
 from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.operation.fuel_map import FuelMap
-from vstatics.operation.load_spectrum import DutyPoints, PointLoads
-from vstatics.operation.shifting import ShiftSpeed, by_least_speed, by_shift_speeds
-from vstatics.operation.trace import Trace
-from vstatics.operation.traction import bare
 from vstatics.statics.solve import solve
+from vstatics.summary.operation.fuel_map import FuelMap
+from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
+from vstatics.summary.operation.shifting import ShiftSpeed, by_least_speed, by_shift_speeds
+from vstatics.summary.operation.trace import Trace
+from vstatics.summary.operation.traction import bare
 from vstatics.tables.answer import document, told
 
 
@@ -80,7 +80,7 @@ def drive(
     1000 kg from rest to 10 m/s in 10 s through a pair of .8: 50 kJ at the wheels.
 
     >>> from vstatics import Gear, Mechanism
-    >>> from vstatics.operation.trace import read_trace
+    >>> from vstatics.summary.operation.trace import read_trace
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
     ...                     vehicle=Vehicle(1000, 0.5))
     >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")

@@ -6,7 +6,7 @@ force, top speeds and acceleration of a vehicle; `drive_cycle` goes through a `t
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.model.vehicle import Vehicle
->>> from vstatics.operation.traction import performance
+>>> from vstatics.summary.operation.traction import performance
 >>> car = Vehicle(1000, 0.3, engine=[(0.0, 100.0), (500.0, 100.0)])
 >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], vehicle=car)
 >>> round(performance(case).gears["1"].top_speed, 3)

@@ -12,7 +12,7 @@ import pytest
 from tests.commands import vstatics
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
-from vstatics.operation.traction import performance
+from vstatics.summary.operation.traction import performance
 
 CLUTCHES = [ShiftElement(1, 2), ShiftElement(1, 3)]
 PAIRS = [Mechanism(2, 4, 0, 3.5, 0.97), Mechanism(3, 4, 0, 1.5, 0.98)]

@@ -13,7 +13,7 @@ from tests.chance import seeded
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, Transmission, solve
-from vstatics.operation.load_spectrum import DutyPoints, points_of, spectrum
+from vstatics.summary.operation.load_spectrum import DutyPoints, points_of, spectrum
 
 PAIRS = Transmission(
     3,
