@@ -119,7 +119,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Efficiency by the ports, which the flow without losses divides in two.
+    """Efficiency by which sets of signs are compared: the flow without losses divides the ports.
 
     With one input and one output it is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise power out by power in, each port on the side of its flow without losses;

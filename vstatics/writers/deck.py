@@ -112,6 +112,7 @@ def lost(case: Transmission) -> list[str]:
             if isinstance(speed, SpeedOf)
         ),
         *(f"kind of gear {gear.name}" for gear in case.gears if gear.kind != "gear"),
+        *(f"coast of gear {gear.name}" for gear in case.gears if gear.coast is not None),
     ]
 
 
