@@ -193,7 +193,10 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     )
 
 
-@pytest.mark.parametrize("seed", range(count(60, 200)))
+@pytest.mark.parametrize(
+    "seed",
+    [*range(60), *(pytest.param(n, marks=pytest.mark.slow) for n in range(60, count(60, 200)))],
+)
 def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
     """Wheels on one carrier, each written with any of those before it; one link is held.
 

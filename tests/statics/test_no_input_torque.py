@@ -110,7 +110,9 @@ def test_without_mesh_losses_torques_go_in_line_with_the_load(seed: int) -> None
         assert none == pytest.approx(2 * half - whole, abs=1e-9 * (1 + np.nanmax(np.abs(whole))))
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize(
+    "seed", [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, 12))]
+)
 def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     """And plans for arrays do as each variant alone."""
     rng = seeded(seed)

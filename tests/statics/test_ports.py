@@ -61,7 +61,7 @@ def test_torques_that_statics_leaves_open_have_no_power() -> None:
     assert found.ports[1].way == ""
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(regular_trains())
 def test_what_enters_less_what_leaves_is_lost(case: Transmission) -> None:
     results = solve(case)

@@ -64,7 +64,7 @@ def numbers(low: float, high: float) -> st.SearchStrategy[Array]:
     return st.lists(size, min_size=VARIANTS, max_size=VARIANTS).map(np.array)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(branched(), st.data())
 def test_any_stiffnesses_and_inertias(case: Transmission, data: st.DataObject) -> None:
     """A link may lose its inertia in some variants, and a stiffness go over eight decades."""
