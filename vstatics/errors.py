@@ -109,7 +109,7 @@ DOUBTS = {
     "N411": "losses turn the flow of power through a mechanism round",
     "N412": "several sets of directions of power agree with the losses",
     "N413": "a differential turns as one piece: torques with losses depend on a direction",
-    "N414": "a drag or an efficiency is asked outside its points, where the last one counts",
+    "N414": "a drag, efficiency or converter is asked outside its points: the last one counts",
     "N501": "a case of clutch dump is on the safe side",
     "N502": "a case of clutch dump does not come",
     "N503": "the torque with a clutch that stays stuck",

@@ -88,3 +88,16 @@ def test_points_of_a_converter_ascend() -> None:
     wrong = CONVERTER._replace(points=((0.5, 1.0), (0.2, 2.0)))
     with pytest.raises(CaseError, match="points are in ascending order"):
         Transmission(2, [], [wrong], [Gear(speed_ratios={1: 0})])
+
+
+def test_a_converter_outside_its_points_has_the_last_one_and_one_note_tells_it() -> None:
+    # constant outside: K = 2.4 below the first point at .1, K = 1 above the last one at .8
+    narrow = CONVERTER._replace(points=((0.1, 2.4), (0.8, 1.0)))
+    gears = [Gear(speed_ratios={1: i}, name=name) for name, i in [("a", 0.05), ("b", 0.9)]]
+    case = Transmission(2, [], [narrow], gears)
+    results = solve(case)
+    assert results.torques[:, -1].tolist() == [2.4, 1]
+    [note] = results.messages
+    assert (note.id, note.text) == ("N414", "outside the points of TC the last one counts")
+    inside = case.replace(gears=[Gear(speed_ratios={1: i}) for i in (0.1, 0.8)])
+    assert solve(inside).messages == solve(case.replace(allow=["N414"])).messages == ()

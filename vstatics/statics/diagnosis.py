@@ -81,6 +81,20 @@ def _messages(results: Results) -> Iterator[Message]:
         )
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)
+    if outside := _outside(results):
+        yield Message("N414", f"outside the points of {spoken(outside)} the last one counts")
+
+
+def _outside(results: Results) -> list[str]:
+    """Converters and laws that were asked outside their points."""
+    case, laws = results.case, results.points.outside if results.points else ()
+    converters = [
+        one.name
+        for gear in case.gears
+        for one, ratio in zip(case.mechanisms, case.gear_ratios(gear), strict=True)
+        if one.kind == "converter" and not one.points[0][0] <= ratio <= one.points[-1][0]
+    ]
+    return list(dict.fromkeys((*converters, *laws)))
 
 
 def _of_irregular_gear(

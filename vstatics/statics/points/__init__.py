@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vstatics.errors import not_allowed, spoken
+from vstatics.errors import not_allowed
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
@@ -124,7 +124,7 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
 
 
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
-    """Where no single torque agrees with efficiencies, and laws that were asked outside."""
+    """Where no single torque agrees with efficiencies, or balances a battery."""
     for gear, state in zip(case.gears, points.open.tolist(), strict=True):
         if state in (NONE, SEVERAL):
             words = "no torques agree" if state == NONE else "more than one torque agrees"
@@ -136,6 +136,3 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
             text = (none if state == NO_BALANCE else two).format(case.link_name(link))
             text = f"gears.{gear.name}.balance: {text} the battery: there are no torques"
             yield Message("W427", text)
-    if points.outside:
-        text = f"outside the points of {spoken(points.outside)} the last one counts"
-        yield Message("N414", text)
