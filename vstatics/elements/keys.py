@@ -12,6 +12,7 @@ from typing import Any, get_args
 
 from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency, PlanetMass
 from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
+from vstatics.model.keys import EFFICIENCY
 from vstatics.model.parts import HOUSING, NO_DAMPING
 from vstatics.model.shape import (
     COUNT,
@@ -59,7 +60,9 @@ MESH_EFFICIENCY = ByKey(
 
 _KIND = KeyShape("kind", TEXT, "What the element is.")
 _COMMON = (
-    KeyShape("efficiency", NUMBER, "As one mechanism, its third member held.", limits=_EFFICIENCY),
+    KeyShape(
+        "efficiency", EFFICIENCY, "As one mechanism, its third member held.", limits=_EFFICIENCY
+    ),
     KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of this element's meshes."),
     *ELASTIC,
 )

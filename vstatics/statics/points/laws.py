@@ -193,11 +193,12 @@ class _Search:
         self.case, self.columns, self.laws = case, columns, laws
         self.variants = variants
         names = row_names(case, "torques")
-        self.rows = {
-            number: names.index(name if name in names else f"{name}.first")
-            for number in laws
-            for name in [case.mechanisms[number.owner].name]
+        first = {
+            member.places: f"{one.name}.{member.name}" if case.drawing else one.name
+            for one in case.own_devices
+            for member in one.members
         }
+        self.rows = {number: names.index(first[(number.owner, 0),]) for number in laws}
         self.of_gear: dict[int, list[CaseNumber]] = {}
         for number in laws:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
