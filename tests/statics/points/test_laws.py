@@ -388,7 +388,7 @@ def test_two_efficiencies_over_torque_in_a_row_solve_a_quadratic_each() -> None:
     assert results.messages == ()
 
 
-def test_a_scenario_takes_no_laws() -> None:
-    with pytest.raises(CaseError, match="the drag of engine depends on speed") as caught:
+def test_a_scenario_takes_no_efficiency_that_depends() -> None:
+    with pytest.raises(CaseError, match="the efficiency of a depends on speed") as caught:
         list(drags(loads(EAXLE), None))
     assert "the efficiency of b depends on speed or torque" in str(caught.value)

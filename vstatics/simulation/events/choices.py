@@ -14,7 +14,7 @@ from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
-from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem, OutsideTorque, sign
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
@@ -82,9 +82,9 @@ class ModeChoices:
         contact = self.system.contacts[index]
         slip = float(contact.row @ at.speeds)
         now = math.nextafter(at.time, math.inf)
-        capacity = capacity_at(contact, now, slip)
+        capacity = programme_at(contact.programme, now)
         if capacity == 0:  # it may begin to rise here
-            capacity = capacity_at(contact, at.time + self.within, slip)
+            capacity = programme_at(contact.programme, at.time + self.within)
         if contact.while_open is not None:
             programme = self.system.by_element[contact.while_open].programme
             if any(programme_at(programme, time) for time in (now, at.time + self.within)):

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
+from vstatics.model.parts import Friction
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
@@ -77,7 +78,7 @@ class Finder:
         for contact in self.by_formula:
             pack = contact.friction
             capacity = programme_at(contact.programme, step.end)
-            capacity /= pack.per_pressure if pack else 1.0
+            capacity /= pack.per_pressure if isinstance(pack, Friction) else 1.0
             most = contact.programme.largest
             if not capacity >= 0 or (most is not None and capacity > most * (1 + MADE_CAPACITY)):
                 expected = "0 or more" if most is None else f"0 to {most:g}"

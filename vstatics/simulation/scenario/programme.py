@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem, listed
-from vstatics.model.parts import Friction, OfLoad, ShiftElement
+from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
@@ -103,17 +103,27 @@ def bare_capacities(case: Transmission) -> Iterator[Problem]:
         yield Problem("N603", message, path)
 
 
-def friction_at(friction: Friction | None, slip: float = 0.0) -> float:
-    """The coefficient of friction at a slip [rad/s]; 1 of what has no pack."""
+def friction_at(friction: Friction | Law | None, slip: float = 0.0) -> float:
+    """The coefficient of friction at a slip [rad/s], a drag [N*m]; 1 of what has no pack."""
     if friction is None:
         return 1.0
+    if isinstance(friction, Law):
+        torque: float = friction.at(abs(slip))
+        return torque
     return friction_points(friction).at(abs(slip))
 
 
-def friction_points(friction: Friction) -> Points:
-    """The coefficient of friction over the slip."""
-    slips, values = zip(*friction.coefficient, strict=True)
+def friction_points(friction: Friction | Law) -> Points:
+    """The coefficient of friction, or the drag, over the slip."""
+    slips, values = zip(*slip_points(friction), strict=True)
     return Points(slips, values, "speed")
+
+
+def slip_points(friction: Friction | Law | None) -> tuple[tuple[float, float], ...]:
+    """Slips with what there is at each; none of a formula."""
+    if friction is None or isinstance(friction, Law):
+        return () if friction is None else friction.points
+    return friction.coefficient
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:

@@ -165,16 +165,15 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats)
     """What drags, but freewheels, whose drag acts while they overrun."""
     found = []
     for is_element, number, torque in dragging:
-        programme = Programme(constant(torque))
+        name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
         if is_element:
             element = case.shift_elements[number - 1]
             if element.is_freewheel:
                 continue
-            at = number - 1
-            found.append(Contact(element.name, rows[at], programme, is_drag=True, while_open=at))
-        else:
-            row = unit(number - 1, case.links)
-            found.append(Contact(case.link_name(number), row, programme, is_drag=True))
+            name, row, while_open = element.name, rows[number - 1], number - 1
+        law = torque if isinstance(torque, Law) else None
+        programme = Programme(constant(torque if law is None else 1.0))
+        found.append(Contact(name, row, programme, law, is_drag=True, while_open=while_open))
     return found
 
 
@@ -246,7 +245,7 @@ class DragTorque(NamedTuple):
     number: int
     """Of the element or the link."""
     torque: float
-    """[N*m]"""
+    """[N*m]; by a law over its speed."""
 
 
 def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
@@ -277,10 +276,11 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     found = []
     for is_element, number, drag, name in items:
         if isinstance(drag, Law):
-            message = f"the drag of {name} depends on speed, expected a number in a scenario"
-            problems.append(
-                Problem("E695", message, _place_of_drag(case, gear, number, is_element))
-            )
+            if is_element and case.shift_elements[number - 1].is_freewheel:
+                message = f"the drag of {name} depends on speed, expected a number in a scenario"
+                place = _place_of_drag(case, gear, number, is_element)
+                problems.append(Problem("E695", message, place))
+            found.append(DragTorque(is_element, number, drag))
             continue
         torque = newton_metres(drag, case)
         if drag and not (isinstance(drag, OfLoad) or load_torque(case)):

@@ -15,14 +15,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.parts import HOUSING, Friction
+from vstatics.model.parts import HOUSING, Friction, Law
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Converter, Scenario
-from vstatics.simulation.scenario.programme import Programme
+from vstatics.simulation.scenario.programme import Programme, slip_points
 
 
 class Switch(NamedTuple):
@@ -39,7 +39,8 @@ class Contact(NamedTuple):
     name: str
     row: Floats
     programme: Programme
-    friction: Friction | None = None
+    friction: Friction | Law | None = None
+    """By which its programme is multiplied; of what drags by its speed its law."""
     static: float = 1.0
     one_way: bool = False
     """A freewheel: it carries nothing while its slip is above 0."""
@@ -64,10 +65,8 @@ class Contact(NamedTuple):
     @property
     def corners(self) -> tuple[float, ...]:
         """Slips at which its coefficient of friction bends [rad/s]; none where it is a number."""
-        pack = self.friction
-        if pack is None or len(pack.coefficient) == 1:
-            return ()
-        return tuple(slip for slip, _ in pack.coefficient)
+        points = slip_points(self.friction)
+        return tuple(slip for slip, _ in points) if len(points) > 1 else ()
 
 
 class RigidMechanism(NamedTuple):

@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.errors import CaseError
+from vstatics.model.parts import Law
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
@@ -213,6 +215,9 @@ class Ports:
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
             return
+        if isinstance(contact.friction, Law) and contact.friction.text:
+            self._formula(port, contact.name, contact.friction, SIGNS[state])
+            return
         if contact.friction is None or not contact.corners:
             mu = friction_at(contact.friction)
             self._programme(port, contact.programme, SIGNS[state] * mu, time)
@@ -230,6 +235,17 @@ class Ports:
             return programme_at(contact.programme, at) * (SIGNS[state] * value + slope * slip)
 
         self.special.append((port, -1, torque))
+
+    def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
+        def torque(_time: float, slip: float, _angle: float) -> float:
+            found: float = drag.at(abs(slip))
+            if not 0 <= found < math.inf:
+                message = f"read {found:g}, expected a torque of 0 or more at every speed"
+                raise CaseError("E268", f"the drag of {name}: {message}", ("case",))
+            return sign * found
+
+        self.special.append((port, -1, torque))
+        self.senses_rate[port] = True
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
