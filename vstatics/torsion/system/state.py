@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from vstatics.errors import spoken
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.freewheels import find_state
+from vstatics.statics.freewheels import with_engaged
+from vstatics.statics.solve import solve
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 
@@ -26,12 +27,11 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     'tied up: B and pair let nothing move'
     """
     if case.freewheels:
-        ratios = [mechanism.ratio for mechanism in case.mechanisms]
-        efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
-        state = find_state(case, gear, ratios, efficiencies)
-        if state.conflict:
+        results = solve(case.replace(gears=[gear]))
+        if results.conflict[0]:
             return f"{CONFLICT.english}: {CONFLICT.meaning}"
-        gear = state.gear
+        held = [number for number in case.freewheels if results.holds[0, number - 1]]
+        gear = with_engaged(gear, held)
     system = torsional_system(case, gear)
     if system.free().shape[1]:
         return system

@@ -1,0 +1,32 @@
+"""Which freewheels hold where a gear vibrates: as at its mean load."""
+
+from __future__ import annotations
+
+import pytest
+
+from vstatics.readers import loads
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.system.state import vibrating
+
+
+@pytest.mark.parametrize(("torque", "holds"), [(100, True), (1.2, True), (1.0, False)])
+def test_a_drag_by_points_lets_a_freewheel_hold_as_the_load_does(
+    torque: float, *, holds: bool
+) -> None:
+    # the clutch drags .8 N*m from the sun to the ring, which 2.5 (T - .8) hold back
+    case = loads(f"""\
+links: [sun, ring, out]
+output: out
+load: {{speed: 1000 rpm, torque: {torque} N*m}}
+shift_elements:
+  C: {{links: [sun, ring], drag: [[0, 0.8], [10, 0.8]]}}
+  F: {{kind: freewheel, links: [ring, housing]}}
+mechanisms: {{set: {{first: sun, second: ring, third: out, ratio: -2.5}}}}
+gears: {{one: []}}
+inertias: {{sun: 1, ring: 1, out: 1}}
+""")
+    system = vibrating(case, case.gears[0])
+    assert isinstance(system, TorsionalSystem)
+    assert (
+        ("F" in [device.name for device in system.rigid]) == holds == (2.5 * (torque - 0.8) > 0.8)
+    )
