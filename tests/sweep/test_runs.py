@@ -24,7 +24,7 @@ from vstatics.sweep.runs import piece_of_runs
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.tasks import calculate as of_piece
 from vstatics.sweep.variants.scenario_numbers import NumberPath
-from vstatics.sweep.variants.subject import load_varied
+from vstatics.sweep.variants.subject import Document, VariedScenario, load_varied
 
 OUT = "locks[brake], heat[brake], speeds[carrier], max(abs(slips)), controls.brake.1.2*2"
 SLIP = 500 * math.pi / 30 / 1.5
@@ -98,6 +98,18 @@ def test_pieces_depend_on_the_plan_alone() -> None:
     assert again.fingerprint() == plan.fingerprint()
     other = build.plan(subject(SCENARIO + b"# more\n"), SweepOptions.of(vary=["duration=.1:.2:40"]))
     assert other.fingerprint() != plan.fingerprint()
+
+
+def test_pieces_depend_on_the_points_beside_the_case(tmp_path: Path) -> None:
+    points, case = tmp_path / "drag.csv", tmp_path / "set.yaml"
+    text = CASE + b"load: {speed: 500 rpm, torque: 40 N*m}\ndrag: {sun: {file: drag.csv}}\n"
+    of = Document(SCENARIO, "lock.yaml"), Document(text, str(case))
+    made = []
+    for torque in (1, 1, 3):
+        points.write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", encoding="utf-8")
+        plan = build.plan(VariedScenario(*of), SweepOptions.of(vary=["duration=.1:.2:40"]))
+        made.append(plan.fingerprint())
+    assert made[0] == made[1] != made[2]
 
 
 def test_a_scenario_is_swept_from_python(tmp_path: Path) -> None:

@@ -2,9 +2,10 @@
 
 A run into a directory leaves a hidden file for each format there: what the results depend
 on (options and the build of this package), then a line for each result as it is finished.
-The line holds the hash of the case that was read, a number for all that the run depends on,
-the state of the result, and whether the case failed (a gear is tied up). A result counts as
-done if its line says so: of this case, this run, and not written by anybody since.
+The line holds the hash of the case that was read and of the files that it names, a number for
+all that the run depends on, the state of the result, and whether the case failed (a gear is tied
+up). A result counts as done if its line says so: of this case, this run, and not written by
+anybody since.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
@@ -57,6 +58,8 @@ class _Entry(NamedTuple):
 
     case: str
     """The hash of its case."""
+    beside: dict[str, str | None]
+    """The hashes of the files that the case names."""
     run: str
     """A number for all that its run depended on."""
     state: list[int]
@@ -142,22 +145,25 @@ class FinishedCases:
     def _take(self, line: str) -> None:
         """An entry; the last line may have been cut."""
         try:
-            name, case, run, state, failed = json.loads(line)
+            name, case, beside, run, state, failed = json.loads(line)
             self._done.pop(name, None)
         except (ValueError, TypeError):
             return
         if not failed:
-            self._done[name] = _Entry(case, run, state)
+            self._done[name] = _Entry(case, dict(beside), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
         """Whether there is a result of this run, and of the case as it is now."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
-        return entry.case == _hash_of_file(file)
+        hashes = {file: entry.case, **entry.beside}
+        return all(_hash_of_file(name) == known for name, known in hashes.items())
 
-    def put(self, target: str, result: bytes, case: bytes, *, failed: bool) -> None:
-        """Write a result, and note of what case as it was read it is.
+    def put(
+        self, target: str, result: bytes, case: bytes, beside: Iterable[str], *, failed: bool
+    ) -> None:
+        """Write a result, and note of what case as it was read, and files beside it, it is.
 
         Raises
         ------
@@ -165,7 +171,8 @@ class FinishedCases:
             If that is not possible.
         """
         replace(target, result, self.mark)
-        entry = [os.path.basename(target), _hash(case), self._run, _state(target), failed]  # noqa: PTH119
+        name, others = os.path.basename(target), {one: _hash_of_file(one) for one in beside}  # noqa: PTH119
+        entry = [name, _hash(case), others, self._run, _state(target), failed]
         with appending(self.path) as write:
             write(json.dumps(entry).encode() + b"\n")
 

@@ -239,16 +239,19 @@ class TransmissionFields:
         return any(torques)
 
     @property
-    def depends(self) -> bool:
-        """Whether a drag or an efficiency depends on speed or torque, or a torque on a balance."""
+    def laws(self) -> list[Law]:
+        """Drags and efficiencies that depend on speed or torque."""
         numbers = [element.drag for element in self.shift_elements]
         for one in self.mechanisms:
             numbers += [one.efficiency, one.back_efficiency or 0.0]
         for gear in self.gears:
             numbers += [*gear.drag.values(), *gear.open_drag.values()]
-        return any(isinstance(number, Law) for number in numbers) or any(
-            gear.balance is not None for gear in self.gears
-        )
+        return [number for number in numbers if isinstance(number, Law)]
+
+    @property
+    def depends(self) -> bool:
+        """Whether a drag or an efficiency depends on speed or torque, or a torque on a balance."""
+        return bool(self.laws) or any(gear.balance is not None for gear in self.gears)
 
     @property
     def devices(self) -> list[str]:

@@ -401,6 +401,8 @@ class Law(float):
     """If it is made of points."""
     text: str = ""
     """If it is a formula."""
+    file: str = ""
+    """From which its points were read; two that have the same points are equal."""
 
     def at(self, size: Any) -> Any:
         """Its value at a speed or torque, or at each of an array."""

@@ -153,7 +153,9 @@ class SweepPlan:
         this package.
         """
         digest = hashlib.sha256()
-        for part in _canonical((self, more)):
+        one = self.subject
+        case = one if isinstance(one, Transmission) else one.own.scenario.case
+        for part in _canonical((self, more, case.laws)):
             digest.update(part)
         return digest.hexdigest()
 

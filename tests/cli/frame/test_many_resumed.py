@@ -212,3 +212,23 @@ def test_standard_input_is_never_left_out() -> None:
     for _ in range(2):
         said = vstatics(*given, stdin=MZKT.read_bytes())
     assert said.err == "2 of 2 cases calculated (1 of them before)\n"
+
+
+def test_a_case_whose_file_of_points_was_changed_is_calculated_again() -> None:
+    """A drag of 1 N*m, then of 3, takes 5 %, then 15 % of 20 N*m."""
+    Path("drag.csv").write_text("speed [rad/s],torque [N*m]\n0,1\n", encoding="utf-8")
+    text = (
+        "links: [a, b]\nload: {speed: 1000 rpm, torque: 20 N*m}\ngears: {g: []}\n"
+        "mechanisms: {p: {first: a, second: b, ratio: -2}}\ndrag: {a: {file: drag.csv}}\n"
+    )
+    Path("drag.yaml").write_text(text, encoding="utf-8")
+    command = ("run", "drag.yaml", "-o", "points/", "-f", "json", "--resume", "-q")
+    found = []
+    for torque in (1, 1, 3):
+        Path("drag.csv").write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", encoding="utf-8")
+        assert vstatics(*command).status == 0
+        result = Path("points/drag.json")
+        found.append((json.loads(result.read_text("utf-8"))["ETA"][0], result.stat().st_mtime_ns))
+    (first, written), again, (changed, _) = found
+    assert (first, changed) == (pytest.approx(0.95), pytest.approx(0.85))
+    assert again == (first, written)

@@ -246,10 +246,11 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     try:
         if task.target is None or job.finished is None:
             return Done(file, problems, case.failed, texts.among_several(case, shown, job.to))
-        if shown is None:
+        if shown is None or case.results is None:
             return Done(file, problems, left=set_aside(task.target))
         result = texts.alone(file, shown, job.to)
-        job.finished.put(task.target, result, case.data, failed=case.failed)
+        beside = {law.file for law in case.results.case.laws if law.file}
+        job.finished.put(task.target, result, case.data, beside, failed=case.failed)
     except OSError as error:
         return Done(
             file,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from vstatics.errors import quoted
@@ -33,13 +34,17 @@ def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
     from vstatics.model.laws import PointLaw  # likewise
     from vstatics.readers.named.point_files import points_of
 
+    beside = os.path.join(os.path.dirname(walk.spots.found.source.file), name)  # noqa: PTH118 PTH120
     try:
-        return PointLaw(points_of(walk.spots.found.source.file, name))
+        points = points_of(beside)
     except OSError as error:
         why = error.strerror or str(error)
         return walk.refuse(spot, shape, f"which can't be read: {why}", quoted(name))
     except ValueError as error:
         return walk.refuse(spot, shape, error, quoted(name))
+    law = PointLaw(points)
+    law.file = beside
+    return law
 
 
 def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:

@@ -16,8 +16,8 @@ _HEAD = re.compile(r"\s*(?P<name>speed|torque)\s*\[(?P<unit>[^\]]+)\]\s*")
 _COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 
-def points_of(case: str, name: str) -> list[tuple[float, ...]]:
-    """The points of a file, whose name is relative to the folder of a case.
+def points_of(name: str) -> list[tuple[float, ...]]:
+    """The points of a file.
 
     Raises
     ------
@@ -25,7 +25,7 @@ def points_of(case: str, name: str) -> list[tuple[float, ...]]:
     ValueError
         With what was expected.
     """
-    with (Path(case).parent / name).open("rb") as file:
+    with Path(name).open("rb") as file:
         data = file.read(MOST_BYTES + 1)
     try:
         return _points(data)
