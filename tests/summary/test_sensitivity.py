@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from tests.commands import CASES
 from tests.summary.gearboxes import differential
 from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics.readers import loads
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 
 
@@ -63,3 +66,20 @@ def test_the_efficiency_of_pairs_in_a_row_is_their_product() -> None:
     case = Transmission(3, [], pairs, [Gear()])
     for coast in (False, True):
         np.testing.assert_allclose(efficiency_sensitivities(solve(case, coast=coast)), [[1, 1]])
+
+
+def test_laws_and_a_load_of_0_leave_the_sensitivities_of_the_ratio() -> None:
+    """A pair: i = u and ETA = eta (T - T_d)/T, both in proportion; none of ETA without a torque."""
+    case = loads("""\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 30 N*m}
+mechanisms: {pair: {first: a, second: b, ratio: -2, efficiency: 0.98}}
+drag: {a: [[0, 3]]}
+gears: {drives: [], idles: {load: {torque: 0 N*m}}}
+""")
+    results = solve(case)
+    assert results.efficiency[0] == pytest.approx(0.98 * 27 / 30)
+    assert sensitivities(results)[:, 0].tolist() == pytest.approx([1, 1])
+    of_efficiency = efficiency_sensitivities(results)[:, 0].tolist()
+    assert of_efficiency[0] == pytest.approx(1)
+    assert math.isnan(of_efficiency[1])

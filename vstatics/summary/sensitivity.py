@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.statics.points.laws import without_laws
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 
@@ -40,8 +41,9 @@ def sensitivities(results: Results) -> Floats:
     """
     alone, case = results, results.case
     if case.unloaded or any(gear.torques for gear in case.gears):
-        case = results.with_freewheels_engaged  # each freewheel stays as it is
-        gears = [gear._replace(torques={}, load=None) for gear in case.gears]
+        # each freewheel stays as it is
+        case = without_laws(results.with_freewheels_engaged)
+        gears = [gear._replace(torques={}, load=None, balance=None) for gear in case.gears]
         case = replace(case, gears=gears, load=None)
         alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])

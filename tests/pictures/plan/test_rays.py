@@ -198,3 +198,24 @@ def test_links_that_stand_all_over_a_plan_are_named() -> None:
     wide, high = figure.get_size_inches()
     assert high / wide * 190 < 2 * 277  # mm, with margins of an A4 page
     assert 8 / wide / 72 * 190 / 25.4 * 72 > 5.5  # pt, of texts on paper
+
+
+def test_a_variator_that_gears_set_has_rays_of_its_links() -> None:
+    """In the set 3.2 w_out = w_motor + 2.2, so the motor's ray is 3.2 x - 2.2; the pump is -1."""
+    parts = [
+        Mechanism(1, 2, 0, -1),
+        Mechanism(2, 3, 0, np.nan, kind="variator", name="hydro"),
+        Mechanism(3, 1, 4, -2.2),
+    ]
+    gears = [Gear(speed_ratios={2: ratio}) for ratio in (0.6, 0.0, -0.6)]
+    [plan] = plans(solve(Transmission(4, [], parts, gears)))
+    rays = {ray.links: (ray.start, ray.slope) for ray in plan.rays}
+    assert rays == {
+        (1,): pytest.approx((1, 0)),
+        (2,): pytest.approx((-1, 0)),
+        (3,): pytest.approx((-2.2, 3.2)),
+        (4,): pytest.approx((0, 1)),
+    }
+    assert [mark.output for mark in plan.marks] == pytest.approx(
+        [(2.2 - ratio) / 3.2 for ratio in (0.6, 0, -0.6)]
+    )

@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet.ends import along
-from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.head import KeySign, headed
 from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width, wrapped
 from vstatics.pictures.sheet.line_styles import loss_look
@@ -21,7 +20,7 @@ from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
 from vstatics.pictures.sheet.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
 from vstatics.pictures.sheet.words import fault, gear_title, term, title
 from vstatics.statics.results import Results
-from vstatics.statics.status import LOCKED
+from vstatics.statics.status import DRAGGED, LOCKED
 from vstatics.tables.numbers import typeset
 from vstatics.tables.values import tables
 
@@ -88,11 +87,10 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
     undetermined = style.text("not determined", "не определён")
     missing = {
-        place: fault(LOCKED, style)
-        if LOCKED in state_of(results, gear + 1).faults
-        else undetermined
+        place: next((fault(one, style) for one in (LOCKED, DRAGGED) if one in known), undetermined)
         for place, gear in enumerate(chosen)
         if math.isnan(efficiency[place])
+        for known in [results.gear(gear + 1).statuses]
     }
     shown = [case.gears[place].name for place in chosen]
     losses = _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)

@@ -131,7 +131,8 @@ def _draw_line(view: LeverView) -> None:
     if cell.lever.ratio is None:
         sheet.line((cell.at, low), (cell.at, high), colour=colour, width=2.0)
         return
-    text, middle = number(cell.lever.ratio), cell.middle + view.bottom
+    text = "x" if math.isnan(cell.lever.ratio) else number(cell.lever.ratio)
+    middle = cell.middle + view.bottom
     sheet.line((cell.at, low), (cell.at, middle - 0.8 * SIZE), colour=colour)
     sheet.line((cell.at, middle + 0.8 * SIZE), (cell.at, high), colour=colour)
     box(sheet, (cell.at, middle), (width(text) + 4, 1.6 * SIZE), colour)

@@ -7,6 +7,7 @@ one straight line, and the torques on it are in balance as forces (Benford and L
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
@@ -45,7 +46,8 @@ class Lever(NamedTuple):
     devices: tuple[int, ...] = ()
     """Indices of the devices that it shows; of a shaft none."""
     ratio: float | None = None
-    """Of a pair of wheels in the housing, which is no lever but a plain sign. [-]"""
+    """Of a pair of wheels in the housing, which is no lever but a plain sign; NaN where it varies,
+    of a variator or converter. [-]"""
     shaft: tuple[int, ...] = ()
     """Links that springs join to that of a shaft."""
 
@@ -101,11 +103,13 @@ def _of_part(device: int, part: DrawnPart) -> Iterator[Lever]:
         for lowered in part.lowered:
             given = lowered.members if element is not None else ("", "", "")
             mechanism = lowered.mechanism
-            places = zip(given, mechanism.links, (mechanism.ratio, 1.0, 0.0), strict=True)
+            position = -1.0 if mechanism.kind else mechanism.ratio
+            places = zip(given, mechanism.links, (position, 1.0, 0.0), strict=True)
             nodes = [LeverNode(*place) for place in places]
             is_pair = mechanism.third == HOUSING and not mechanism.is_set
             lever = _sorted(part.name, nodes, device, lowered.members)
-            yield lever._replace(ratio=mechanism.ratio) if is_pair else lever
+            ratio = math.nan if mechanism.kind else mechanism.ratio
+            yield lever._replace(ratio=ratio) if is_pair else lever
         return
     group = group_of(element)
     trains = [train for train in group.trains if len(group.wheels_of(train)) > 1]

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import CaseError
-from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
+from vstatics.model.transmission import HOUSING, Gear, ShiftElement, SpeedOf, Transmission
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.numerics.traced import plain
 from vstatics.pictures.sheet.gear_state import PictureState, state_of
@@ -106,7 +106,7 @@ def plans(results: Results) -> list[KinematicPlan]:
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
-    case = results.with_freewheels_engaged
+    case = _with_free_ratios(results.with_freewheels_engaged)
     gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
     known = [
         (number, gear)
@@ -133,6 +133,22 @@ def plans(results: Results) -> list[KinematicPlan]:
         raise CaseError("E405", f"{message}, and no gear of this case leaves anything free")
     shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
     return shared or drawn
+
+
+def _with_free_ratios(case: Transmission) -> Transmission:
+    """The case with open elements in place of what gears give a speed ratio."""
+    given = {number for gear in case.gears for number in gear.speed_ratios}
+    if not given:
+        return case
+    own = case.own_mechanisms.start
+    kept, opened = [], list(case.shift_elements)
+    for number, one in enumerate(case.mechanisms, 1 - own):
+        if number in given:
+            opened.append(ShiftElement(one.first, one.second, one.name))
+        else:
+            kept.append(one)
+    gears = [gear._replace(speed_ratios={}) for gear in case.gears]
+    return case.replace(shift_elements=opened, mechanisms=kept, gears=gears)
 
 
 def _conditions(case: Transmission, gear: Gear) -> set[Condition]:

@@ -175,7 +175,8 @@ def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
     if mechanism.second == mechanism.third == HOUSING:
         return "held", {"link": mechanism.first}
     links = mechanism.links if mechanism.third else mechanism.links[:2]
-    return "mechanism", dict(zip(("first", "second", "third"), links, strict=False))
+    members = dict(zip(("first", "second", "third"), links, strict=False))
+    return mechanism.kind or "mechanism", members
 
 
 def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:

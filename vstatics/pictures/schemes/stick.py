@@ -161,11 +161,14 @@ def _glyphs_of(element: Element, style: Style) -> list[Glyph]:
     return pair_glyphs(element, teeth)
 
 
+_WITHOUT_AXES = "mechanism", "variator", "converter", "spring"
+
+
 def _is_coaxial(device: Device) -> bool:
     """Whether all its links turn about one axis, as far as is told."""
     element = device.element
     if element is None:
-        return device.kind not in ("mechanism", "spring") or "carrier" in device.members
+        return device.kind not in _WITHOUT_AXES or "carrier" in device.members
     return isinstance(element.shape, Planetary) or device.kind == "held"
 
 

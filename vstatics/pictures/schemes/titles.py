@@ -63,7 +63,8 @@ def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
         )
     is_mechanism = not device.is_coupling and device.kind != "spring"
     if is_mechanism and len(device.numbers) == 1:
-        yield ratio_text(case.mechanisms[device.numbers[0]].ratio)
+        mechanism = case.mechanisms[device.numbers[0]]
+        yield from [] if mechanism.kind else [ratio_text(mechanism.ratio)]
 
 
 def teeth_of(element: Element) -> dict[str, float]:

@@ -34,6 +34,8 @@ ELEMENTS = {
     "second": "второе",
     "third": "третье",
     "mechanism": "механизм",
+    "variator": "вариатор",
+    "converter": "гидротрансф.",
     "clutch": "фрикцион",
     "brake": "тормоз",
     "dog_clutch": "зубчатая муфта",

@@ -23,7 +23,7 @@ from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
 from vstatics.statics.points.paths import CaseNumber, Columns, columns_of
 from vstatics.statics.points.relative import solve_points, with_numbers
-from vstatics.statics.result_arrays import ARRAYS, Message
+from vstatics.statics.result_arrays import ARRAYS, Message, OperatingPoints
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -78,8 +78,23 @@ def solve_laws(
             found = _at_points(case, columns, int(np.prod(axes)))
             arrays = {name: found.in_own_unit(name) for name in ARRAYS}
             shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
-            return found._replace(**shaped)
+            return found._replace(**shaped, points=_shaped(found.points, axes))
         return _alone(case, _followed(case, columns, 1))
+
+
+def _shaped(points: Any, axes: tuple[int, ...]) -> OperatingPoints:
+    """Points of one axis as those of several."""
+
+    def turned(array: Any) -> Any:
+        return array.reshape(*axes, *array.shape[1:])
+
+    gears = [
+        gear._replace(torques={link: turned(one) for link, one in gear.torques.items()})
+        for gear in points.gears
+    ]
+    scales = {unit: turned(scale) for unit, scale in points.scales.items()}
+    loaded, is_open = turned(points.loaded), turned(points.open)
+    return points._replace(scales=scales, loaded=loaded, gears=gears, open=is_open)  # type: ignore[no-any-return] # a named tuple
 
 
 def _alone(case: Transmission, answer: Followed) -> Results:

@@ -1,0 +1,52 @@
+"""Pictures of what operation adds: variators, converters, gears that are dragged."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.pictures.drawn import texts, titled
+from vstatics import Transmission, solve
+from vstatics.pictures import picture
+from vstatics.pictures.sheet.style import Style
+from vstatics.readers import loads
+
+SPLIT = """\
+links: [engine, turbine, motor, output]
+output: output
+load: {speed: 2000 rpm, torque: 400 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2.2], [0.85, 1]]}
+  hydro: {kind: variator, first: turbine, second: motor, efficiency: 0.86}
+  set: {first: motor, second: turbine, third: output, ratio: -2.2, efficiency: 0.97}
+gears: {one: {speed_ratios: {hydro: 0.6, TC: 0.7}}, two: {speed_ratios: {hydro: 0, TC: 0.9}}}
+"""
+
+
+def drawn(kind: str, case: Transmission) -> str:
+    figure = picture(solve(case), kind, Style())
+    return "\n".join([*texts(figure), *(title for title, _ in titled(figure))])
+
+
+@pytest.mark.parametrize("kind", ["plan", "lever", "flow", "structure", "stick"])
+def test_no_picture_of_a_speed_ratio_by_gear_has_nan(kind: str) -> None:
+    said = drawn(kind, loads(SPLIT))
+    assert "hydro" in said or kind == "plan"
+    assert "nan" not in said
+
+
+@pytest.mark.parametrize("kind", ["structure", "stick"])
+def test_a_box_tells_what_it_is(kind: str) -> None:
+    said = drawn(kind, loads(SPLIT))
+    assert "variator" in said
+    assert "converter" in said
+
+
+def test_a_gear_that_is_dragged_says_so_in_place_of_an_efficiency() -> None:
+    case = loads("""\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 1 N*m}
+mechanisms: {pair: {first: a, second: b, ratio: -2, efficiency: 0.98}}
+drag: {a: [[0, 3]]}
+gears: {idles: [], drives: {load: {torque: 30 N*m}}}
+""")
+    assert "dragged" in drawn("efficiency", case)
