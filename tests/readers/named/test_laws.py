@@ -42,7 +42,7 @@ def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the head"),
-        ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 2: expected a torque in N*m"),
+        ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),

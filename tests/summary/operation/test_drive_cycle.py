@@ -103,6 +103,14 @@ def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
     assert made.energy.engine == made.energy.wheels == made.distance == 0
 
 
+def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
+    case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
+    for name in ("tied", "none"):
+        with pytest.raises(CaseError, match=f"gear {name} has no ratio") as caught:
+            drive(case, trace((0, 0, name), (1, 3, name), (2, 5, "1"), (3, 5, name)), GearChoice())
+        assert caught.value.problems[0].path == (0,)
+
+
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
     text = trace(*rows)._replace(gears=[])

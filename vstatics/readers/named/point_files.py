@@ -49,27 +49,40 @@ def _points(data: bytes) -> list[tuple[float, ...]]:
     if len(data) > MOST_BYTES:
         raise ValueError(f"expected a file of {MOST_BYTES // 1000} kB at most")
     rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
-    heads = [_HEAD.fullmatch(head) for head in rows[0]] if rows else []
-    names = [head["name"] for head in heads if head]
-    if names != [name for name, _ in _COLUMNS] or len(names) != len(heads):
-        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
+    units = _units(rows[0] if rows else [])
     points = []
     for number, row in enumerate(rows[1:], 2):
         if not row:
             continue
-        if len(row) != len(names):
-            raise ValueError(f"line {number}: expected {len(names)} numbers")
+        if len(row) != len(units):
+            raise ValueError(f"line {number}: expected {len(units)} numbers")
         try:
-            cells = zip(row, heads, _COLUMNS, strict=True)
+            cells = zip(row, units, _COLUMNS, strict=True)
             points.append(
-                tuple(
-                    measured(f"{cell} {head['unit']}", kind)
-                    for cell, head, (_, kind) in cells
-                    if head
-                )
+                tuple(measured(f"{cell} {unit}", kind) for cell, unit, (_, kind) in cells)
             )
         except ValueError as error:
             raise ValueError(f"line {number}: {error}") from None
     if not points:
         raise ValueError("expected a point at least, below the head")
     return points
+
+
+def _units(heads: list[str]) -> list[str]:
+    """The units of the columns.
+
+    Raises
+    ------
+    ValueError
+        If a column is another one, or a unit none of its quantity.
+    """
+    found = [head for head in map(_HEAD.fullmatch, heads) if head]
+    names = [head["name"] for head in found]
+    if names != [name for name, _ in _COLUMNS] or len(names) != len(heads):
+        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
+    for head, (name, kind) in zip(found, _COLUMNS, strict=True):
+        try:
+            measured(f"1 {head['unit']}", kind)
+        except ValueError as error:
+            raise ValueError(f"line 1: the unit of {name}: {error}") from None
+    return [head["unit"] for head in found]

@@ -156,6 +156,11 @@ class _CycleSteps(NamedTuple):
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = wheels[:, None] * ratios[own, inputs]
         gears = _gears(case, vehicle, trace, choice, engine, np.sign(1 / still.ratio))
+        lacking = np.flatnonzero(~np.isfinite(still.ratio[gears]) & (trace.speed > 0))
+        if lacking.size:
+            name = case.gears[gears[lacking[0]]].name
+            message = f"gear {name} has no ratio, expected one that drives the wheels"
+            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
         return cls(case, vehicle, trace, gears, ratios)
 
     @property
