@@ -126,3 +126,36 @@ def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str
     assert (ran.status, out.exists()) == (1, False)
     assert "--vary:1:" in ran.err
     assert said in ran.err
+
+
+@pytest.mark.parametrize(
+    "twice",
+    [
+        ["gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"],
+        ["drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"],
+        ["a.efficiency=.9", "#1.efficiency=.95"],
+    ],
+)
+def test_a_number_that_two_paths_name_is_varied_once(tmp_path: Path, twice: list[str]) -> None:
+    (tmp_path / "case.yaml").write_text(CASE)
+    vary = [word for one in twice for word in ("--vary", one)]
+    ran = run("sweep", str(tmp_path / "case.yaml"), *vary)
+    assert (ran.status, ran.out) == (1, "")
+    assert "is varied twice" in ran.err
+
+
+def test_the_battery_of_all_gears_varies_at_once(tmp_path: Path) -> None:
+    """What the machine takes, battery/eta, is missing at the output: 2 M w_in = P_in - P_m."""
+    (tmp_path / "b.yaml").write_text(
+        "links: [in, m, out]\nload: {speed: 1000 rpm, torque: 100 N*m}\noutput: out\n"
+        "mechanisms:\n  a: {first: in, second: m, ratio: -1}\n"
+        "  b: {first: in, second: out, ratio: -2}\n"
+        "gears: {x: {balance: {m: .8, battery: 1 kW}}, y: {balance: {m: .5, battery: 2 kW}}}\n"
+    )
+    case, kilowatts = load(tmp_path / "b.yaml"), np.array([1.0, 2.0])
+    path = "gears.*.balance.battery"
+    [chunk] = vstatics.sweep(case, {path: 1e3 * kilowatts}, out="output_torque_Nm")
+    speed = 1000 * math.pi / 30
+    for column, efficiency in zip(chunk.columns.T, (0.8, 0.5), strict=True):
+        left = 100 * speed - 1e3 * kilowatts / efficiency
+        np.testing.assert_allclose(column, -left / (speed / 2), rtol=1e-9)

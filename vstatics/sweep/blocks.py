@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from vstatics.errors import CaseError
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.gear_steps import spread, steps
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
@@ -21,6 +22,7 @@ from vstatics.sweep.chunk import (
     DRAGGED,
     INVALID,
     LOCKED,
+    NOT_ASSEMBLED,
     OPEN,
     TIED_UP,
     UNDECIDED,
@@ -32,6 +34,7 @@ from vstatics.sweep.chunk import (
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.kept.meanings import SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.part_numbers import is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
@@ -41,6 +44,10 @@ from vstatics.sweep.variants.targets import (
     impossible,
     own_number,
 )
+
+Chosen: TypeAlias = Integers | slice
+"""Places of variants in a block."""
+Array = TypeVar("Array", Floats, Codes)
 
 
 class BlockTables(NamedTuple):
@@ -86,29 +93,52 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
     return target.impossible(given), 1.0
 
 
-def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
-    """What the plan asks for, of varied numbers that are possible."""
-    case, targets, asked = plan.case, plan.targets, plan.modes
+class OfCases(NamedTuple):
+    """The tables of a block whose variants are of one case, or of several."""
+
+    places: list[Chosen]
+    """Which variants are of each case."""
+    parts: list[BlockTables]
+
+    def existing(self, name: str) -> Floats:
+        """A table by its name, in the order of the variants."""
+        return _in_order(self.places, [part.existing(name) for part in self.parts])
+
+
+def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
+    """One array of several, whose rows are of these places."""
+    if len(arrays) == 1:
+        return arrays[0]
+    order = np.argsort(np.concatenate([np.asarray(one) for one in places]))
+    whole: Array = np.concatenate(arrays)[order]
+    return whole
+
+
+def block_tables(plan: SweepPlan, case: Transmission, values: Floats) -> BlockTables:
+    """What the plan asks for of a case, of varied numbers that are possible."""
+    targets, asked = plan.targets, plan.modes
     results = modes = None
-    own = values if len(targets) == values.shape[1] else values[:, plan.places]
-    if plan.asks_for_results and len(targets) < values.shape[1]:
-        results = solve(case, vary=_by_path(plan, values))
+    paths = _by_path(plan, values)
+    if plan.asks_for_results and paths:
+        results = solve(case, vary=paths)
     elif plan.asks_for_results:
         numbers = _of_mechanisms(case, targets, values)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
-        modes = frequencies(case, targets, own, asked, first[:, plan.places])
+        own, first = values[:, plan.places], first[:, plan.places]
+        modes = frequencies(case, targets, own, asked, first)
     return BlockTables(results, modes)
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
-    """What `vstatics.solve` varies, by paths in SI."""
+    """What `vstatics.solve` varies, by paths in SI; nothing where ratios and efficiencies do."""
     found: dict[str, Floats] = {}
+    of_solve = [one for one in plan.variants.targets if isinstance(one, CasePath) and one.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
-        if isinstance(target, CasePath):
+        if target in of_solve:
             found[target.path] = target.in_si(column)
-        elif isinstance(target, Target) and target.quantity in OF_MECHANISM:
+        elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
             name = plan.case.mechanisms[target.owner].name
             found[f"{name}.{target.quantity}"] = column
     return found
@@ -187,10 +217,38 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
     """The rows of a block."""
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
-    tables = block_tables(plan, possible)
-    status = _status(tables, own, plan, len(values))
-    status[invalid] = INVALID
-    return rows_of(plan, start, values, status, tables, invalid)
+    tables, said = OfCases([], []), []
+    for chosen, case in _cases(plan, possible):
+        numbers = possible[chosen]
+        of_case = block_tables(plan, case or plan.case, numbers)
+        status = _status(of_case, own, plan, len(numbers))
+        if case is None:
+            invalid[chosen] = True
+        elif not is_assembled(case, [one.part for one in plan.parts.values() if one.part]):
+            status = np.maximum(status, NOT_ASSEMBLED)
+        tables.places.append(chosen)
+        tables.parts.append(of_case)
+        said.append(status)
+    codes = _in_order(tables.places, said)
+    codes[invalid] = INVALID
+    return rows_of(plan, start, values, codes, tables, invalid)
+
+
+def _cases(plan: SweepPlan, values: Floats) -> Iterator[tuple[Chosen, Transmission | None]]:
+    """The cases that variants are of, None for what can be none; one where no part varies."""
+    paths = plan.parts
+    if not paths:
+        yield slice(None), plan.case
+        return
+    in_si = np.column_stack([path.in_si(values[:, n]) for n, path in paths.items()])
+    rows, kinds = np.unique(in_si, axis=0, return_inverse=True)
+    parts = [path.part for path in paths.values() if path.part]
+    for kind, row in enumerate(rows.tolist()):
+        chosen = slice(None) if len(rows) == 1 else np.flatnonzero(kinds.reshape(-1) == kind)
+        try:
+            yield chosen, with_part_numbers(plan.case, parts, row)
+        except CaseError:
+            yield chosen, None
 
 
 def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:

@@ -61,7 +61,7 @@ class SweepNames:
         """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
         found = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
-            if varied.number == found.number:
+            if varied.numbers == found.numbers:
                 number = VariedNumber(column)
                 if not isinstance(varied, Target) or varied.quantity == found.quantity:
                     return number

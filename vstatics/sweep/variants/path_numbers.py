@@ -7,29 +7,32 @@ behind them, and are turned into SI where they are calculated with.
 from __future__ import annotations
 
 import re
+from collections.abc import Hashable
 from typing import Literal, NamedTuple
 
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.readers.named.si_units import measured
-from vstatics.statics.points.paths import measure_of, paths_of, wrong_numbers
+from vstatics.readers.named.si_units import UNIT_OF, measured
+from vstatics.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
+from vstatics.sweep.variants.part_numbers import PartNumber, part_numbers
+from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
-EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "-50 N*m", "power": "2 kW"}
-
-
+EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 WATTS = {"W": 1.0, "kW": 1e3, "MW": 1e6, "Вт": 1.0, "кВт": 1e3}
 """Units of power."""
 
 
 class CasePath(NamedTuple):
-    """A number of the case that is varied by its path."""
+    """A number of the case that is varied by its path: of its gears and loads, or of a part."""
 
     path: str
-    quantity: str
-    """As of `CaseNumber`."""
+    of: tuple[CaseNumber, ...] = ()
+    """What `vstatics.solve` varies."""
+    part: PartNumber | None = None
+    """What makes another case."""
     unit: str = ""
     """In which its values are; nothing for bare ones, which are in SI."""
 
@@ -39,14 +42,21 @@ class CasePath(NamedTuple):
         return f"{self.path} [{self.unit}]" if self.unit else self.path
 
     @property
-    def number(self) -> str:
-        """What two have in common that vary the same."""
-        return self.path
+    def quantity(self) -> str:
+        """As of `CaseNumber`; nothing of a part."""
+        return self.of[0].quantity if self.of else ""
+
+    @property
+    def numbers(self) -> frozenset[Hashable]:
+        """All that it varies; those of mechanisms as `Target` has them."""
+        if self.quantity in OF_MECHANISM:
+            return frozenset((one.owner, one.quantity) for one in self.of)
+        return frozenset(self.of or [self.part])
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
         """What its values are; None for a number without a unit."""
-        return measure_of(self.quantity)
+        return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
         """The same with values in a unit.
@@ -70,7 +80,10 @@ class CasePath(NamedTuple):
 
     @property
     def _example(self) -> str:
-        return EXAMPLES[self.measure] if self.measure else "0.5"
+        assert self.measure is not None  # noqa: S101 - asked where a unit is missing
+        if self.measure == "power" or self.measure in EXAMPLES:
+            return EXAMPLES[self.measure]
+        return f"1 {UNIT_OF[self.measure]}"
 
     def in_si(self, values: Floats) -> Floats:
         """Values in SI."""
@@ -80,7 +93,8 @@ class CasePath(NamedTuple):
 
     def impossible(self, values: Floats) -> Booleans:
         """Which values can't be."""
-        return wrong_numbers(self.quantity, self.in_si(values))
+        numbers = self.in_si(values)
+        return self.part.impossible(numbers) if self.part else wrong_numbers(self.quantity, numbers)
 
 
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
@@ -99,13 +113,18 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     --------
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], link_names=["in", "out"])
-    >>> case_path("load.speed [rpm]", case), case_path("gears.*.torques.out", case).quantity
-    (CasePath(path='load.speed', quantity='load.speed', unit='rpm'), 'torques')
+    >>> case_path("load.speed [rpm]", case).name, case_path("gears.*.torques.out", case).quantity
+    ('load.speed [rpm]', 'torques')
     """
     unit = _UNIT.search(text)
     typed = (text[: unit.start()] if unit else text).strip()
     path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
-    quantity = paths_of(case).get(path)
-    if quantity is None:
+    of, part = numbers_of(case).get(path, ()), part_numbers(case).get(path)
+    if not (of or part):
         return None
-    return CasePath(path, quantity, unit[1].strip() if unit else "")
+    return CasePath(path, of, None if of else part, unit[1].strip() if unit else "")
+
+
+def known_paths(case: Transmission) -> list[str]:
+    """All paths of a case."""
+    return [*numbers_of(case), *part_numbers(case)]

@@ -166,7 +166,7 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
                 problem._replace(message=problem.message + hint) for problem in error.problems
             ]
             continue
-        if varied.number in [one.number for one in targets]:
+        if any(varied.numbers & one.numbers for one in targets):
             message = f"{varied.name} has a column already, expected each number once"
             problems.append(Problem("E714", message, place=place))
         targets.append(varied)
