@@ -133,7 +133,7 @@ def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str
     [
         ["gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"],
         ["drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"],
-        ["a.efficiency=.9", "#1.efficiency=.95"],
+        ["gears.*.drag.mid=1 N*m", "drag.mid=1 N*m"],
     ],
 )
 def test_a_number_that_two_paths_name_is_varied_once(tmp_path: Path, twice: list[str]) -> None:
@@ -159,3 +159,28 @@ def test_the_battery_of_all_gears_varies_at_once(tmp_path: Path) -> None:
     for column, efficiency in zip(chunk.columns.T, (0.8, 0.5), strict=True):
         left = 100 * speed - 1e3 * kilowatts / efficiency
         np.testing.assert_allclose(column, -left / (speed / 2), rtol=1e-9)
+
+
+def test_what_is_not_varied_has_its_own_number(case: vstatics.Transmission) -> None:
+    """As the document of the case has it: in rpm and N*m."""
+    names = "load.speed, load.torque, drag.mid, gears.one.torques.mid, drag.out, b.efficiency"
+    [chunk] = vstatics.sweep(case, {"a.ratio": [-3.0]}, out=names, where="load.torque > 5")
+    assert chunk.columns.tolist() == [[2000, 50, 2, 4, 0, 0.9]]
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("gears.two.torques.mid", "the case has no number at"),
+        ("gears.two.load.speed", "the case has no number at"),
+        ("gears.*.drag.out", "differs from gear to gear"),
+        ("gears.three.drag.out", "is relative to the load"),
+    ],
+)
+def test_what_has_no_number_of_its_own_is_told(tmp_path: Path, path: str, said: str) -> None:
+    with_third = CASE.replace("two: []}", "two: [], three: {drag: {out: .01}}}")
+    (tmp_path / "case.yaml").write_text(with_third)
+    ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", "a.ratio=-3", "--out", path)
+    assert (ran.status, ran.out) == (1, "")
+    assert "--out:1:1: error" in ran.err
+    assert said in ran.err

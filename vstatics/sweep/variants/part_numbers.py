@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import Any, NamedTuple, TypeAlias, get_args
 
 import numpy as np
@@ -116,11 +117,10 @@ def _below(part: Any, key: str | int) -> Any:
 
 
 def own_part_number(case: Transmission, number: PartNumber) -> float | None:
-    """A number as the case has it, in N*m or SI; None if it leaves it out."""
-    found: Any = _tree(case)
-    for key in number.way:
-        found = _below(found, key)
-    return found.given if isinstance(found, OfLoad) else found
+    """A number as the case has it; None if it leaves it out."""
+    parts: Any = _tree(case)
+    own: float | None = reduce(_below, number.way, parts)
+    return own
 
 
 def _tree(case: Transmission) -> dict[str, Any]:

@@ -6,16 +6,19 @@ behind them, and are turned into SI where they are calculated with.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Hashable
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
+from vstatics.errors import quoted
+from vstatics.model.parts import Law, OfLoad, SpeedOf
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.readers.named.si_units import UNIT_OF, measured
 from vstatics.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
-from vstatics.sweep.variants.part_numbers import PartNumber, part_numbers
+from vstatics.sweep.variants.part_numbers import PartNumber, own_part_number, part_numbers
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
@@ -128,3 +131,52 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
 def known_paths(case: Transmission) -> list[str]:
     """All paths of a case."""
     return [*numbers_of(case), *part_numbers(case)]
+
+
+def own_number_at(path: CasePath, case: Transmission) -> float:
+    """The number of a path as the case has it: in rpm, N*m and kW, of parts in SI.
+
+    Raises
+    ------
+    ValueError
+        If it has none, or several; with what is to be said of it.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Load, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(1000, 50))
+    >>> own_number_at(CasePath("load.speed", numbers_of(case)["load.speed"]), case)
+    1000
+    """
+    own = (_own(case, one) for one in path.of)
+    numbers = {own_part_number(case, path.part)} if path.part else {*own}
+    if len(numbers) > 1:
+        raise ValueError(f"{quoted(path.path)} differs from gear to gear or mesh to mesh")
+    [number] = numbers
+    if isinstance(number, OfLoad):
+        return number.given
+    if number is None or isinstance(number, Law | SpeedOf):
+        raise ValueError(f"the case has no number at {quoted(path.path)}, and it is not varied")
+    if number and not path.part and path.quantity in ("speeds", "torques", "drag", "open_drag"):
+        raise ValueError(f"{quoted(path.path)} is relative to the load, so it has no unit here")
+    return number
+
+
+def _own(case: Transmission, number: CaseNumber) -> Any:
+    """A number as the model has it."""
+    index, quantity, owner = number
+    gear = case.gears[index or 0]
+    match quantity:
+        case "load.speed" | "load.torque":
+            load = case.load if index is None else gear.load
+            return getattr(load, quantity.removeprefix("load."), None)
+        case "battery":
+            return gear.balance and gear.balance.battery
+        case "speed_ratios":
+            ratio = case.gear_ratios(gear)[case.own_mechanisms.start + owner - 1]
+            return None if math.isnan(ratio) else ratio
+        case "speeds" | "torques" | "drag":
+            return getattr(gear, quantity).get(owner, 0.0 if quantity == "drag" else None)
+        case "open_drag":
+            return gear.open_drag.get(owner, case.shift_elements[owner - 1].drag)
+    return getattr(case.mechanisms[owner], quantity)
