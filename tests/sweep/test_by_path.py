@@ -108,7 +108,10 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
 @pytest.mark.parametrize(
     ("vary", "said"),
     [
-        ("load.sped=1 rpm", "did you mean `load.speed`"),
+        ("load.sped=1 rpm", "expected `load.` and one of speed, torque; did you mean `load.speed`"),
+        ("gears.*.balance.battery=1 W", "expected `gears.*.` and one of load, speeds, torques"),
+        ("gears.on.drag.mid=1 N*m", "did you mean `gears.one`"),
+        ("gears.*.torques.out=1 N*m", "link out is the output"),
         ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
         ("load.speed=1 kg,2 kg", "this is a mass"),
         ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
@@ -184,3 +187,17 @@ def test_what_has_no_number_of_its_own_is_told(tmp_path: Path, path: str, said: 
     assert (ran.status, ran.out) == (1, "")
     assert "--out:1:1: error" in ran.err
     assert said in ran.err
+
+
+def test_an_error_writes_nothing(tmp_path: Path) -> None:
+    """Neither the head of the columns to stdout, nor a file."""
+    file, out = tmp_path / "case.yaml", tmp_path / "out.csv"
+    file.write_text(
+        CASE.replace("load: {speed: 2000 rpm, torque: 50 N*m}\n", "").replace(" N*m", "")
+    )
+    for more in ([], ["-o", str(out)]):
+        ran = run("sweep", str(file), "--vary", "a.ratio=-2", "--vary", "drag.mid=1 N*m", *more)
+        assert (ran.status, ran.out, out.exists()) == (1, "", False)
+        assert ran.err.startswith(
+            "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load"
+        )

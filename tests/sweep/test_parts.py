@@ -137,3 +137,31 @@ def test_numbers_that_make_no_case_are_invalid(case: vstatics.Transmission) -> N
     [chunk] = vstatics.sweep(case, {"P1.teeth.sun": values}, out="ratio[one]")
     assert [STATUS[code] for code in chunk.status] == ["not assembled", *["invalid"] * 4]
     assert np.isnan(chunk.columns[1:]).all()
+
+
+@pytest.mark.parametrize(
+    ("vary", "said"),
+    [
+        ("P1.teeth.moon=30", "expected `P1.teeth.` and one of sun, ring, planet"),
+        ("P1.teeth=30", "expected `P1.teeth.` and one of sun, ring, planet"),
+        ("P2.teeth.sun=30", "did you mean `P1.teeth.sun`"),
+        ("mesh_efficiency.frict=.1", "did you mean `mesh_efficiency.friction`"),
+        ("B.capacity=30", "its values need their unit"),
+        ("B.capacity=30 kg", "this is a mass"),
+        ("P1.teeth.sun=30 rpm", "expected bare numbers"),
+    ],
+)
+def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
+    (tmp_path / "case.json").write_text(json.dumps(CASE))
+    ran = run("sweep", str(tmp_path / "case.json"), "--vary", vary)
+    assert (ran.status, ran.out) == (1, "")
+    assert "--vary:1:" in ran.err
+    assert said in ran.err
+
+
+def test_where_no_variant_is_a_case_it_is_told_why(tmp_path: Path) -> None:
+    (tmp_path / "case.json").write_text(json.dumps(CASE))
+    for sun, said in (("75", "expected more teeth than the 75 of sun"), ("30.5", "a whole number")):
+        ran = run("sweep", str(tmp_path / "case.json"), "--vary", f"P1.teeth.sun={sun}")
+        assert ran.status == 1
+        assert said in ran.err

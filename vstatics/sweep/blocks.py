@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
-from vstatics.errors import CaseError
+from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.gear_steps import spread, steps
@@ -34,7 +34,7 @@ from vstatics.sweep.chunk import (
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.kept.meanings import SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.variants.part_numbers import is_assembled, with_part_numbers
+from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
@@ -249,6 +249,25 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[tuple[Chosen, Transmissi
             yield chosen, with_part_numbers(plan.case, parts, row)
         except CaseError:
             yield chosen, None
+
+
+def reason(plan: SweepPlan) -> list[Problem]:
+    """Why the first variant is no case with what varies of its parts, if it is none."""
+    values = plan.variants.block(0, 1)
+    numbers: dict[PartNumber, float] = {}
+    for n, path in plan.parts.items():
+        given = path.in_si(values[:, n])
+        if path.part and path.part.impossible(given).any():
+            expected = "a whole number" if path.part.kind == "count" else "a finite number"
+            message = f"read {given[0]:g} in variant 0, expected {expected}"
+            return [Problem("E415", message, (path.path,))]
+        if path.part:
+            numbers[path.part] = float(given[0])
+    try:
+        with_part_numbers(plan.case, [*numbers], [*numbers.values()])
+    except CaseError as error:
+        return error.problems
+    return []
 
 
 def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:

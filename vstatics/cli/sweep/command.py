@@ -99,8 +99,8 @@ def sweep(
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
     --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
     .compliance or .damping; engine.inertia; by its path load.speed, drag.out,
-    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'. EXPR and LIST
-    speak of tables by name: efficiency[1], speeds[C1,1], max(abs(torques)),
+    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'; P1.teeth.sun,
+    C1.capacity, mesh_efficiency.friction. EXPR and LIST speak of tables by name: efficiency[1], speeds[C1,1], max(abs(torques)),
     D1.ratio; omega[2,1] is the second natural frequency in gear 1. Of a scenario
     NAME is any number of it or of its case by its path, shifts.1.overlap, and EXPR
     speaks of the run: heat[F2], locks[F2], max(abs(slips[F2])), peaks[shaft],

@@ -11,7 +11,7 @@ import re
 from collections.abc import Hashable
 from typing import Any, Literal, NamedTuple
 
-from vstatics.errors import quoted
+from vstatics.errors import listed, nearest, quoted
 from vstatics.model.parts import Law, OfLoad, SpeedOf
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
@@ -26,6 +26,10 @@ _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
 EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 WATTS = {"W": 1.0, "kW": 1e3, "MW": 1e6, "Вт": 1.0, "кВт": 1e3}
 """Units of power."""
+
+
+_ROOTS = ("load", "gears", "drag", "mesh_efficiency")
+"""First words of paths that are no names."""
 
 
 class CasePath(NamedTuple):
@@ -131,6 +135,37 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
 def known_paths(case: Transmission) -> list[str]:
     """All paths of a case."""
     return [*numbers_of(case), *part_numbers(case)]
+
+
+def no_path(text: str, case: Transmission) -> str:
+    """What to say of a path that names nothing; nothing where it may be a name and a quantity.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> no_path("load", case), no_path("D1.rat", case)
+    ('', '')
+    >>> print(no_path("load.sped", case).replace("; ", "\\n"))
+    there is no number `load.sped`, expected `load.` and one of speed, torque
+    did you mean `load.speed`?
+    """
+    parts = _QUOTED.sub(lambda found: found[1] or found[2] or "", text).split(".")
+    paths = known_paths(case)
+    known = [path.split(".") for path in paths]
+    depth = max(n for n in range(len(parts) + 1) if any(one[:n] == parts[:n] for one in known))
+    if len(parts) == 1 or (len(parts) == 2 and parts[0] not in _ROOTS and depth < 2):
+        return ""
+    message = f"there is no number {quoted(text)}"
+    if not depth:
+        return message + nearest(text, paths)
+    before = ".".join(parts[:depth])
+    longer = [one for one in known if one[:depth] == parts[:depth] and len(one) > depth]
+    if not longer:
+        return f"{message}, expected `{before}`"
+    behind = [*dict.fromkeys(one[depth] for one in longer)]
+    message += f", expected `{before}.` and one of {listed(behind)}"
+    if depth == len(parts):
+        return message
+    return message + nearest(f"{before}.{parts[depth]}", [f"{before}.{one}" for one in behind])
 
 
 def own_number_at(path: CasePath, case: Transmission) -> float:
