@@ -201,3 +201,23 @@ def test_an_error_writes_nothing(tmp_path: Path) -> None:
         assert ran.err.startswith(
             "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load"
         )
+
+
+@pytest.mark.parametrize("as_table", [False, True])
+def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) -> None:
+    """4 N*m on the second link of two pairs, by hand: M_out = -(2 (-3 M_in + 4))."""
+    file, table = tmp_path / "case.yaml", tmp_path / "table.csv"
+    lossless = CASE.replace(", efficiency: .96", "").replace(", efficiency: .9", "")
+    lines = [line for line in lossless.splitlines() if not line.startswith(("load", "drag"))]
+    file.write_text("\n".join(lines))
+    table.write_text("load.torque [N*m]\n10\n-20\n")
+    vary = ["--variants", str(table)] if as_table else ["--vary", "load.torque=10 N*m,-20 N*m"]
+    ran = run("sweep", str(file), *vary, "--out", "M=output_torque_Nm[one]")
+    found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
+    assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
+    assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
+
+
+def test_solve_says_who_varies_teeth(case: vstatics.Transmission) -> None:
+    with pytest.raises(vstatics.CaseError, match=r"teeth and the like vary in `vstatics\.sweep`"):
+        solve(case, vary={"P1.teeth.sun": [30]})

@@ -47,6 +47,8 @@ from vstatics.sweep.variants.targets import (
 
 Chosen: TypeAlias = Integers | slice
 """Places of variants in a block."""
+Made: TypeAlias = tuple[Chosen, Transmission | None]
+"""A case that variants are of; None for what can be none."""
 Array = TypeVar("Array", Floats, Codes)
 
 
@@ -114,27 +116,32 @@ def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
     return whole
 
 
-def block_tables(plan: SweepPlan, case: Transmission, values: Floats) -> BlockTables:
-    """What the plan asks for of a case, of varied numbers that are possible."""
+def block_tables(
+    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made] = ()
+) -> BlockTables:
+    """What the plan asks for of a case, of varied numbers that are possible.
+
+    Some variants may have the ratios and efficiencies of other cases.
+    """
     targets, asked = plan.targets, plan.modes
     results = modes = None
+    own = values if len(targets) == values.shape[1] else values[:, plan.places]
     paths = _by_path(plan, values)
     if plan.asks_for_results and paths:
         results = solve(case, vary=paths)
     elif plan.asks_for_results:
-        numbers = _of_mechanisms(case, targets, values)
+        numbers = _of_mechanisms(case, targets, own, cases)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
-        own, first = values[:, plan.places], first[:, plan.places]
-        modes = frequencies(case, targets, own, asked, first)
+        modes = frequencies(case, targets, own, asked, first[:, plan.places])
     return BlockTables(results, modes)
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
     """What `vstatics.solve` varies, by paths in SI; nothing where ratios and efficiencies do."""
     found: dict[str, Floats] = {}
-    of_solve = [one for one in plan.variants.targets if isinstance(one, CasePath) and one.of]
+    of_solve = [one for one in plan.paths if one.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
         if target in of_solve:
             found[target.path] = target.in_si(column)
@@ -145,15 +152,18 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 
 
 def _of_mechanisms(
-    case: Transmission, targets: Sequence[Target], values: Floats
+    case: Transmission, targets: Sequence[Target], values: Floats, cases: Sequence[Made] = ()
 ) -> dict[OfMechanism, Floats]:
     """What `vstatics.solve` takes of a block, (variants, mechanisms): each one's lie together."""
     varied = {target.quantity for target in targets}
     numbers: dict[OfMechanism, Floats] = {}
     for quantity in OF_MECHANISM:
-        if quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
+        if cases or quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
             table = np.empty((len(case.mechanisms), len(values)))
             table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+            for chosen, made in cases:
+                if made:
+                    table.T[chosen] = [getattr(one, quantity) for one in made.mechanisms]
             numbers[quantity] = table.T
     for column, target in enumerate(targets):
         if target.quantity in OF_MECHANISM:
@@ -217,24 +227,43 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
     """The rows of a block."""
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
+    cases = [*_cases(plan, possible)]
     tables, said = OfCases([], []), []
-    for chosen, case in _cases(plan, possible):
-        numbers = possible[chosen]
-        of_case = block_tables(plan, case or plan.case, numbers)
-        status = _status(of_case, own, plan, len(numbers))
-        if case is None:
-            invalid[chosen] = True
-        elif not is_assembled(case, [one.part for one in plan.parts.values() if one.part]):
-            status = np.maximum(status, NOT_ASSEMBLED)
+    for chosen, case, others in _groups(plan, cases):
+        of_group = block_tables(plan, case, possible[chosen], others)
         tables.places.append(chosen)
-        tables.parts.append(of_case)
-        said.append(status)
-    codes = _in_order(tables.places, said)
-    codes[invalid] = INVALID
-    return rows_of(plan, start, values, codes, tables, invalid)
+        tables.parts.append(of_group)
+        said.append(_status(of_group, own, plan, len(possible[chosen])))
+    status = _in_order(tables.places, said)
+    parts = [path.part for path in plan.parts.values() if path.part]
+    for chosen, made in cases:
+        if made is None:
+            invalid[chosen] = True
+        elif not is_assembled(made, parts):
+            status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
+    status[invalid] = INVALID
+    return rows_of(plan, start, values, status, tables, invalid)
 
 
-def _cases(plan: SweepPlan, values: Floats) -> Iterator[tuple[Chosen, Transmission | None]]:
+def _groups(
+    plan: SweepPlan, cases: Sequence[Made]
+) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
+    """What is calculated at once, with the cases whose ratios and efficiencies it takes.
+
+    All cases that differ in nothing else, unless planets are asked for, which follow from a case.
+    """
+    own = [one.back_efficiency for one in plan.case.mechanisms]
+    tables = {part.table for one in plan.expressions for part in one.selections}
+    of_each_case = tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
+    if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
+        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+    elif all([m.back_efficiency for m in made.mechanisms] == own for _, made in cases if made):
+        yield slice(None), plan.case, cases
+    else:
+        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+
+
+def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
     """The cases that variants are of, None for what can be none; one where no part varies."""
     paths = plan.parts
     if not paths:

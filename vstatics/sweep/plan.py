@@ -86,6 +86,11 @@ class SweepPlan:
         return [n for n, one in enumerate(self.variants.targets) if isinstance(one, Target)]
 
     @property
+    def paths(self) -> list[CasePath]:
+        """What is varied of a case by its path."""
+        return [one for one in self.variants.targets if isinstance(one, CasePath)]
+
+    @property
     def parts(self) -> dict[int, CasePath]:
         """What is varied of the parts of a case, by its column: each set of numbers makes one."""
         paths = enumerate(self.variants.targets)

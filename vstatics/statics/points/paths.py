@@ -66,7 +66,8 @@ def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Colum
     for path, array in arrays.items():
         numbers = known.get(path)
         if not numbers:
-            message = f"the case has no number {quoted(path)}{nearest(path, known)}"
+            advice = nearest(path, known) or "; teeth and the like vary in `vstatics.sweep`"
+            message = f"the case has no number {quoted(path)}{advice}"
             raise CaseError([Problem("E421", message, ("vary",))])
         column = np.broadcast_to(array, shape)
         _check(path, numbers[0].quantity, column)
