@@ -170,7 +170,7 @@ def test_where_no_variant_is_a_case_it_is_told_why(tmp_path: Path) -> None:
 def test_who_asks_for_planets_gets_the_same_in_all_else(case: vstatics.Transmission) -> None:
     """Then each case is calculated alone, else all at once."""
     plain = case.replace(gears=[gear._replace(torques={}) for gear in case.gears])
-    vary = {"P1.teeth.sun": "20:40:21", "pair.teeth.first": [19, 20]}
+    vary = ["P1.teeth.sun=20:40:21", "pair.teeth.first=19,20"]
     out = "ratio, efficiency, lossy_torques[B]"
     [at_once] = vstatics.sweep(plain, vary, out=out)
     [alone] = vstatics.sweep(plain, vary, out=f"{out}, planet_speeds[P1]")
@@ -179,8 +179,8 @@ def test_who_asks_for_planets_gets_the_same_in_all_else(case: vstatics.Transmiss
 
 
 def test_teeth_and_a_number_of_a_mechanism_vary_together(case: vstatics.Transmission) -> None:
-    """eta = (1 + eta_0 R/S)/(1 + R/S) with a given eta_0, times .98 of the pair behind."""
-    out, vary = "efficiency[one]/.98", {"P1.teeth.sun": [33, 27], "P1.efficiency": [0.9, 0.95]}
+    """Eta = (1 + eta_0 R/S)/(1 + R/S) with a given eta_0, times .98 of the pair behind."""
+    out, vary = "efficiency[one]/.98", ["P1.teeth.sun=33,27", "P1.efficiency=.9,.95"]
     without = case.replace(gears=[case.gears[0]._replace(torques={})])
     [chunk] = vstatics.sweep(without, vary, out=out)
     for (sun, own), found in zip(chunk.values, chunk.columns[:, 0], strict=True):
