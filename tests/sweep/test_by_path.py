@@ -108,7 +108,10 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
 @pytest.mark.parametrize(
     ("vary", "said"),
     [
-        ("load.sped=1 rpm", "did you mean `load.speed`"),
+        ("load.sped=1 rpm", "expected `load.` and one of speed, torque; did you mean `load.speed`"),
+        ("gears.*.balance.battery=1 W", "expected `gears.*.` and one of load, speeds, torques"),
+        ("gears.on.drag.mid=1 N*m", "did you mean `gears.one`"),
+        ("gears.*.torques.out=1 N*m", "link out is the output"),
         ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
         ("load.speed=1 kg,2 kg", "this is a mass"),
         ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
@@ -126,3 +129,95 @@ def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str
     assert (ran.status, out.exists()) == (1, False)
     assert "--vary:1:" in ran.err
     assert said in ran.err
+
+
+@pytest.mark.parametrize(
+    "twice",
+    [
+        ["gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"],
+        ["drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"],
+        ["gears.*.drag.mid=1 N*m", "drag.mid=1 N*m"],
+    ],
+)
+def test_a_number_that_two_paths_name_is_varied_once(tmp_path: Path, twice: list[str]) -> None:
+    (tmp_path / "case.yaml").write_text(CASE)
+    vary = [word for one in twice for word in ("--vary", one)]
+    ran = run("sweep", str(tmp_path / "case.yaml"), *vary)
+    assert (ran.status, ran.out) == (1, "")
+    assert "is varied twice" in ran.err
+
+
+def test_the_battery_of_all_gears_varies_at_once(tmp_path: Path) -> None:
+    """What the machine takes, battery/eta, is missing at the output: 2 M w_in = P_in - P_m."""
+    (tmp_path / "b.yaml").write_text(
+        "links: [in, m, out]\nload: {speed: 1000 rpm, torque: 100 N*m}\noutput: out\n"
+        "mechanisms:\n  a: {first: in, second: m, ratio: -1}\n"
+        "  b: {first: in, second: out, ratio: -2}\n"
+        "gears: {x: {balance: {m: .8, battery: 1 kW}}, y: {balance: {m: .5, battery: 2 kW}}}\n"
+    )
+    case, kilowatts = load(tmp_path / "b.yaml"), np.array([1.0, 2.0])
+    path = "gears.*.balance.battery"
+    [chunk] = vstatics.sweep(case, {path: 1e3 * kilowatts}, out="output_torque_Nm")
+    speed = 1000 * math.pi / 30
+    for column, efficiency in zip(chunk.columns.T, (0.8, 0.5), strict=True):
+        left = 100 * speed - 1e3 * kilowatts / efficiency
+        np.testing.assert_allclose(column, -left / (speed / 2), rtol=1e-9)
+
+
+def test_what_is_not_varied_has_its_own_number(case: vstatics.Transmission) -> None:
+    """As the document of the case has it: in rpm and N*m."""
+    names = "load.speed, load.torque, drag.mid, gears.one.torques.mid, drag.out, b.efficiency"
+    [chunk] = vstatics.sweep(case, {"a.ratio": [-3.0]}, out=names, where="load.torque > 5")
+    assert chunk.columns.tolist() == [[2000, 50, 2, 4, 0, 0.9]]
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("gears.two.torques.mid", "the case has no number at"),
+        ("gears.two.load.speed", "the case has no number at"),
+        ("gears.*.drag.out", "differs from gear to gear"),
+        ("gears.three.drag.out", "is relative to the load"),
+    ],
+)
+def test_what_has_no_number_of_its_own_is_told(tmp_path: Path, path: str, said: str) -> None:
+    with_third = CASE.replace("two: []}", "two: [], three: {drag: {out: .01}}}")
+    (tmp_path / "case.yaml").write_text(with_third)
+    ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", "a.ratio=-3", "--out", path)
+    assert (ran.status, ran.out) == (1, "")
+    assert "--out:1:1: error" in ran.err
+    assert said in ran.err
+
+
+def test_an_error_writes_nothing(tmp_path: Path) -> None:
+    """Neither the head of the columns to stdout, nor a file."""
+    file, out = tmp_path / "case.yaml", tmp_path / "out.csv"
+    file.write_text(
+        CASE.replace("load: {speed: 2000 rpm, torque: 50 N*m}\n", "").replace(" N*m", "")
+    )
+    for more in ([], ["-o", str(out)]):
+        ran = run("sweep", str(file), "--vary", "a.ratio=-2", "--vary", "drag.mid=1 N*m", *more)
+        assert (ran.status, ran.out, out.exists()) == (1, "", False)
+        assert ran.err.startswith(
+            "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load"
+        )
+
+
+@pytest.mark.parametrize("as_table", [False, True])
+def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) -> None:
+    """4 N*m on the second link of two pairs, by hand: M_out = -(2 (-3 M_in + 4))."""
+    file, table = tmp_path / "case.yaml", tmp_path / "table.csv"
+    lossless = CASE.replace(", efficiency: .96", "").replace(", efficiency: .9", "")
+    lines = [line for line in lossless.splitlines() if not line.startswith(("load", "drag"))]
+    file.write_text("\n".join(lines))
+    table.write_text("load.torque [N*m]\n10\n-20\n")
+    vary = ["--variants", str(table)] if as_table else ["--vary", "load.torque=10 N*m,-20 N*m"]
+    ran = run("sweep", str(file), *vary, "--out", "M=output_torque_Nm[one]")
+    found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
+    assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
+    assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
+
+
+def test_solve_says_who_varies_teeth(case: vstatics.Transmission) -> None:
+    with pytest.raises(vstatics.CaseError, match=r"teeth and the like vary in `vstatics\.sweep`"):
+        solve(case, vary={"P1.teeth.sun": [30]})

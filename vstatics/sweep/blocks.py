@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.gear_steps import spread, steps
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
@@ -21,6 +22,7 @@ from vstatics.sweep.chunk import (
     DRAGGED,
     INVALID,
     LOCKED,
+    NOT_ASSEMBLED,
     OPEN,
     TIED_UP,
     UNDECIDED,
@@ -32,6 +34,7 @@ from vstatics.sweep.chunk import (
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.kept.meanings import SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
@@ -41,6 +44,12 @@ from vstatics.sweep.variants.targets import (
     impossible,
     own_number,
 )
+
+Chosen: TypeAlias = Integers | slice
+"""Places of variants in a block."""
+Made: TypeAlias = tuple[Chosen, Transmission | None]
+"""A case that variants are of; None for what can be none."""
+Array = TypeVar("Array", Floats, Codes)
 
 
 class BlockTables(NamedTuple):
@@ -86,15 +95,42 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
     return target.impossible(given), 1.0
 
 
-def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
-    """What the plan asks for, of varied numbers that are possible."""
-    case, targets, asked = plan.case, plan.targets, plan.modes
+class OfCases(NamedTuple):
+    """The tables of a block whose variants are of one case, or of several."""
+
+    places: list[Chosen]
+    """Which variants are of each case."""
+    parts: list[BlockTables]
+
+    def existing(self, name: str) -> Floats:
+        """A table by its name, in the order of the variants."""
+        return _in_order(self.places, [part.existing(name) for part in self.parts])
+
+
+def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
+    """One array of several, whose rows are of these places."""
+    if len(arrays) == 1:
+        return arrays[0]
+    order = np.argsort(np.concatenate([np.asarray(one) for one in places]))
+    whole: Array = np.concatenate(arrays)[order]
+    return whole
+
+
+def block_tables(
+    plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made] = ()
+) -> BlockTables:
+    """What the plan asks for of a case, of varied numbers that are possible.
+
+    Some variants may have the ratios and efficiencies of other cases.
+    """
+    targets, asked = plan.targets, plan.modes
     results = modes = None
     own = values if len(targets) == values.shape[1] else values[:, plan.places]
-    if plan.asks_for_results and len(targets) < values.shape[1]:
-        results = solve(case, vary=_by_path(plan, values))
+    paths = _by_path(plan, values)
+    if plan.asks_for_results and paths:
+        results = solve(case, vary=paths)
     elif plan.asks_for_results:
-        numbers = _of_mechanisms(case, targets, values)
+        numbers = _of_mechanisms(case, targets, own, cases)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
@@ -103,27 +139,31 @@ def block_tables(plan: SweepPlan, values: Floats) -> BlockTables:
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
-    """What `vstatics.solve` varies, by paths in SI."""
+    """What `vstatics.solve` varies, by paths in SI; nothing where ratios and efficiencies do."""
     found: dict[str, Floats] = {}
+    of_solve = [one for one in plan.paths if one.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
-        if isinstance(target, CasePath):
+        if target in of_solve:
             found[target.path] = target.in_si(column)
-        elif isinstance(target, Target) and target.quantity in OF_MECHANISM:
+        elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
             name = plan.case.mechanisms[target.owner].name
             found[f"{name}.{target.quantity}"] = column
     return found
 
 
 def _of_mechanisms(
-    case: Transmission, targets: Sequence[Target], values: Floats
+    case: Transmission, targets: Sequence[Target], values: Floats, cases: Sequence[Made] = ()
 ) -> dict[OfMechanism, Floats]:
     """What `vstatics.solve` takes of a block, (variants, mechanisms): each one's lie together."""
     varied = {target.quantity for target in targets}
     numbers: dict[OfMechanism, Floats] = {}
     for quantity in OF_MECHANISM:
-        if quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
+        if cases or quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
             table = np.empty((len(case.mechanisms), len(values)))
             table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+            for chosen, made in cases:
+                if made:
+                    table.T[chosen] = [getattr(one, quantity) for one in made.mechanisms]
             numbers[quantity] = table.T
     for column, target in enumerate(targets):
         if target.quantity in OF_MECHANISM:
@@ -187,10 +227,76 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
     """The rows of a block."""
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
-    tables = block_tables(plan, possible)
-    status = _status(tables, own, plan, len(values))
+    cases = [*_cases(plan, possible)]
+    tables, said = OfCases([], []), []
+    for chosen, case, others in _groups(plan, cases):
+        of_group = block_tables(plan, case, possible[chosen], others)
+        tables.places.append(chosen)
+        tables.parts.append(of_group)
+        said.append(_status(of_group, own, plan, len(possible[chosen])))
+    status = _in_order(tables.places, said)
+    parts = [path.part for path in plan.parts.values() if path.part]
+    for chosen, made in cases:
+        if made is None:
+            invalid[chosen] = True
+        elif not is_assembled(made, parts):
+            status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
     status[invalid] = INVALID
     return rows_of(plan, start, values, status, tables, invalid)
+
+
+def _groups(
+    plan: SweepPlan, cases: Sequence[Made]
+) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
+    """What is calculated at once, with the cases whose ratios and efficiencies it takes.
+
+    All cases that differ in nothing else, unless planets are asked for, which follow from a case.
+    """
+    own = [one.back_efficiency for one in plan.case.mechanisms]
+    tables = {part.table for one in plan.expressions for part in one.selections}
+    of_each_case = tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
+    if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
+        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+    elif all([m.back_efficiency for m in made.mechanisms] == own for _, made in cases if made):
+        yield slice(None), plan.case, cases
+    else:
+        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+
+
+def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
+    """The cases that variants are of, None for what can be none; one where no part varies."""
+    paths = plan.parts
+    if not paths:
+        yield slice(None), plan.case
+        return
+    in_si = np.column_stack([path.in_si(values[:, n]) for n, path in paths.items()])
+    rows, kinds = np.unique(in_si, axis=0, return_inverse=True)
+    parts = [path.part for path in paths.values() if path.part]
+    for kind, row in enumerate(rows.tolist()):
+        chosen = slice(None) if len(rows) == 1 else np.flatnonzero(kinds.reshape(-1) == kind)
+        try:
+            yield chosen, with_part_numbers(plan.case, parts, row)
+        except CaseError:
+            yield chosen, None
+
+
+def reason(plan: SweepPlan) -> list[Problem]:
+    """Why the first variant is no case with what varies of its parts, if it is none."""
+    values = plan.variants.block(0, 1)
+    numbers: dict[PartNumber, float] = {}
+    for n, path in plan.parts.items():
+        given = path.in_si(values[:, n])
+        if path.part and path.part.impossible(given).any():
+            expected = "a whole number" if path.part.kind == "count" else "a finite number"
+            message = f"read {given[0]:g} in variant 0, expected {expected}"
+            return [Problem("E415", message, (path.path,))]
+        if path.part:
+            numbers[path.part] = float(given[0])
+    try:
+        with_part_numbers(plan.case, [*numbers], [*numbers.values()])
+    except CaseError as error:
+        return error.problems
+    return []
 
 
 def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:

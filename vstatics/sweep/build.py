@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.errors import CaseError, Place, Problem, ReadError, of_file
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.statics.solve import solve
+from vstatics.sweep.blocks import possible_numbers
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import Terms
@@ -19,6 +22,7 @@ from vstatics.sweep.kept.selection import read_objective, read_where
 from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
+from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
@@ -82,12 +86,14 @@ def plan(
     if isinstance(subject, Transmission):
         idle = cast("IdleConvention", options.idle or subject.idle)
         subject = replace(subject.with_coast(options.coast), idle=idle)
-    variants: Variants
+    places: Sequence[Place | None] = ()
     if table is not None:
-        variants = _table(subject, table)
+        variants: Variants = _table(subject, table)
     else:
-        variants = _variants(subject, options, arrays or {})
+        variants, places = _variants(subject, options, arrays or {})
     try:
+        if isinstance(subject, Transmission) and variants.count:
+            _check_paths(subject, variants, places)
         return _with_expressions(subject, options, variants)
     except BaseException:
         if isinstance(variants, VariantTable):
@@ -95,9 +101,13 @@ def plan(
         raise
 
 
-def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike]) -> Variants:
+def _variants(
+    subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike]
+) -> tuple[Variants, Sequence[Place | None]]:
+    """The variants that options tell, and where each varied number was read."""
     if options.variants is not None:
-        return load_table(options.variants, subject)
+        listed = load_table(options.variants, subject)
+        return listed, [Place(options.variants, 1, 1)] * len(listed.targets)
     problems: list[Problem] = []
     read = _all(options.vary, lambda text: read_variation(text, subject), problems)
     if problems:
@@ -114,8 +124,37 @@ def _variants(subject: Subject, options: SweepOptions, arrays: Mapping[str, Arra
     ]
     if options.sample is not None:
         method = cast("Method", options.method or "sobol")
-        return Sample(variations, options.sample, method, options.seed or 0)
-    return Zip(variations) if options.zip else VariantGrid(variations)
+        made: Variants = Sample(variations, options.sample, method, options.seed or 0)
+    else:
+        made = Zip(variations) if options.zip else VariantGrid(variations)
+    return made, [one.place for one in variations]
+
+
+def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place | None]) -> None:
+    """Make sure that the first variant can be calculated with what varies by its path.
+
+    Raises
+    ------
+    ReadError
+        With the place of the first path that it can't be calculated with.
+    CaseError
+        Where that has no place.
+    """
+    numbers, _ = possible_numbers(case, variants.targets, variants.block(0, 1))
+    paths = [(n, one) for n, one in enumerate(variants.targets) if isinstance(one, CasePath)]
+    given: dict[str, Floats] = {}
+    for n, path in sorted(paths, key=lambda one: "load." not in one[1].quantity):
+        if path.of:
+            given[path.path] = path.in_si(numbers[:, n])
+            try:
+                solve(case, vary=given)
+            except CaseError as error:
+                if not places or places[n] is None:
+                    raise
+                placed = dict.fromkeys(
+                    one._replace(place=places[n], path=()) for one in error.problems
+                )
+                raise ReadError([*placed]) from None
 
 
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

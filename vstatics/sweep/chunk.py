@@ -26,13 +26,17 @@ if TYPE_CHECKING:
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
-_OF_GEARS = (
-    *(status.DRAGGED, status.NEUTRAL, status.UNDECIDED),
-    *(status.LOCKED, status.TIED_UP, status.CONFLICT),
+STATUS = (
+    "ok",
+    *(one.name for one in (status.DRAGGED, status.NEUTRAL, status.UNDECIDED, status.LOCKED)),
+    "not assembled",
+    *(one.name for one in (status.TIED_UP, status.CONFLICT)),
+    *("invalid", "stopped"),
 )
-STATUS = ("ok", *(one.name for one in _OF_GEARS), "invalid", "stopped")
 """What can be said of a variant, the worse the later; a variant has the worst of its gears."""
-DRAGGED, OPEN, UNDECIDED, LOCKED, TIED_UP, CONFLICT, INVALID, STOPPED = range(1, len(STATUS))
+DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
+    1, len(STATUS)
+)
 
 
 OF_ROWS = ("places", "values", "status", "columns", "objectives")

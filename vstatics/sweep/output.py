@@ -198,6 +198,8 @@ def stream(
 ) -> SweepReport:
     """Calculate everything and write it as text, in order; nothing is kept on disk.
 
+    Where the first piece can't be calculated nothing is written.
+
     Raises
     ------
     CaseError
@@ -209,7 +211,11 @@ def stream(
     counts: Counter[str] = Counter()
     rows = 0
     items = tasks.items(task, range(plan.pieces), remote=workers.remote)
-    write(text.head(form, plan.output_headings, raw=task.raw))
+    heads = [text.head(form, plan.output_headings, raw=task.raw)]
+
+    def put(data: bytes = b"") -> None:
+        write(heads.pop() + data if heads else data)
+
     if plan.objectives:
         kept: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):
@@ -218,13 +224,14 @@ def stream(
             kept = [best.within(plan, chunk.joined([*kept, calculated]))]
         for selected in best.among(plan, lambda: kept):
             rows += len(selected.variants)
-            write(text.rows(form, selected))
+            put(text.rows(form, selected))
+        put()
         return SweepReport(rows, dict(counts), kept[0].removed)
     removed: Counter[int] = Counter()
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
         removed.update(dict(enumerate(account.removed)))
         rows += account.rows
-        write(data)
+        put(data)
         advance(account.variants)
     return SweepReport(rows, dict(counts), tuple(removed.values()))

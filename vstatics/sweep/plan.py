@@ -17,6 +17,7 @@ from vstatics.sweep.kept.expressions import Expression
 from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.kept.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
+from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Target
 
@@ -83,6 +84,17 @@ class SweepPlan:
     def places(self) -> list[int]:
         """Where the columns of `targets` stand among all varied numbers."""
         return [n for n, one in enumerate(self.variants.targets) if isinstance(one, Target)]
+
+    @property
+    def paths(self) -> list[CasePath]:
+        """What is varied of a case by its path."""
+        return [one for one in self.variants.targets if isinstance(one, CasePath)]
+
+    @property
+    def parts(self) -> dict[int, CasePath]:
+        """What is varied of the parts of a case, by its column: each set of numbers makes one."""
+        paths = enumerate(self.variants.targets)
+        return {n: one for n, one in paths if isinstance(one, CasePath) and one.part}
 
     @property
     def names(self) -> tuple[str, ...]:

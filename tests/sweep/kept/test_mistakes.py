@@ -49,7 +49,7 @@ from vstatics.sweep.variants.targets import target
         ("D1.ratoi > 1", "ratoi > 1", "did you mean `ratio`?"),
         ("1 > D2.ratio", "D2.ratio", "there is no mechanism `D2`, expected one of D1"),
         ("D1 .ratio > 1", ".ratio > 1", "read `.` behind `D1`"),
-        ("D1.ratio.real", "D1.ratio.real", "there is no mechanism `D1.ratio`"),
+        ("D1.ratio.real", "D1.ratio.real", "there is no number `D1.ratio.real`"),
         ("ratio[2].real", ".real", "read `.` behind `ratio`"),
         ("D1", "D1", "`D1` is a mechanism: D1.ratio"),
         ("вал", "вал", "`вал` is a link: in brackets, as in speeds[вал]"),

@@ -99,12 +99,12 @@ def sweep(
     VALUES are low:high:count, low:high:step=STEP, a list a,b,c, or low:high with
     --sample. NAME is D1.ratio or .efficiency; of what is elastic shaft.stiffness,
     .compliance or .damping; engine.inertia; by its path load.speed, drag.out,
-    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'. EXPR and LIST
-    speak of tables by name: efficiency[1], speeds[C1,1], max(abs(torques)),
-    D1.ratio; omega[2,1] is the second natural frequency in gear 1. Of a scenario
-    NAME is any number of it or of its case by its path, shifts.1.overlap, and EXPR
-    speaks of the run: heat[F2], locks[F2], max(abs(slips[F2])), peaks[shaft],
-    speeds[out], work.
+    gears.low.torques.x, with a unit on each value, '-50 N*m,50 N*m'; P1.teeth.sun,
+    C1.capacity, mesh_efficiency.friction. EXPR and LIST speak of tables by name:
+    efficiency[1], speeds[C1,1], max(abs(torques)), D1.ratio; omega[2,1] is the
+    second natural frequency in gear 1. Of a scenario NAME is any number of it or of
+    its case by its path, shifts.1.overlap, and EXPR speaks of the run: heat[F2],
+    locks[F2], max(abs(slips[F2])), peaks[shaft], speeds[out], work.
 
     \b
     Examples:
@@ -144,7 +144,7 @@ def sweep(
 
     try:
         build.check_packages(options, form, sharing.scheduler)
-        subject, warnings = read_subject(options.case or "", input_format, telling)
+        subject, warnings = read_subject(options, input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
         subject = limited(subject, effort.limit)

@@ -13,7 +13,7 @@ from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.stopping import StoppedError
 from vstatics.model.transmission import Transmission
-from vstatics.sweep import chunk
+from vstatics.sweep import blocks, chunk
 from vstatics.sweep.formats import Format
 from vstatics.sweep.kept.selection import WhereCondition
 from vstatics.sweep.output import Output, SweepReport, description, stream
@@ -152,8 +152,10 @@ def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
 
 
 def tell_reason(plan: SweepPlan) -> None:
-    """Say why the first variant of a scenario has no numbers."""
-    if not isinstance(plan.subject, Transmission):
-        from vstatics.sweep.runs import reason
+    """Say why the first variant has no numbers, where that can be told."""
+    if isinstance(plan.subject, Transmission):
+        files.show(blocks.reason(plan))
+    else:
+        from vstatics.sweep.runs import reason  # others need no simulation
 
         files.show(reason(plan, plan.subject))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from contextlib import suppress
 from dataclasses import replace
 
 import click
@@ -12,21 +14,33 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import case_of, is_a
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
-from vstatics.sweep.options import FileName
+from vstatics.readers.named.node_paths import child
+from vstatics.readers.named.nodes import Mapping, Node, Scalar, decode
+from vstatics.readers.named.reader import case_tree, read_case_tree
+from vstatics.readers.reading import Reading
+from vstatics.sweep.options import FileName, SweepOptions
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
 
+_LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
+_LONGEST = 2**16
+_STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
 ReadSubject = tuple[Subject, list[Problem]]
 """A case or a scenario, and what is doubtful of the case."""
 
 
-def read_subject(file: str, input_format: readers.Format | None, telling: Telling) -> ReadSubject:
+def read_subject(
+    options: SweepOptions, input_format: readers.Format | None, telling: Telling
+) -> ReadSubject:
     """Read the case or the scenario of a sweep, and print the warnings.
+
+    A case may lack the load that varies.
 
     Raises
     ------
     ReadError
         If it can't be read; with the problems to print.
     """
+    file = options.case or ""
     try:
         data, name = files.read_input(file)
     except ReadError as error:
@@ -36,8 +50,35 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
         raise ReadError([Problem("E018", message, place=file.place)]) from None
     if input_format is None and is_a("scenario", data, name):
         return read_scenario_subject(Document(data, name), telling)
-    reading = arguments.read_data(data, name, input_format, telling)
+    try:
+        reading = arguments.read_data(data, name, input_format, telling)
+    except ReadError:
+        found = _with_load(Document(data, name), input_format, options)
+        if found is None:
+            raise
+        reading = found.allowing(telling.allow)
+        arguments.show_problems(reading.warnings, telling, name)
     return reading.case, list(reading.warnings)
+
+
+def _with_load(
+    case: Document, input_format: readers.Format | None, options: SweepOptions
+) -> Reading | None:
+    """A case without a load, read with one that stands in for those that vary."""
+    varied = [text.text for text in options.vary]
+    with suppress(OSError, ReadError):
+        if options.variants is not None:
+            with open(options.variants, encoding="utf-8", errors="replace") as table:  # noqa: PTH123
+                varied.append(table.readline(_LONGEST))
+        halves = sorted({half for text in varied for half in _LOAD.findall(text)})
+        root = case_tree(*case, input_format)
+        if halves and isinstance(root, Mapping) and not child(root, "load"):
+            told: list[tuple[Scalar, Node]] = [
+                (Scalar(half, 1, 1), Scalar(_STAND_INS[half], 1, 1)) for half in halves
+            ]
+            load = Scalar("load", 1, 1), Mapping(told, 1, 1)
+            return read_case_tree(root._replace(entries=[*root.entries, load]), decode(*case))
+    return None
 
 
 def read_scenario_subject(

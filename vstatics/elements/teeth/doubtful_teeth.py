@@ -18,6 +18,8 @@ from vstatics.elements.teeth.spacing import counts, of_planets
 from vstatics.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested
 from vstatics.errors import Path, Problem
 
+HALF_A_TOOTH = "N311"
+"""What is told of a planet that would need one."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
 
 
@@ -57,18 +59,40 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
             yield Problem(doubt.id, doubt.message, path)
 
 
+def misfits(element: Element) -> Iterator[str]:
+    """Identities of the doubts that keep an element from being put together.
+
+    >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
+    >>> list(misfits(Element("P", "planetary", members, teeth, planets=4)))
+    ['N311', 'W317']
+    """
+    if subject := _subject(element):
+        found = (doubt.id for doubt in _wrong(subject))
+        yield from (one for one in found if one == HALF_A_TOOTH or one.startswith("W"))
+
+
 def _doubts(element: Element) -> Iterator[Doubt]:
-    if not all(float(count).is_integer() for count in element.teeth.values()):
-        return
-    if isinstance(element.shape, Planetary):
-        yield from _with_cures(OfPlanets(element))
-    elif element.kind == "chain":
+    if subject := _subject(element):
+        yield from _with_cures(subject)
+    elif element.kind == "chain" and _whole(element):
         for name, teeth in element.teeth.items():
             if teeth < UNCUT:
                 message = f"{name} {teeth:g} runs roughly: a chain wants {UNCUT} teeth or more"
                 yield Doubt("N316", message, name)
-    elif element.teeth and element.shape.meshes and element.kind != "bevel_pair":
-        yield from _with_cures(OfWheels(element))
+
+
+def _subject(element: Element) -> Subject | None:
+    """What there is to ask about the teeth of an element; nothing of belts, worms, bevel pairs."""
+    if not _whole(element):
+        return None
+    if isinstance(element.shape, Planetary):
+        return OfPlanets(element)
+    asked = element.teeth and element.shape.meshes and element.kind not in ("bevel_pair", "chain")
+    return OfWheels(element) if asked else None
+
+
+def _whole(element: Element) -> bool:
+    return all(float(count).is_integer() for count in element.teeth.values())
 
 
 def _place(element: Element, about: Key | None) -> Path:

@@ -16,7 +16,8 @@ from vstatics.tables.names import DOTTED, NAME
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
-_MORE = re.compile(r"(?:\.\w+)*")
+_MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
+"""What stands behind a name, from its point on: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -96,7 +97,7 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
     """
     end = source.end_of(_ANY_NAME, at)
     if end > at and source.has(".", end):
-        end = source.end_of(_MORE, source.end_of(_WORD, end + 1))
+        end = source.end_of(_MORE, end)
         return DottedName(source.text[at:end], at), end
     first = source.text[at:end][:1] or source.text[at : source.end][:1]
     if first not in (*_QUOTES, "#"):

@@ -66,7 +66,8 @@ def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Colum
     for path, array in arrays.items():
         numbers = known.get(path)
         if not numbers:
-            message = f"the case has no number {quoted(path)}{nearest(path, known)}"
+            advice = nearest(path, known) or "; teeth and the like vary in `vstatics.sweep`"
+            message = f"the case has no number {quoted(path)}{advice}"
             raise CaseError([Problem("E421", message, ("vary",))])
         column = np.broadcast_to(array, shape)
         _check(path, numbers[0].quantity, column)
@@ -78,15 +79,15 @@ def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Colum
     return columns, shape[0]
 
 
-def paths_of(case: Transmission) -> dict[str, str]:
-    """All paths of a case, each with its quantity.
+def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
+    """All paths of a case, each with its numbers.
 
     >>> from vstatics.model.transmission import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
-    >>> paths_of(case)["gears.1.torques.2"], paths_of(case)["load.speed"]
-    ('torques', 'load.speed')
+    >>> numbers_of(case)["gears.1.torques.2"]
+    (CaseNumber(gear=0, quantity='torques', owner=2),)
     """
-    return {path: numbers[0].quantity for path, numbers in _named(case) if numbers}
+    return {path: tuple(numbers) for path, numbers in _named(case) if numbers}
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
@@ -157,9 +158,9 @@ def _of_mechanisms(
 
 
 def _of_balances(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
-    for n, gear in enumerate(case.gears):
-        if gear.balance:
-            yield f"gears.{gear.name}.balance.battery", [CaseNumber(n, "battery")]
+    balanced = [n for n, gear in enumerate(case.gears) if gear.balance]
+    for name, numbers in [("*", balanced), *((case.gears[n].name, [n]) for n in balanced)]:
+        yield f"gears.{name}.balance.battery", [CaseNumber(n, "battery") for n in numbers]
 
 
 def _check(path: str, quantity: str, column: Floats) -> None:

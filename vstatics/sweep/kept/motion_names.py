@@ -43,7 +43,7 @@ class MotionNames:
     def _number(self, written: str, place: Place) -> VariedNumber | Constant:
         found = self.subject.target(written, place)
         for column, varied in enumerate(self.targets):
-            if varied.number == found.number:
+            if varied.numbers == found.numbers:
                 return VariedNumber(column)
         return Constant(self.subject.written_number(found, place))
 

@@ -15,7 +15,7 @@ from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, STEP, Selection, VariedNumber
-from vstatics.sweep.variants.path_numbers import CasePath
+from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
 from vstatics.sweep.variants.subject import number_of_case
 from vstatics.sweep.variants.targets import Target, Varied, own_number
 from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
@@ -61,14 +61,16 @@ class SweepNames:
         """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
         found = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
-            if varied.number == found.number:
+            if varied.numbers == found.numbers:
                 number = VariedNumber(column)
                 if not isinstance(varied, Target) or varied.quantity == found.quantity:
                     return number
                 return Applied("/", (Constant(1.0), number), name.at, 1)
         if isinstance(found, CasePath):
-            message = f"{quoted(found.path)} is not varied, so it has no number here"
-            raise self.source.error(message, name.at)
+            try:
+                return Constant(own_number_at(found, self.case))
+            except ValueError as error:
+                raise self.source.error(str(error), name.at) from None
         return Constant(own_number(self.case, found.owner, found.quantity))
 
     @property

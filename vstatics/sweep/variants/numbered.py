@@ -222,13 +222,13 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
     problems = []
     targets = []
     for target, values, place in variations:
-        if target.number in seen:
+        if target.numbers & seen:
             message = f"{target.name} is varied twice, expected each number once"
             problems.append(Problem("E706", message, place=place))
         if not isinstance(values, Span | Distribution) and not len(values):
             message = f"{target.name} has no values, expected at least one"
             problems.append(Problem("E707", message, place=place))
-        seen.add(target.number)
+        seen |= target.numbers
         targets.append(target)
     if problems:
         raise ReadError(problems)

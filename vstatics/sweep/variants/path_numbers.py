@@ -6,30 +6,40 @@ behind them, and are turned into SI where they are calculated with.
 
 from __future__ import annotations
 
+import math
 import re
-from typing import Literal, NamedTuple
+from collections.abc import Hashable
+from typing import Any, Literal, NamedTuple
 
+from vstatics.errors import listed, nearest, quoted
+from vstatics.model.parts import Law, OfLoad, SpeedOf
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.readers.named.si_units import measured
-from vstatics.statics.points.paths import measure_of, paths_of, wrong_numbers
+from vstatics.readers.named.si_units import UNIT_OF, measured
+from vstatics.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
+from vstatics.sweep.variants.part_numbers import PartNumber, own_part_number, part_numbers
+from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
-EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "-50 N*m", "power": "2 kW"}
-
-
+EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 WATTS = {"W": 1.0, "kW": 1e3, "MW": 1e6, "Вт": 1.0, "кВт": 1e3}
 """Units of power."""
 
 
+_ROOTS = ("load", "gears", "drag", "mesh_efficiency")
+"""First words of paths that are no names."""
+
+
 class CasePath(NamedTuple):
-    """A number of the case that is varied by its path."""
+    """A number of the case that is varied by its path: of its gears and loads, or of a part."""
 
     path: str
-    quantity: str
-    """As of `CaseNumber`."""
+    of: tuple[CaseNumber, ...] = ()
+    """What `vstatics.solve` varies."""
+    part: PartNumber | None = None
+    """What makes another case."""
     unit: str = ""
     """In which its values are; nothing for bare ones, which are in SI."""
 
@@ -39,14 +49,21 @@ class CasePath(NamedTuple):
         return f"{self.path} [{self.unit}]" if self.unit else self.path
 
     @property
-    def number(self) -> str:
-        """What two have in common that vary the same."""
-        return self.path
+    def quantity(self) -> str:
+        """As of `CaseNumber`; nothing of a part."""
+        return self.of[0].quantity if self.of else ""
+
+    @property
+    def numbers(self) -> frozenset[Hashable]:
+        """All that it varies; those of mechanisms as `Target` has them."""
+        if self.quantity in OF_MECHANISM:
+            return frozenset((one.owner, one.quantity) for one in self.of)
+        return frozenset(self.of or [self.part])
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
         """What its values are; None for a number without a unit."""
-        return measure_of(self.quantity)
+        return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
         """The same with values in a unit.
@@ -70,7 +87,10 @@ class CasePath(NamedTuple):
 
     @property
     def _example(self) -> str:
-        return EXAMPLES[self.measure] if self.measure else "0.5"
+        assert self.measure is not None  # noqa: S101 - asked where a unit is missing
+        if self.measure == "power" or self.measure in EXAMPLES:
+            return EXAMPLES[self.measure]
+        return f"1 {UNIT_OF[self.measure]}"
 
     def in_si(self, values: Floats) -> Floats:
         """Values in SI."""
@@ -80,7 +100,8 @@ class CasePath(NamedTuple):
 
     def impossible(self, values: Floats) -> Booleans:
         """Which values can't be."""
-        return wrong_numbers(self.quantity, self.in_si(values))
+        numbers = self.in_si(values)
+        return self.part.impossible(numbers) if self.part else wrong_numbers(self.quantity, numbers)
 
 
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
@@ -99,13 +120,98 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     --------
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], link_names=["in", "out"])
-    >>> case_path("load.speed [rpm]", case), case_path("gears.*.torques.out", case).quantity
-    (CasePath(path='load.speed', quantity='load.speed', unit='rpm'), 'torques')
+    >>> case_path("load.speed [rpm]", case).name, case_path("gears.*.torques.out", case).quantity
+    ('load.speed [rpm]', 'torques')
     """
     unit = _UNIT.search(text)
     typed = (text[: unit.start()] if unit else text).strip()
     path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
-    quantity = paths_of(case).get(path)
-    if quantity is None:
+    of, part = numbers_of(case).get(path, ()), part_numbers(case).get(path)
+    if not (of or part):
         return None
-    return CasePath(path, quantity, unit[1].strip() if unit else "")
+    return CasePath(path, of, None if of else part, unit[1].strip() if unit else "")
+
+
+def known_paths(case: Transmission) -> list[str]:
+    """All paths of a case."""
+    return [*numbers_of(case), *part_numbers(case)]
+
+
+def no_path(text: str, case: Transmission) -> str:
+    """What to say of a path that names nothing; nothing where it may be a name and a quantity.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> no_path("load", case), no_path("D1.rat", case)
+    ('', '')
+    >>> print(no_path("load.sped", case).replace("; ", "\\n"))
+    there is no number `load.sped`, expected `load.` and one of speed, torque
+    did you mean `load.speed`?
+    """
+    parts = _QUOTED.sub(lambda found: found[1] or found[2] or "", text).split(".")
+    paths = known_paths(case)
+    known = [path.split(".") for path in paths]
+    depth = max(n for n in range(len(parts) + 1) if any(one[:n] == parts[:n] for one in known))
+    if len(parts) == 1 or (len(parts) == 2 and parts[0] not in _ROOTS and depth < 2):
+        return ""
+    message = f"there is no number {quoted(text)}"
+    if not depth:
+        return message + nearest(text, paths)
+    before = ".".join(parts[:depth])
+    longer = [one for one in known if one[:depth] == parts[:depth] and len(one) > depth]
+    if not longer:
+        return f"{message}, expected `{before}`"
+    behind = [*dict.fromkeys(one[depth] for one in longer)]
+    message += f", expected `{before}.` and one of {listed(behind)}"
+    if depth == len(parts):
+        return message
+    return message + nearest(f"{before}.{parts[depth]}", [f"{before}.{one}" for one in behind])
+
+
+def own_number_at(path: CasePath, case: Transmission) -> float:
+    """The number of a path as the case has it: in rpm, N*m and kW, of parts in SI.
+
+    Raises
+    ------
+    ValueError
+        If it has none, or several; with what is to be said of it.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Load, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(1000, 50))
+    >>> own_number_at(CasePath("load.speed", numbers_of(case)["load.speed"]), case)
+    1000
+    """
+    own = (_own(case, one) for one in path.of)
+    numbers = {own_part_number(case, path.part)} if path.part else {*own}
+    if len(numbers) > 1:
+        raise ValueError(f"{quoted(path.path)} differs from gear to gear or mesh to mesh")
+    [number] = numbers
+    if isinstance(number, OfLoad):
+        return number.given
+    if number is None or isinstance(number, Law | SpeedOf):
+        raise ValueError(f"the case has no number at {quoted(path.path)}, and it is not varied")
+    if number and not path.part and path.quantity in ("speeds", "torques", "drag", "open_drag"):
+        raise ValueError(f"{quoted(path.path)} is relative to the load, so it has no unit here")
+    return number
+
+
+def _own(case: Transmission, number: CaseNumber) -> Any:
+    """A number as the model has it."""
+    index, quantity, owner = number
+    gear = case.gears[index or 0]
+    match quantity:
+        case "load.speed" | "load.torque":
+            load = case.load if index is None else gear.load
+            return getattr(load, quantity.removeprefix("load."), None)
+        case "battery":
+            return gear.balance and gear.balance.battery
+        case "speed_ratios":
+            ratio = case.gear_ratios(gear)[case.own_mechanisms.start + owner - 1]
+            return None if math.isnan(ratio) else ratio
+        case "speeds" | "torques" | "drag":
+            return getattr(gear, quantity).get(owner, 0.0 if quantity == "drag" else None)
+        case "open_drag":
+            return gear.open_drag.get(owner, case.shift_elements[owner - 1].drag)
+    return getattr(case.mechanisms[owner], quantity)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -60,9 +60,9 @@ class NumberPath(NamedTuple):
         return f"{written(self.keys)} [{self.unit}]" if self.unit else written(self.keys)
 
     @property
-    def number(self) -> tuple[bool, Keys]:
-        """What two have in common that vary the same."""
-        return self.of_case, self.keys
+    def numbers(self) -> frozenset[Hashable]:
+        """What it varies: its place in one of the documents."""
+        return frozenset([(self.of_case, self.keys)])
 
 
 class Trees(NamedTuple):

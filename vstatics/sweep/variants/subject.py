@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from vstatics.errors import Place, ReadError, nearest, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import Mapping, Node, decode
-from vstatics.statics.points.paths import paths_of
-from vstatics.sweep.variants.path_numbers import CasePath, case_path
+from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
 from vstatics.sweep.variants.scenario_numbers import (
     NumberPath,
     Trees,
@@ -284,7 +283,9 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
     except ReadError as error:
         if path is not None:
             return path
-        hint = nearest(text.strip(), paths_of(case))
+        if message := no_path(text.strip(), case):
+            raise refusal(message, place, len(text) - len(text.lstrip())) from None
+        hint = nearest(text.strip(), known_paths(case))
         raise ReadError(
             one if "did you mean" in one.message else one._replace(message=one.message + hint)
             for one in error.problems

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import math
 import re
 from collections.abc import Iterator
 from itertools import chain
@@ -166,7 +167,7 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
                 problem._replace(message=problem.message + hint) for problem in error.problems
             ]
             continue
-        if varied.number in [one.number for one in targets]:
+        if any(varied.numbers & one.numbers for one in targets):
             message = f"{varied.name} has a column already, expected each number once"
             problems.append(Problem("E714", message, place=place))
         targets.append(varied)
@@ -210,7 +211,7 @@ def _fast(piece: bytes, columns: _Columns) -> Floats | None:
         )
     except ValueError:
         return None
-    if rows.shape[1] != len(columns.names) or np.isinf(rows).any():
+    if rows.shape[1] != len(columns.names) or not np.isfinite(rows).all():
         return None
     return np.ascontiguousarray(rows[:, columns.chosen])
 
@@ -250,13 +251,21 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
         plain = unguarded(cell)
         number = plain.replace(",", ".") if columns.separator == ";" else plain
         try:
-            row.append(read_value(number))
+            row.append(_finite(number))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
             problems.append(Problem("E716", message, place=place._replace(column=column)))
     if problems:
         raise ReadError(problems)
     return row
+
+
+def _finite(text: str) -> float:
+    """A number; a ValueError says what was expected."""
+    number = read_value(text)
+    if not math.isfinite(number):
+        raise ValueError("expected a finite number")
+    return number
 
 
 def _text(data: bytes, file: str, line: int) -> str:

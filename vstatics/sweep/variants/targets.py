@@ -42,8 +42,8 @@ class Varied(Protocol):
         """As it is written."""
 
     @property
-    def number(self) -> Hashable:
-        """What two have in common that vary the same."""
+    def numbers(self) -> frozenset[Hashable]:
+        """All that it varies; two that have one in common vary the same."""
 
 
 class Target(NamedTuple):
@@ -56,9 +56,10 @@ class Target(NamedTuple):
     quantity: Quantity
 
     @property
-    def number(self) -> tuple[int, str]:
-        """What two have in common that vary the same: a compliance is a stiffness, too."""
-        return self.owner, "stiffness" if self.quantity == "compliance" else self.quantity
+    def numbers(self) -> frozenset[Hashable]:
+        """What it varies: a compliance is a stiffness, too."""
+        quantity = "stiffness" if self.quantity == "compliance" else self.quantity
+        return frozenset([(self.owner, quantity)])
 
 
 def target(text: str, case: Transmission, place: Place | None = None) -> Target:

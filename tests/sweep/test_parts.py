@@ -1,0 +1,187 @@
+"""Sweeps over teeth, capacities and friction: numbers that make another case."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vstatics
+from tests.chance import seeded
+from tests.commands import vstatics as run
+from vstatics import solve
+from vstatics.readers import from_dict
+from vstatics.sweep.chunk import STATUS
+
+PLANETARY = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}
+CASE: dict[str, Any] = {
+    "links": ["s", "r", "c", "out"],
+    "output": "out",
+    "shift_elements": {
+        "B": {"links": ["r"], "capacity": "900 N*m"},
+        "K": {"links": ["s", "c"]},
+    },
+    "elements": {
+        "P1": {**PLANETARY, "teeth": {"sun": 30, "ring": 75}, "planets": 3},
+        "pair": {
+            "kind": "gear_pair",
+            "first": "c",
+            "second": "out",
+            "teeth": {"first": 20, "second": 40},
+        },
+    },
+    "gears": {"one": {"engaged": ["B"], "torques": {"c": "4 N*m"}}, "two": ["K"]},
+    "load": {"speed": "2000 rpm", "torque": "100 N*m"},
+}
+
+
+@pytest.fixture
+def case() -> vstatics.Transmission:
+    return from_dict(CASE)
+
+
+def changed(*ways: tuple[tuple[str, ...], float | str]) -> vstatics.Transmission:
+    """The case of a document with other numbers."""
+    document = json.loads(json.dumps(CASE))
+    for keys, number in ways:
+        inner = document
+        for key in keys[:-1]:
+            inner = inner.setdefault(key, {})
+        inner[keys[-1]] = number
+    return from_dict(document)
+
+
+def test_teeth_give_ratio_and_efficiency_of_willis(case: vstatics.Transmission) -> None:
+    """Ring held, power into the sun: i = 1 + R/S, eta = (1 + eta_0 R/S)/(1 + R/S)."""
+    suns = np.arange(21, 40)
+    without = case.replace(gears=[case.gears[0]._replace(torques={})])
+    out = "ratio[one]/2, efficiency[one]/.98"
+    [chunk] = vstatics.sweep(without, {"P1.teeth.sun": suns}, out=out)
+    for sun, (ratio, efficiency) in zip(suns.tolist(), chunk.columns.tolist(), strict=True):
+        u = Fraction(75, sun)
+        assert -ratio == pytest.approx(float(1 + u), rel=1e-14)
+        assert efficiency == pytest.approx(float((1 + u * Fraction(9702, 10000)) / (1 + u)))
+
+
+def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
+    case: vstatics.Transmission,
+) -> None:
+    """Planets want (ring - sun)/2 and (sun + ring)/planets to be whole."""
+    [chunk] = vstatics.sweep(case, {"P1.teeth.sun": "25:40:16", "P1.planets": [3, 4]}, out="ratio")
+    said = [STATUS[code] for code in chunk.status]
+    for (sun, planets), status in zip(chunk.values.astype(int).tolist(), said, strict=True):
+        fits = (75 - sun) % 2 == 0 and (75 + sun) % planets == 0
+        assert status == ("ok" if fits else "not assembled")
+    assert np.isfinite(chunk.columns).all()
+    assert chunk.counts == {"ok": said.count("ok"), "not assembled": said.count("not assembled")}
+
+
+def test_variants_are_the_cases_of_other_documents(case: vstatics.Transmission) -> None:
+    """Teeth, friction, load and a given torque together, in a random order."""
+    rng = seeded(2781)
+    ways = {
+        "P1.teeth.sun": ("elements", "P1", "teeth", "sun"),
+        "pair.teeth.second": ("elements", "pair", "teeth", "second"),
+        "mesh_efficiency.friction": ("mesh_efficiency", "friction"),
+    }
+    rows = [
+        (rng.choice([27, 33, 36]), rng.choice([41, 53]), rng.uniform(0.03, 0.1)) for _ in "a" * 9
+    ]
+    torques = [rng.uniform(-200, 200) for _ in rows]
+    table = {**dict(zip(ways, zip(*rows, strict=True), strict=True)), "load.torque": torques}
+    out = "lossy_torques_Nm[B], efficiency, planet_speeds[P1], speeds_rpm[out]"
+    [chunk] = vstatics.sweep(case, variants=table, out=out)
+    for row, numbers, torque in zip(chunk.columns, rows, torques, strict=True):
+        one = changed(
+            *zip(ways.values(), numbers, strict=True), (("load", "torque"), f"{torque!r} N*m")
+        )
+        own = solve(one)
+        tables = (own.lossy_torques_Nm[:, 0], own.efficiency)
+        more = (own.existing("planet_speeds")[:, 0], own.speeds_rpm[:, 3])
+        np.testing.assert_allclose(row, np.concatenate([*tables, *more]), rtol=1e-11)
+
+
+def test_friction_of_all_meshes(case: vstatics.Transmission) -> None:
+    """Standard wheels of 20 and 40 teeth: 1 - pi mu (1/20 + 1/40) H, .99004 at .06."""
+    [chunk] = vstatics.sweep(
+        case, {"mesh_efficiency.friction": [0.03, 0.06]}, out="efficiency[two]"
+    )
+    assert 1 - chunk.columns[:, 0] == pytest.approx([0.00498, 0.00996], abs=5e-6)
+
+
+def test_a_capacity_is_a_number_of_conditions(tmp_path: Path) -> None:
+    """The brake holds i - 1 = 2.5 times the input torque."""
+    file = tmp_path / "case.json"
+    file.write_text(json.dumps({**CASE, "gears": {"one": ["B"]}}))
+    vary = "--vary", "B.capacity=.2 kN*m,.3 kN*m"
+    ran = run(
+        "sweep",
+        str(file),
+        *vary,
+        "--out",
+        "ratio",
+        "--where",
+        "abs(torques_Nm[B, one]) < 1000*B.capacity",
+    )
+    lines = [line.split(",") for line in ran.out.splitlines()]
+    assert lines[0][1] == "B.capacity [kN*m]"
+    assert [line[1] for line in lines[1:]] == ["0.3"]
+
+
+def test_numbers_that_make_no_case_are_invalid(case: vstatics.Transmission) -> None:
+    values = [30.0, 29.5, 0.0, -3.0, 75.0]
+    [chunk] = vstatics.sweep(case, {"P1.teeth.sun": values}, out="ratio[one]")
+    assert [STATUS[code] for code in chunk.status] == ["not assembled", *["invalid"] * 4]
+    assert np.isnan(chunk.columns[1:]).all()
+
+
+@pytest.mark.parametrize(
+    ("vary", "said"),
+    [
+        ("P1.teeth.moon=30", "expected `P1.teeth.` and one of sun, ring, planet"),
+        ("P1.teeth=30", "expected `P1.teeth.` and one of sun, ring, planet"),
+        ("P2.teeth.sun=30", "did you mean `P1.teeth.sun`"),
+        ("mesh_efficiency.frict=.1", "did you mean `mesh_efficiency.friction`"),
+        ("B.capacity=30", "its values need their unit"),
+        ("B.capacity=30 kg", "this is a mass"),
+        ("P1.teeth.sun=30 rpm", "expected bare numbers"),
+    ],
+)
+def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
+    (tmp_path / "case.json").write_text(json.dumps(CASE))
+    ran = run("sweep", str(tmp_path / "case.json"), "--vary", vary)
+    assert (ran.status, ran.out) == (1, "")
+    assert "--vary:1:" in ran.err
+    assert said in ran.err
+
+
+def test_where_no_variant_is_a_case_it_is_told_why(tmp_path: Path) -> None:
+    (tmp_path / "case.json").write_text(json.dumps(CASE))
+    for sun, said in (("75", "expected more teeth than the 75 of sun"), ("30.5", "a whole number")):
+        ran = run("sweep", str(tmp_path / "case.json"), "--vary", f"P1.teeth.sun={sun}")
+        assert ran.status == 1
+        assert said in ran.err
+
+
+def test_who_asks_for_planets_gets_the_same_in_all_else(case: vstatics.Transmission) -> None:
+    """Then each case is calculated alone, else all at once."""
+    plain = case.replace(gears=[gear._replace(torques={}) for gear in case.gears])
+    vary = ["P1.teeth.sun=20:40:21", "pair.teeth.first=19,20"]
+    out = "ratio, efficiency, lossy_torques[B]"
+    [at_once] = vstatics.sweep(plain, vary, out=out)
+    [alone] = vstatics.sweep(plain, vary, out=f"{out}, planet_speeds[P1]")
+    np.testing.assert_allclose(at_once.columns, alone.columns[:, : at_once.columns.shape[1]], 1e-11)
+    assert at_once.status.tolist() == alone.status.tolist()
+
+
+def test_teeth_and_a_number_of_a_mechanism_vary_together(case: vstatics.Transmission) -> None:
+    """Eta = (1 + eta_0 R/S)/(1 + R/S) with a given eta_0, times .98 of the pair behind."""
+    out, vary = "efficiency[one]/.98", ["P1.teeth.sun=33,27", "P1.efficiency=.9,.95"]
+    without = case.replace(gears=[case.gears[0]._replace(torques={})])
+    [chunk] = vstatics.sweep(without, vary, out=out)
+    for (sun, own), found in zip(chunk.values, chunk.columns[:, 0], strict=True):
+        assert found == pytest.approx((1 + own * 75 / sun) / (1 + 75 / sun))
