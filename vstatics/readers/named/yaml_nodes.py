@@ -18,6 +18,9 @@ from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, 
 MOST_VALUES = 200_000
 """Values that aliases may expand a document to."""
 
+_READ_AHEAD = "exceeded maximum nesting depth"
+"""Of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of its events."""
+
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
@@ -45,14 +48,13 @@ def yaml_tree(found: Found) -> Node:
     if unprintable:
         code = f"U+{ord(unprintable[0]):04X}"
         found.stop(f"{code}, a character that YAML has not", *found.place(unprintable.start()))
-    return _Builder(found).document()
+    return _Builder(found, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).document()
 
 
 class _Builder:
     """Takes the events one after the other, and keeps anchors and sizes."""
 
-    def __init__(self, found: Found) -> None:
-        loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    def __init__(self, found: Found, loader: Any) -> None:
         self.found = found
         self.events: Iterator[yaml.Event] = yaml.parse(found.text, Loader=loader)
         self.anchors: dict[str, _Anchored] = {}
@@ -73,6 +75,8 @@ class _Builder:
         try:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
+            if error.problem == _READ_AHEAD:
+                _Builder(self.found, yaml.SafeLoader).document()  # stops at the 17th level
             mark = error.problem_mark or error.context_mark
             place = self.found.place(mark.index) if mark else self.last
             told = ", ".join(part for part in (error.context, error.problem) if part)
