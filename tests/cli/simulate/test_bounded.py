@@ -9,6 +9,7 @@ import json
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import pytest
 
 from tests.commands import environment, vstatics
 from vstatics.cli import check
-from vstatics.cli.simulate import watched
+from vstatics.cli.frame import progress
 from vstatics.simulation import bounds
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import load_scenario
@@ -89,14 +90,36 @@ def test_a_row_of_a_sweep_is_stopped_and_the_next_goes_on() -> None:
 
 def test_a_long_run_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
     """Also where stderr is no terminal; not with -q."""
-    assert watched.FIRST_WORD < 10
-    monkeypatch.setattr(watched, "FIRST_WORD", 0.05)
+    assert progress.FIRST_WORD < 10
+    monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
     said = vstatics("simulate", "long.yaml", "--limit", "0.2", "-o", "out.json")
     assert "long.yaml: " in said.err
     assert " % after " in said.err
     assert " left\n" in said.err
     said = vstatics("simulate", "long.yaml", "--limit", "0.1", "-o", "out.json", "-q")
     assert " % after " not in said.err
+
+
+def test_long_sweeps_and_samples_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where no run has ended yet, and with several processes; with -q nothing is said."""
+    monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
+    Path("few.yaml").write_text(
+        SCENARIO.replace("DURATION", LONG)[:-1] + ", samples: {duration: {uniform: [1e9, 2e9]}}}",
+        encoding="utf-8",
+    )
+    sweep = ("sweep", "long.yaml", "--vary", "duration=1e9,2e9", "--out", "work")
+    for command, what in (
+        (sweep, "variants: 0 % after a second\n"),
+        ((*sweep, "--jobs", "2", "-o", "out.csv"), "variants: 0 % after a second\n"),
+        (("simulate", "few.yaml", "--samples", "2", "--out", "work"), "runs: 0 % after a second\n"),
+    ):
+        assert what in vstatics(*command, "--limit", "0.2").err
+        assert " % after " not in vstatics(*command, "--limit", "0.1", "-q").err
+
+
+def test_a_short_sweep_is_silent() -> None:
+    said = vstatics("sweep", "short.yaml", "--vary", "duration=1,2", "--out", "work")
+    assert said.err.count("\n") == 1  # the summary
 
 
 def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -111,7 +134,7 @@ def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_needed_follows_from_the_pace(monkeypatch: pytest.MonkeyPatch) -> None:
     """20 s of a run take a second, so 1000 s take 50, however long it was until the first step."""
     clock = 0.0
-    monkeypatch.setattr(bounds.time, "monotonic", lambda: clock)
+    monkeypatch.setattr(time, "monotonic", lambda: clock)
     pace, at = bounds.Pace(1000, 1), 0.0
     clock = 7.0
     while not pace(at):
