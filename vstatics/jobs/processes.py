@@ -26,6 +26,8 @@ QUEUED = 2
 """So many items a process has, so that it need not wait for the next."""
 END_SECONDS = 5
 """So long a process may take to end when its line is closed. [s]"""
+TELLING = "telling"
+"""The name of a thread that sleeps, and holds no lock, but for the moments in which it speaks."""
 
 
 class Processes(Workers):
@@ -160,7 +162,8 @@ class _Process:
         import multiprocessing
 
         # A fork costs nothing, but is not safe where another thread holds a lock.
-        fork = sys.platform == "linux" and threading.active_count() == 1
+        may_hold = [one for one in threading.enumerate() if one.name != TELLING]
+        fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")
         self.items: dict[int, Any] = {}
         self.connection, far = context.Pipe()

@@ -40,28 +40,34 @@ class Pace:
     duration : float
         Of the run. [s]
     seconds : float
-        After which it is stopped. [s]
+        After which it is stopped, from its first step on: what comes before may be imports. [s]
     """
 
     def __init__(self, duration: float, seconds: float) -> None:
         self.duration, self.seconds = duration, seconds
-        self.began = time.monotonic()
-        self.half = self.time = 0.0
-        self.is_known = False
-        """Whether it took so long that it was stopped."""
+        self._first = math.inf
+        self._half = self._last = (0.0, 0.0)
+        """After how long the run was where. [s]"""
 
     def __call__(self, at: float) -> str:
-        """Keep how far the run is; stop it when that is known."""
-        self.time, taken = at, time.monotonic() - self.began
-        if taken < 0.5 * self.seconds:
-            self.half = at
-        self.is_known = taken >= self.seconds
+        """Keep how far the run is; stop it when its pace is known."""
+        now = time.monotonic()
+        self._first = min(self._first, now)
+        self._last = now - self._first, at
+        if self._last[0] < 0.5 * self.seconds:
+            self._half = self._last
         return "its pace is known" if self.is_known else ""
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it took so long that it was stopped."""
+        return self._last[0] >= self.seconds
 
     @property
     def needed(self) -> float:
         """What the whole run takes, by the second half of what was tried; 0 if it ended [s]."""
         if not self.is_known:
             return 0.0
-        covered, left = self.time - self.half, self.duration - self.time
-        return self.seconds + 0.5 * self.seconds * left / covered if covered > 0 else math.inf
+        (began, half), (taken, at) = self._half, self._last
+        left = self.duration - at
+        return taken + (taken - began) * left / (at - half) if at > half else math.inf

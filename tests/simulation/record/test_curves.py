@@ -19,7 +19,7 @@ from tests.simulation.runs import random_run
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.record import pieces
+from vstatics.simulation.record import record
 from vstatics.simulation.record.curves import Curves, drawn_times, ranges
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
@@ -135,6 +135,15 @@ def test_extremes_of_a_chain_of_springs_are_those_of_its_modes(seed: int) -> Non
     check_chain(random_chain(seeded(seed)))
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_they_are_so_where_each_step_is_drawn_at_once(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(record, "_MOST_NUMBERS", 0)
+    check_chain(random_chain(seeded(seed)))
+    check_friction(random_run(seeded(seed)))
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_runs_with_friction_have_no_values_beyond_their_instants(seed: int) -> None:
     check_friction(random_run(seeded(seed), losses=bool(seed % 2)))
@@ -168,26 +177,13 @@ def test_a_swinging_mass_has_its_amplitude_in_max_and_in_the_file() -> None:
     assert np.abs(drawn - exact).max() <= 10 * CHORD
 
 
-def test_a_run_that_was_stopped_gets_few_instants_more() -> None:
-    """3000 arcs that bend alike: 51,000 instants draw them, of which a stopped run has 20,000."""
+def test_curves_are_drawn_by_no_more_instants_than_are_asked_for() -> None:
+    """3000 arcs that bend alike: 51,000 instants draw them."""
     nodes, count = (0.0, 0.3, 0.7, 1.0), 3000
     arcs = np.tile([x**2 for x in nodes], (1, count, 1))
     arc = Curves(np.arange(float(count)), np.ones(count), nodes, arcs)
     of = ranges([arc], [slice(None)])
-    [drawn], [hurried] = (drawn_times([arc], of, hurried=one) for one in (False, True))
+    [drawn], [fewer] = (drawn_times([arc], of, most) for most in (200_000, 20_000))
     assert len(drawn) == 17 * count
-    assert len(hurried) <= 20_000
-    assert (np.diff(hurried) > 0).all()
-
-
-def test_it_is_the_same_how_many_steps_are_looked_at_together(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    for seed in range(5):
-        scenario = random_run(seeded(seed))
-        together = simulate(scenario)
-        with monkeypatch.context() as patch:
-            patch.setattr(pieces, "_STEPS_TOGETHER", 1)
-            apart = simulate(scenario)
-        np.testing.assert_array_equal(apart.time, together.time)
-        np.testing.assert_array_equal(apart.speeds, together.speeds)
+    assert len(fewer) <= 20_000
+    assert (np.diff(fewer) > 0).all()

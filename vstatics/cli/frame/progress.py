@@ -1,15 +1,18 @@
-"""A bar with rate and time left, on stderr, where a person looks at it."""
+"""How far something is, on stderr: a bar for a person, else a line from time to time."""
 
 from __future__ import annotations
 
 import os
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
 
 from vstatics.cli.frame import files
+from vstatics.cli.frame.estimates import duration_text
+from vstatics.jobs.processes import TELLING
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -21,13 +24,52 @@ PERIOD = 0.1
 """So often the bar is drawn anew [s]."""
 BAR_COLUMNS = 24
 """Columns of the bar itself: with eight digits of each number the line fits 80."""
+FIRST_WORD, LONGEST_SILENCE = 5.0, 600.0
+"""After so long the first line comes, then each after twice as long as before, to this. [s]"""
+
+
+@contextmanager
+def telling(said: Callable[[], str]) -> Iterator[None]:
+    """Say how far something is where it takes long, and nothing where it is done soon.
+
+    Parameters
+    ----------
+    said : callable
+        Gives a line, or nothing.
+    """
+    ended = threading.Event()
+
+    def tell() -> None:
+        wait = FIRST_WORD
+        while not ended.wait(wait):
+            if line := said():
+                files.say(line)
+            wait = min(2 * wait, LONGEST_SILENCE)
+
+    threading.Thread(target=tell, name=TELLING, daemon=True).start()
+    try:
+        yield
+    finally:
+        ended.set()
+
+
+def done_text(part: float, seconds: float) -> str:
+    """How far something is that takes time evenly.
+
+    >>> done_text(0.25, 30)
+    '25 % after 30 s, about 1.5 minutes left'
+    >>> done_text(0, 5)
+    '0 % after 5 s'
+    """
+    left = f", about {duration_text(seconds / part - seconds)} left" if part else ""
+    return f"{100 * part:.3g} % after {duration_text(seconds)}{left}"
 
 
 @contextmanager
 def progress(
     total: int | None, unit: str, *, beside_stdout: bool = False, quiet: bool = False
 ) -> Iterator[Advance]:
-    """Show how many of `total` are done, if stderr is a terminal; else nothing at all.
+    """Show how many of `total` are done, if stderr is a terminal; else say it where it takes long.
 
     Messages (`files.say`) appear above the bar. It is drawn when it advances, by no
     thread of its own: processes may be started while it stands.
@@ -48,8 +90,12 @@ def progress(
     >>> with progress(1000, "variants") as advance:  # nothing is drawn: no terminal
     ...     advance(500)
     """
-    if quiet or not _is_watched() or (beside_stdout and _is_terminal(sys.stdout)):
+    if quiet or (beside_stdout and _is_terminal(sys.stdout)):
         yield lambda count: None  # noqa: ARG005
+        return
+    if not _is_watched():
+        with _lines(total, unit) as advance:
+            yield advance
         return
     from rich.text import Text
 
@@ -69,6 +115,22 @@ def progress(
 
         with files.speaking(above):
             yield advance
+
+
+@contextmanager
+def _lines(total: int | None, unit: str) -> Iterator[Advance]:
+    """Lines where nobody looks at a bar; none where it is not known how much there is."""
+    began, done = time.monotonic(), 0
+
+    def advance(count: int) -> None:
+        nonlocal done
+        done += count
+
+    def said() -> str:
+        return f"{unit}: {done_text(done / total, time.monotonic() - began)}" if total else ""
+
+    with telling(said):
+        yield advance
 
 
 def _is_watched() -> bool:

@@ -6,14 +6,10 @@ import signal
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
-from vstatics.cli.frame import files
-from vstatics.cli.frame.estimates import duration_text
+from vstatics.cli.frame.progress import done_text, telling
 from vstatics.simulation.bounds import Guard, wall_limit
-
-FIRST_WORD, LONGEST_SILENCE = 5.0, 60.0
-"""A run says after so long how far it is, then each time after twice as long, to this. [s]"""
 
 
 class RunWatch:
@@ -21,14 +17,16 @@ class RunWatch:
 
     Parameters
     ----------
+    file : str
+        To speak of it.
     duration : float
         Of what is simulated. [s]
     limit : float, optional
         So long the run may take. [s]
     """
 
-    def __init__(self, duration: float, limit: float | None) -> None:
-        self.duration, self.time = duration, 0.0
+    def __init__(self, file: str, duration: float, limit: float | None) -> None:
+        self.file, self.duration, self.time = file, duration, 0.0
         self.interrupted = False
         """Whether Ctrl-C came."""
         self.why = ""
@@ -46,12 +44,11 @@ class RunWatch:
         return self.why
 
     def said(self) -> str:
-        """How far the run is, and how long it will take if it goes on so."""
-        taken, part = time.monotonic() - self.began, self.time / self.duration
-        told = f"{100 * part:.3g} % after {duration_text(taken)}"
-        if not part:
-            return f"{told}, Ctrl-C or --limit ends it"
-        return f"{told}, about {duration_text(taken / part - taken)} left"
+        """How far the run is, and how long it will take if it goes on so; nothing at its end."""
+        if self.why:
+            return ""
+        told = done_text(self.time / self.duration, time.monotonic() - self.began)
+        return f"{self.file}: {told}" + ("" if self.time else ", Ctrl-C or --limit ends it")
 
 
 @contextmanager
@@ -65,17 +62,7 @@ def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> 
     quiet : bool
         Whether no progress is told.
     """
-    watch, ended = RunWatch(duration, limit), threading.Event()
-
-    def tell() -> None:
-        wait = FIRST_WORD
-        while not ended.wait(wait):
-            if not watch.why:
-                files.say(f"{file}: {watch.said()}")
-            wait = min(2 * wait, LONGEST_SILENCE)
-
-    if not quiet:
-        threading.Thread(target=tell, daemon=True).start()
+    watch = RunWatch(file, duration, limit)
     is_main = threading.current_thread() is threading.main_thread()
     before = signal.getsignal(signal.SIGINT)
 
@@ -86,8 +73,8 @@ def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> 
     if is_main:
         signal.signal(signal.SIGINT, come)
     try:
-        yield watch
+        with nullcontext() if quiet else telling(watch.said):
+            yield watch
     finally:
-        ended.set()
         if is_main:
             signal.signal(signal.SIGINT, before)

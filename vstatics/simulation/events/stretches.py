@@ -164,7 +164,6 @@ _MOST_HALVINGS = 256
 """Most parts of a stretch, a power of 2."""
 _GONE = 40.0
 """A motion has died away after so many of its time constants."""
-_MOST_STRETCH_PARTS = 300_000
 _MOST_NUMBERS = 4_000_000
 """Of the matrices that are made at once."""
 _FIRST_PARTS = 4
@@ -202,7 +201,7 @@ def _largest_rate(matrix: Floats) -> float:
 
 
 class NoFit(Exception):  # noqa: N818 - it never leaves the room
-    """Torques that no polynomial comes near, or more parts than are worth while."""
+    """Torques that no polynomial comes near."""
 
 
 class Parts(NamedTuple):
@@ -292,7 +291,7 @@ class Closed:
         NoFit
         """
         time = begin = self.equations.time
-        left, shorter, smooth = _MOST_STRETCH_PARTS, 1.0, 0
+        shorter, smooth = 1.0, 0
         most = _MOST_HALVINGS if self.equations.ports.is_affine else _FIRST_PARTS
         while time < end:
             while True:
@@ -307,9 +306,6 @@ class Closed:
                 most, shorter = (count // 2, shorter) if count > 1 else (1, shorter / 2)
                 if shorter < SHORTEST_PART:
                     raise NoFit
-            left -= count
-            if left < 0:
-                raise NoFit
             step = self._step(stretch, state, end)
             yield step
             time, state = step.end, step.last

@@ -21,8 +21,6 @@ _NEAR_TOP = 0.1
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the most chords of a part: what bends more has no polynomial."""
-_MOST_DRAWN, _MOST_HURRIED = 200_000, 20_000
-"""Instants of a run that are added to draw it; with more its chords are longer."""
 
 
 class Curves(NamedTuple):
@@ -46,16 +44,22 @@ class CurveRanges(NamedTuple):
     size: Floats
 
 
-def ranges(curves: Sequence[Curves], kinds: Sequence[slice]) -> CurveRanges:
+def ranges(
+    curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
+) -> CurveRanges:
     """The ranges of columns; what is small beside others of its kind does not change.
 
     Parameters
     ----------
     kinds : sequence of slice
         Columns that measure the same.
+    before : CurveRanges, optional
+        Of an earlier part of the run, which count too.
     """
     least = np.fmin.reduce([np.fmin.reduce(one.values, axis=(1, 2)) for one in curves])
     largest = np.fmax.reduce([np.fmax.reduce(one.values, axis=(1, 2)) for one in curves])
+    if before is not None:
+        least, largest = np.fmin(least, before.least), np.fmax(largest, before.largest)
     size = largest - least
     for kind in kinds:
         sizes = np.fmax(np.abs(largest[kind]), np.abs(least[kind]))
@@ -64,12 +68,10 @@ def ranges(curves: Sequence[Curves], kinds: Sequence[slice]) -> CurveRanges:
     return CurveRanges(least, largest, np.where(np.isfinite(size), size, np.inf))
 
 
-def drawn_times(
-    curves: Sequence[Curves], of: CurveRanges, *, hurried: bool = False
-) -> list[Floats]:
+def drawn_times(curves: Sequence[Curves], of: CurveRanges, most: int) -> list[Floats]:
     """Times of each of `curves` by which chords come near to all columns, without ends [s].
 
-    They are fewer where a run was stopped, which is `hurried`.
+    Where that takes more than `most`, chords are longer.
 
     Examples
     --------
@@ -77,13 +79,12 @@ def drawn_times(
 
     >>> nodes = (0.0, 0.3, 0.7, 1.0)
     >>> curve = Curves(np.zeros(1), np.full(1, 2.0), nodes, np.array([[[x**2 for x in nodes]]]))
-    >>> [times] = drawn_times([curve], ranges([curve], [slice(None)]))
+    >>> [times] = drawn_times([curve], ranges([curve], [slice(None)]), 1000)
     >>> len(times), times[:2].round(3).tolist()
     (17, [0.111, 0.222])
     """
     counts = [_counts(one, of) for one in curves]
     many = sum(int(one.sum()) for one in counts)
-    most = _MOST_HURRIED if hurried else _MOST_DRAWN
     if many > most:
         counts = [np.maximum(1, one * most // many) for one in counts]
     made = []

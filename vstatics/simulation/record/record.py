@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
 import numpy as np
 
@@ -14,13 +13,17 @@ from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import energy_account
+from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
-from vstatics.simulation.record.pieces import MotionColumns, Piece, peaks
+from vstatics.simulation.record.pieces import Piece, peaks
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import SAME_TIME, SAME_VALUES, SHARED_TORQUE
 from vstatics.statics.result_arrays import Message
+
+_MOST_NUMBERS, _OF_A_STEP = 200_000, 300
+"""Numbers of the states that are kept in full, and as many as a step besides takes room for."""
 
 
 class Record:
@@ -34,6 +37,9 @@ class Record:
         """Contacts that have just joined by an impact."""
         self.messages: list[Message] = []
         self.pieces: list[Piece] = []
+        """Those that are kept in full: what was before is drawn."""
+        self.drawn, self.numbers = DrawnRun(system, step), 0
+        self.sharing: set[tuple[int, ...]] = set()
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -64,8 +70,10 @@ class Record:
     def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
         equations = margins.equations
-        self.pieces.append(Piece(margins, state))
+        self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
+        if margins.shared:
+            self._tell_shared(equations)
         scale = max(
             kinetic_energy(self.system, equations.speeds(equations.time, state)),
             largest(state[equations.works]),
@@ -75,6 +83,8 @@ class Record:
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
         """A step, or the part of it up to an event."""
+        if self.numbers > _MOST_NUMBERS:
+            self._draw()
         piece = self.pieces[-1]
         if self.every:
             number = math.floor(step.start / self.every * (1 + SAME_TIME)) + 1
@@ -91,6 +101,13 @@ class Record:
         self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
         self._store(equations, end, state)
         self._targets(step, end, state, equations)
+        self.numbers += step.states.size + _OF_A_STEP
+
+    def _draw(self, *, hurried: bool = False) -> None:
+        """Keep of all pieces what draws them, in full only where they end."""
+        self.drawn.add(self.pieces, hurried=hurried)
+        last = self.pieces[-1]
+        self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
     def _store(self, equations: Equations, time: float, state: Floats) -> None:
         """Note the energy that is stored, if it is larger than before."""
@@ -118,14 +135,12 @@ class Record:
 
     def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
         """All of it; hurried where the clock, or somebody who waits, has stopped it."""
-        system, last = self.system, self.pieces[-1]
-        table = MotionColumns(system)
-        with np.errstate(all="ignore"):
-            times, columns = table.along(self.pieces, hurried=hurried)
+        self._draw(hurried=hurried)
+        system, [last], table = self.system, self.pieces, self.drawn.table
+        times, columns = self.drawn.times, self.drawn.columns
         kept = _different(times, columns[: table.heat.start])
         times, columns = times[kept], columns[:, kept]
         speeds, slips, torques, heat = (columns[of].T.copy() for of in table.kinds)
-        told = [*self.messages, *shared_torques(self.pieces)]
         return Motion(
             times,
             system.names,
@@ -141,9 +156,29 @@ class Record:
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),
-            tuple(not_allowed(dict.fromkeys(told), self.system.case.allow)),
+            tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.allow)),
             stopped,
         )
+
+    def _tell_shared(self, equations: Equations) -> None:
+        """Tell what shares a torque that nothing determines, each set of elements once."""
+        structure, contacts = equations.structure, equations.system.contacts
+        sharing = tuple(
+            one.of
+            for row, one in enumerate(structure.multipliers)
+            if one.kind == "contact"
+            and contacts[one.of].element is not None
+            and largest(structure.redundant[row]) > SHARED_TORQUE
+        )
+        if len(sharing) < 2 or sharing in self.sharing:
+            return
+        self.sharing.add(sharing)
+        names = ", ".join(contacts[index].name for index in sharing)
+        text = (
+            f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
+            "they share the torque is open, shown is the split of least norm"
+        )
+        self.messages.append(Message("N602", text))
 
     def _reached(self) -> list[Reached]:
         radius = {
@@ -166,31 +201,3 @@ def _different(times: Floats, columns: Floats) -> Booleans:
         before, after = columns[:, number - 1], columns[:, number]
         kept[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
     return kept
-
-
-def shared_torques(pieces: Iterable[Piece]) -> list[Message]:
-    """What shares a torque that nothing determines, each set of elements once."""
-    found = []
-    seen: set[tuple[int, ...]] = set()
-    for margins in (one.margins for one in pieces):
-        if not margins.shared:
-            continue
-        equations = margins.equations
-        structure, contacts = equations.structure, equations.system.contacts
-        sharing = tuple(
-            one.of
-            for row, one in enumerate(structure.multipliers)
-            if one.kind == "contact"
-            and contacts[one.of].element is not None
-            and largest(structure.redundant[row]) > SHARED_TORQUE
-        )
-        if len(sharing) < 2 or sharing in seen:
-            continue
-        seen.add(sharing)
-        names = ", ".join(contacts[index].name for index in sharing)
-        text = (
-            f"{names} hold together more than is needed (first at {equations.time:.6g} s): how "
-            "they share the torque is open, shown is the split of least norm"
-        )
-        found.append(Message("N602", text))
-    return found
