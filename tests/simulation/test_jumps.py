@@ -24,6 +24,7 @@ from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import ShiftElement
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation import simulate
+from vstatics.simulation.bounds import wall_limit
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
 from vstatics.simulation.scenario.parts import Scenario, Start
@@ -245,6 +246,23 @@ def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
     given = 40 * turned[0] - 60 * turned[1] + ring * turned[2]
     assert motion.energy.work == pytest.approx(given, rel=EXACT)
     assert sum(motion.energy.losses.values()) > 1.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("law", "identity"),
+    [
+        ("-100*sign(speed*angle - 1)", "E607"),
+        ("-100*sign(speed^3 + speed - t)", "E607"),
+        ("-1e9*tanh(speed/1e-6)", "E608"),
+        ("-1e12*speed", "E608"),
+    ],
+)
+def test_a_run_that_leads_nowhere_is_stopped_at_its_law(law: str, identity: str) -> None:
+    scenario = Scenario(links(2.0), 2.0, Start(speeds={1: 3.0}), torques=((1, Formula(law)),))
+    stopped = simulate(scenario, watch=wall_limit(20.0)).stopped
+    assert stopped is not None
+    assert (stopped.id, stopped.path) == (identity, ("torques", "1"))
 
 
 SWITCHES = [

@@ -15,7 +15,7 @@ from vstatics.errors import nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
-from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
@@ -48,6 +48,17 @@ class Formula(NamedTuple):
             If the text is no formula.
         """
         return _read(*self).variables
+
+    @property
+    def constants(self) -> list[float]:
+        """The numbers that stand in it.
+
+        Raises
+        ------
+        ReadError
+            If the text is no formula.
+        """
+        return [one.value for one in parts(_read(*self).tree) if isinstance(one, Constant)]
 
     @property
     def function(self) -> Callable[[float, float, float], float]:
