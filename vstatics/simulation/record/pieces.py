@@ -19,6 +19,8 @@ from vstatics.simulation.tolerances import CHORD
 
 _MOST_BISECTIONS = 20
 """Of an interval in which a column has a corner."""
+_MOST_NEAR_CORNERS = 2000
+"""Instants of some steps that are added there: with more there are no corners, but rounding."""
 _STEPS_TOGETHER = 64
 """So many steps have their curves calculated at once: of a long run that is memory."""
 
@@ -145,7 +147,7 @@ class MotionColumns:
                 self.at(margins, one, course.states(one)) for one in (low, middle, high)
             )
             far = (np.abs(at - 0.5 * (first + last)) > CHORD * size[:, None]).any(axis=0)
-            if not far.any():
+            if not far.any() or len(times) > _MOST_NEAR_CORNERS:
                 break
             times = np.concatenate([times, middle[far]])
             low, high = (np.sort(np.concatenate([one[far], middle[far]])) for one in (low, high))
