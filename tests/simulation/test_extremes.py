@@ -135,6 +135,13 @@ def test_extreme_numbers_vibrate_right_or_are_refused_where_they_stand(seed: int
         check_answer("torsion", "modes", str(file))
 
 
+@pytest.mark.parametrize("ratio", ["1e12", "1e300"])
+def test_a_damping_beside_which_all_else_is_rounding(tmp_path: Path, ratio: str) -> None:
+    numbers = ("1e-300", "4", "1.8", "1", "99", "4895", f"{{ratio: {ratio}}}")
+    (tmp_path / "case.yaml").write_text(CASE.format(*numbers))
+    check_answer("torsion", "modes", str(tmp_path / "case.yaml"))
+
+
 def check_answer(*command: str) -> None:
     """Within 10 s of the processor, a document of numbers, or errors with their places."""
     begun = process_time()
