@@ -19,7 +19,7 @@ from vstatics.readers.expressions.operands import Constant, DottedName, TableNam
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
-from vstatics.simulation.scenario.surfaces import Surface, on_side, surfaces
+from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 
 
 class Formula(NamedTuple):
@@ -95,11 +95,11 @@ class Formula(NamedTuple):
         return self._replace(tree=between(_read(*self).tree, name, low, high))
 
     @property
-    def surfaces(self) -> dict[Surface, str]:
+    def surfaces(self) -> dict[JumpSurface, str]:
         """Where else it switches, by time or angle, each with the side it itself counts to."""
         return surfaces(_read(*self).tree)
 
-    def on_side(self, surface: Surface, side: float) -> Formula:
+    def on_side(self, surface: JumpSurface, side: float) -> Formula:
         """What it is above a surface, +1, or below, -1."""
         return self._replace(tree=on_side(_read(*self).tree, surface, side))
 

@@ -23,7 +23,7 @@ from vstatics.simulation.scenario.algebra import (
 from vstatics.simulation.scenario.corners import JUMPS
 
 
-class Surface(NamedTuple):
+class JumpSurface(NamedTuple):
     """Where something switches."""
 
     over: Literal["speed", "angle"]
@@ -33,7 +33,7 @@ class Surface(NamedTuple):
     """What a speed there has besides, by the angle. [1/s]"""
 
 
-def surfaces(tree: Tree) -> dict[Surface, str]:
+def surfaces(tree: Tree) -> dict[JumpSurface, str]:
     """Those of a formula that depend on time or angle, each with the side it itself counts to.
 
     Examples
@@ -42,9 +42,9 @@ def surfaces(tree: Tree) -> dict[Surface, str]:
     >>> from vstatics.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("5*(speed <= 7 - 2*angle)*(angle < 3)", ""), Language([], "t", "t"))
     >>> surfaces(tree)
-    {Surface(over='speed', at=Constant(value=7.0), by_angle=-2.0): '-'}
+    {JumpSurface(over='speed', at=Constant(value=7.0), by_angle=-2.0): '-'}
     """
-    found: dict[Surface, str] = {}
+    found: dict[JumpSurface, str] = {}
     for part in parts(tree):
         surface, lead = _surface(part)
         if (
@@ -57,7 +57,7 @@ def surfaces(tree: Tree) -> dict[Surface, str]:
     return found
 
 
-def on_side(tree: Any, surface: Surface, side: float) -> Any:
+def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
     """A formula on one side of a surface: above for +1, below for -1."""
     if not isinstance(tree, Applied):
         return tree
@@ -68,7 +68,7 @@ def on_side(tree: Any, surface: Surface, side: float) -> Any:
     return tree._replace(operands=tuple(inner))
 
 
-def _surface(tree: Tree) -> tuple[Surface | None, float]:
+def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
     """That of a comparison or a `sign`, and how what is compared grows across it."""
     if not isinstance(tree, Applied) or tree.name not in JUMPS:
         return None, 0.0
@@ -83,7 +83,7 @@ def _surface(tree: Tree) -> tuple[Surface | None, float]:
     if moves is None or slope(moves) is None:
         return None, 0.0
     by_angle = -form.angle / lead if form.speed else 0.0
-    return Surface("speed" if form.speed else "angle", at, by_angle), lead
+    return JumpSurface("speed" if form.speed else "angle", at, by_angle), lead
 
 
 def _value(tree: Applied, difference: float) -> float:
