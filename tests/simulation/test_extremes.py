@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
+from time import process_time
 from typing import Any
 
 import pytest
@@ -69,6 +70,8 @@ def random_law(rng: Random, number: Numbers) -> str:
             f'"{torque}/{other}"',
             f'"-{torque}*sign(speed - {number(0, 100)})"',
             f'"{torque}*(speed < {size})"',
+            f'"{torque}*(speed < {size} + {other}*t) - {other}*sign(speed^2 - {size})"',
+            f'"-{torque}*sign(speed - {number(-9, 9)}*angle - sin({number(1, 9)}*t))"',
             f'"-{torque}*tanh(speed/{number(0.1, 10)})"',
             f'"{torque}*exp({number(0, 3)}*t)"',
             f'"{torque}/(t - {number(0.1, 0.4)})"',
@@ -119,10 +122,34 @@ def test_extreme_numbers_run_right_or_are_refused_where_they_stand(seed: int) ->
         case, scenario = random_texts(seeded(seed))
         (Path(folder) / "case.yaml").write_text(case)
         file.write_text(scenario)
-        said = vstatics("simulate", file, "-f", "json")
+        check_answer("simulate", str(file))
+
+
+@pytest.mark.slow
+@settings(max_examples=count(15, 50), deadline=None)
+@given(st.integers(0, 10**6))
+def test_extreme_numbers_vibrate_right_or_are_refused_where_they_stand(seed: int) -> None:
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "case.yaml"
+        file.write_text(random_texts(seeded(seed))[0])
+        check_answer("torsion", "modes", str(file))
+
+
+@pytest.mark.parametrize("ratio", ["1e12", "1e300"])
+def test_a_damping_beside_which_all_else_is_rounding(tmp_path: Path, ratio: str) -> None:
+    numbers = ("1e-300", "4", "1.8", "1", "99", "4895", f"{{ratio: {ratio}}}")
+    (tmp_path / "case.yaml").write_text(CASE.format(*numbers))
+    check_answer("torsion", "modes", str(tmp_path / "case.yaml"))
+
+
+def check_answer(*command: str) -> None:
+    """Within 10 s of the processor, a document of numbers, or errors with their places."""
+    begun = process_time()
+    said = vstatics(*command, "-f", "json")
+    assert process_time() - begun < 10
     if said.status == 0:
         document = json.loads(said.out)
-        assert document["stopped"] is None
+        assert document.get("stopped") is None
         assert all(map(math.isfinite, floats(document)))
         return
     assert said.status == 1

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import largest
+from vstatics.errors import CaseError, Path, Problem
+from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
@@ -29,6 +29,7 @@ from vstatics.simulation.tolerances import (
     AHEAD_OF_STOP,
     BEYOND_ALL,
     LEAST_RTOL,
+    NO_PROGRESS,
     SAME_INSTANT,
     STANDING,
 )
@@ -37,6 +38,8 @@ _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
 _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
+_PATIENCE = 500
+"""Events after which it is asked whether they lead anywhere."""
 
 
 class EventRun:
@@ -51,8 +54,8 @@ class EventRun:
         self.duration = system.scenario.duration
         self.breaks = break_times(system)
         self.scales = LargeSizes(1.0, 1.0)
-        self.latest = 0.0
-        self.at_once = 0
+        self.latest = self.mark = 0.0
+        self.at_once = self.met = 0
 
     def run(self, at: Instant) -> None:
         """Go to the end.
@@ -94,13 +97,18 @@ class EventRun:
         close = found.time - self.latest <= SAME_INSTANT * self.duration
         self.at_once = self.at_once + 1 if close else 0
         self.latest = found.time
-        if self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
+        self.met += 1
+        stays = False
+        if self.met % _PATIENCE == 0:
+            stays = found.time - self.mark < NO_PROGRESS * self.duration
+            self.mark = found.time
+        if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             name = self._name(found.watches[0])
             message = (
                 f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
                 "there is no state in which the run can go on"
             )
-            raise CaseError("E601", message)
+            raise CaseError("E601", message, self._path(found.watches[0]))
 
     def _selected(
         self, at: Instant, before: States | None, left: list[States], met: list[int]
@@ -193,14 +201,22 @@ class EventRun:
             name = self.system.names[self.system.outside[index].link]
             message = (
                 f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
-                "can slide along what compares speed or angle with a number, not along this"
+                "can slide along what is straight in speed and angle, not along this"
             )
             return Problem("E607", message, ("torques", name))
-        return Problem(
-            "E608",
-            f"at {time:.9g} s no step is small enough: a torque jumps with the speed or grows "
-            "without bound; dry friction of a load is a `resistance`",
+        return self._too_steep(equations, time, state)
+
+    def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
+        """What of the torques changes most with its speed."""
+        message = (
+            f"at {time:.9g} s no step is small enough: a torque jumps with the speed, or changes "
+            "too steeply with it; dry friction of a load is a `resistance`"
         )
+        slopes = np.abs(equations.slopes_by_rate(time, state)[: self.system.layout.outside])
+        if not slopes.any():
+            return Problem("E608", message)
+        name = self.system.names[self.system.outside[int(slopes.argmax())].link]
+        return Problem("E608", message, ("torques", name))
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
         relative = max(0.01 * self.rtol, LEAST_RTOL)
@@ -248,6 +264,12 @@ class EventRun:
             for index, spring in enumerate(self.system.springs):
                 self._tell_change(time, spring, before.springs[index], states.springs[index])
         self.record.joined.clear()
+
+    def _path(self, watch: Watch) -> Path:
+        """The law of a torque at whose jump there is no way on."""
+        if KIND_OF.get(watch.kind) == "contacts" and self.system.contacts[watch.of].switch:
+            return "torques", self._name(watch)
+        return ()
 
     def _name_of(self, kind: Kind, index: int) -> str:
         return str(getattr(self.system, kind)[index].name)

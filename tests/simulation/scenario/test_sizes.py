@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -37,6 +38,9 @@ torques: {in: 15, out: {road: {mass: 100, radius: .3}}}
         ("[.5, 20]", "[.5, 1e-30]", "1e-30"),
         ("in: 15", "in: 15e90", "1.5e+91"),
         ("radius: .3", "radius: 3e16", "3e+16"),
+        ("in: 15", 'in: "1e20*(t > 1)"', "1e+20"),
+        ("in: 15", 'in: "-15*sign(speed - 1e-200)"', "1e-200"),
+        ("C: [[0, 10], [.5, 20]]", 'C: "10 + 1e-40*t"', "1e-40"),
     ],
 )
 def test_a_number_that_nothing_has(tmp_path: Path, old: str, new: str, read: str) -> None:
@@ -75,11 +79,33 @@ def test_a_torque_that_is_no_number(tmp_path: Path, law: str) -> None:
     assert ", expected a number" in said.err
 
 
-@pytest.mark.parametrize("law", ['"1/0"', '"0/0"', '"1e300*1e300"'])
+@pytest.mark.parametrize("law", ["10^20*(t > .5)", "exp(100*t)", "1/(.5 - t)^9"])
+def test_a_torque_that_becomes_larger_than_any(tmp_path: Path, law: str) -> None:
+    (tmp_path / "case.yaml").write_text(CASE)
+    (tmp_path / "scenario.yaml").write_text(SCENARIO.replace("in: 15", f'in: "{law}"'))
+    said = vstatics("simulate", tmp_path / "scenario.yaml", "-f", "json")
+    assert said.status == 1
+    assert re.search(
+        r"scenario\.yaml:5:11: error: .* expected 1e\+15 at most$", said.err, re.MULTILINE
+    )
+
+
+@pytest.mark.parametrize("speed", [-2.9e-16, 5e-324, -1e-300])
+def test_a_start_speed_may_be_0_but_for_rounding(tmp_path: Path, speed: float) -> None:
+    """At rest, 15 N*m are above the 10 of the clutch: it speeds up."""
+    (tmp_path / "case.yaml").write_text(CASE)
+    text = SCENARIO.replace("in: 30", f"in: {speed}")
+    (tmp_path / "scenario.yaml").write_text(text)
+    said = vstatics("simulate", tmp_path / "scenario.yaml", "-f", "json")
+    assert said.status == 0
+    assert said.err == ""
+
+
+@pytest.mark.parametrize("law", ['"1/0"', '"0/0"', '"1e300*1e300"', '"10^20*t"'])
 def test_a_capacity_that_is_no_number(tmp_path: Path, law: str) -> None:
     (tmp_path / "case.yaml").write_text(CASE)
     text = SCENARIO.replace("[[0, 10], [.5, 20]]", law)
     (tmp_path / "scenario.yaml").write_text(text)
     said = vstatics("simulate", tmp_path / "scenario.yaml")
     assert said.status == 1
-    assert f"{tmp_path}/scenario.yaml:4:12: error: controls.C: gives " in said.err
+    assert f"{tmp_path}/scenario.yaml:4:12: error: controls.C: " in said.err

@@ -16,6 +16,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.tolerances import (
     AHEAD,
+    LARGEST_NUMBER,
     MADE_CAPACITY,
     NO_MARGIN,
     ROOT_PART,
@@ -51,15 +52,20 @@ class Finder:
     def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
         self.noise = NO_MARGIN * margins.units(scales)
+        system = self.equations.system
         self.by_formula = [
-            contact
-            for contact in self.equations.system.contacts
-            if isinstance(contact.programme.curve, Formula)
+            contact for contact in system.contacts if isinstance(contact.programme.curve, Formula)
+        ]
+        self.torques = [
+            (port, system.names[one.link])
+            for port, one in enumerate(system.outside)
+            if isinstance(one.law, Formula)
         ]
 
     def event_in(self, step: TimeStep) -> MarginEnd | None:
         """The first event in a step."""
         self._check_capacities(step)
+        self._check_torques(step)
         times, states = step.times, step.states
         if not self.margins.watches:
             return None
@@ -79,15 +85,28 @@ class Finder:
             pack = contact.friction
             capacity = programme_at(contact.programme, step.end)
             capacity /= pack.per_pressure if isinstance(pack, Friction) else 1.0
-            most = contact.programme.largest
-            if not capacity >= 0 or (most is not None and capacity > most * (1 + MADE_CAPACITY)):
-                expected = "0 or more" if most is None else f"0 to {most:g}"
+            largest = contact.programme.largest
+            most = LARGEST_NUMBER if largest is None else largest
+            if not 0 <= capacity <= most * (1 + MADE_CAPACITY):
                 unit = "Pa" if pack else "N*m"
                 message = (
                     f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
-                    f"expected {expected}"
+                    f"expected 0 to {most:g}"
                 )
                 raise CaseError("E609", message, ("controls", contact.name))
+
+    def _check_torques(self, step: TimeStep) -> None:
+        """Refuse a torque by a formula of a size that nothing has."""
+        if not self.torques:
+            return
+        _, torques = self.equations.acting(step.end, step.last)
+        for port, name in self.torques:
+            if abs(torques[port]) > LARGEST_NUMBER:
+                message = (
+                    f"at {step.end:.6g} s the torque on {name} is {torques[port]:g} N*m, expected "
+                    f"{LARGEST_NUMBER:g} at most"
+                )
+                raise CaseError("E670", message, ("torques", name))
 
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]

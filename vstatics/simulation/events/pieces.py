@@ -49,8 +49,8 @@ class TimeStep(NamedTuple):
     """Where they are in each of its equal parts, by the length of a part; the last is 1."""
 
 
-_PATIENCE = 2000
-"""Steps after which it is asked whether they lead anywhere, where a torque may switch."""
+_PATIENCE = 1000
+"""Steps after which it is asked whether they lead anywhere."""
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
@@ -80,7 +80,7 @@ def steps(
     while solver.status == "running":
         start = solver.t, solver.y
         number += 1
-        if equations.ports.switching and number % _PATIENCE == 0:
+        if number % _PATIENCE == 0:
             if solver.t - mark < NO_PROGRESS * equations.system.scenario.duration:
                 raise TooSmall
             mark = solver.t

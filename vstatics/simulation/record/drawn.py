@@ -24,6 +24,8 @@ from vstatics.simulation.tolerances import CHORD
 
 _MOST_BISECTIONS = 20
 """Of an interval in which a column has a corner."""
+_MOST_NEAR_CORNERS = 2000
+"""Instants of some steps that are added there: with more there are no corners, but rounding."""
 _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
 """Instants of a run, and numbers of all columns there; with more its chords would be shorter."""
 
@@ -150,7 +152,7 @@ class DrawnRun:
                 self.table.at(margins, one, course.states(one)) for one in (low, middle, high)
             )
             far = (np.abs(at - 0.5 * (first + last)) > CHORD * size[:, None]).any(axis=0)
-            if not far.any():
+            if not far.any() or len(times) > _MOST_NEAR_CORNERS:
                 break
             times = np.concatenate([times, middle[far]])
             low, high = (np.sort(np.concatenate([one[far], middle[far]])) for one in (low, high))

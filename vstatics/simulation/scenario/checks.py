@@ -22,7 +22,12 @@ from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLa
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, largest_control
 from vstatics.simulation.scenario.sizes import size_problems
-from vstatics.simulation.tolerances import GIVEN_CAPACITY, MADE_CAPACITY, MISSING_MASS
+from vstatics.simulation.tolerances import (
+    GIVEN_CAPACITY,
+    LARGEST_NUMBER,
+    MADE_CAPACITY,
+    MISSING_MASS,
+)
 
 _TRIED_TIMES = 1001
 
@@ -145,13 +150,13 @@ def _tried(
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     with np.errstate(all="ignore"):
         values = law.along(times) * control.scale
-    most = math.inf if largest is None else largest * (1 + MADE_CAPACITY)
+    most = LARGEST_NUMBER if largest is None else largest
     least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
-    wrong = np.flatnonzero(~((values >= least) & (values <= most)))
+    wrong = np.flatnonzero(~((values >= least) & (values <= most * (1 + MADE_CAPACITY))))
     if len(wrong):
         first = int(wrong[0])
-        expected = "0 or more" if largest is None else f"0 to {largest:g}, the capacity of the case"
-        message = f"gives {values[first]:g} at {times[first]:.6g} s, expected {expected}"
+        whose = "" if largest is None else ", the capacity of the case"
+        message = f"gives {values[first]:g} at {times[first]:.6g} s, expected 0 to {most:g}{whose}"
         yield Problem("E633", message, path)
 
 

@@ -7,7 +7,7 @@ bends or jumps is told by `corners`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -15,9 +15,11 @@ from vstatics.errors import nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
-from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
+from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 
 
 class Formula(NamedTuple):
@@ -33,8 +35,8 @@ class Formula(NamedTuple):
     """
 
     text: str
-    within: tuple[tuple[str, float, float], ...] = ()
-    """Variables, and the jumps between which each stays: so what is decided there is decided."""
+    tree: Tree | None = None
+    """What of it is calculated, where not all: between jumps, or its slope."""
 
     @property
     def variables(self) -> frozenset[str]:
@@ -46,6 +48,17 @@ class Formula(NamedTuple):
             If the text is no formula.
         """
         return _read(*self).variables
+
+    @property
+    def constants(self) -> list[float]:
+        """The numbers that stand in it.
+
+        Raises
+        ------
+        ReadError
+            If the text is no formula.
+        """
+        return [one.value for one in parts(_read(*self).tree) if isinstance(one, Constant)]
 
     @property
     def function(self) -> Callable[[float, float, float], float]:
@@ -77,13 +90,27 @@ class Formula(NamedTuple):
         """
         return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
 
+    def between(self, name: str, low: float, high: float) -> Formula:
+        """What it is between two jumps along a variable."""
+        return self._replace(tree=between(_read(*self).tree, name, low, high))
+
+    @property
+    def surfaces(self) -> dict[JumpSurface, str]:
+        """Where else it switches, by time or angle, each with the side it itself counts to."""
+        return surfaces(_read(*self).tree)
+
+    def on_side(self, surface: JumpSurface, side: float) -> Formula:
+        """What it is above a surface, +1, or below, -1."""
+        return self._replace(tree=on_side(_read(*self).tree, surface, side))
+
+    @property
+    def slope(self) -> Formula:
+        """Its change with time, of a formula of t of which that is known."""
+        return self._replace(tree=slope(_read(*self).tree))
+
     @property
     def switches(self) -> bool:
-        """Whether it compares a speed or an angle in a way of which no jumps are known.
-
-        >>> Formula("100*(speed < 300 + 10*t)").switches
-        True
-        """
+        """Whether it compares speeds or angles."""
         return _read(*self).switches
 
     def along(self, times: Floats) -> Floats:
@@ -108,7 +135,7 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     Examples
     --------
     >>> read_formula(Excerpt("3000*min(t/0.3, 1)", "FH"), ["t"])
-    Formula(text='3000*min(t/0.3, 1)', within=())
+    Formula(text='3000*min(t/0.3, 1)', tree=None)
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
@@ -122,7 +149,7 @@ def _tree(source: Excerpt, names: Collection[str]) -> Tree:
     """The tree of a formula in which only these names stand."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
-    for part in _parts(tree):
+    for part in parts(tree):
         if isinstance(part, Applied):
             if (
                 part.name not in ("min", "max")
@@ -153,16 +180,6 @@ def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> Non
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
 
 
-def _parts(tree: Tree) -> Iterator[Tree]:
-    """All parts of a tree."""
-    waiting = [tree]
-    while waiting:
-        part = waiting.pop()
-        yield part
-        if isinstance(part, Applied):
-            waiting += reversed(part.operands)
-
-
 class _Read(NamedTuple):
     """What is known of a text."""
 
@@ -175,16 +192,11 @@ class _Read(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _read(text: str, within: tuple[tuple[str, float, float], ...]) -> _Read:
-    tree = _tree(Excerpt(text, "formula"), VARIABLES)
-    for name, low, high in within:
-        tree = between(tree, name, low, high)
-    names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
+def _read(text: str, tree: Tree | None) -> _Read:
+    tree = tree or _tree(Excerpt(text, "formula"), VARIABLES)
     breaks = tuple(corners(tree, "t"))
     switches = any(
-        isinstance(one, TableName) and one.name != "t"
-        for part in _parts(tree)
-        if isinstance(part, Applied) and part.name in JUMPS
-        for one in _parts(part)
+        isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
+        for part in parts(tree)
     )
-    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks, switches, tree)
+    return _Read(variables(tree), compiled(tree), of_times(tree), breaks, switches, tree)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from itertools import count
 from typing import Any
 
 from vstatics.errors import Path, Problem
@@ -41,11 +42,11 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_unlike(case.inertias)
     start = scenario.start
     yield from _of_numbers(scenario.duration, ("duration",))
-    yield from _of_numbers(start.speed, ("start", "speed"))
     of_links = {
         names[link - 1]: speed for link, speed in start.speeds.items() if link <= len(names)
     }
-    yield from _of_numbers(of_links, ("start", "speeds"))
+    for key, speeds in (("speed", start.speed), ("speeds", of_links)):
+        yield from _of_numbers(speeds, ("start", key), least=0.0)  # 0 may come out as 1e-16
     elements = case.shift_elements
     for number, control in (scenario.controls or {}).items():
         if 0 < number <= len(elements):
@@ -60,12 +61,12 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_numbers(scenario.shifts or (), ("shifts",))
 
 
-def _of_numbers(part: Any, path: Path) -> Iterator[Problem]:
+def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
     """All numbers of a part."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)
-        if LARGEST_NUMBER < size < math.inf or 0 < size < LEAST_NUMBER:
+        if LARGEST_NUMBER < size < math.inf or 0 < size < least:
             none = "0 or " if size < 1 else ""
             expected = f"{none}a number from {LEAST_NUMBER:g} to {LARGEST_NUMBER:g}"
             yield Problem("E663", f"read {read:g}, expected {expected}", path)
@@ -74,13 +75,14 @@ def _of_numbers(part: Any, path: Path) -> Iterator[Problem]:
             places = ((*path, number, 1), (*path, number, 2)) if len(part.x) > 1 else (path, path)
             for value, place in zip(point, places, strict=True):
                 yield from _of_numbers(value, place)
-    elif isinstance(part, Mapping):
-        for name, value in part.items():
-            yield from _of_numbers(value, (*path, name))
-    elif isinstance(part, tuple) and not isinstance(part, Formula):
-        names = getattr(part, "_fields", range(1, len(part) + 1))
-        for name, value in zip(names, part, strict=True):
-            yield from _of_numbers(value, (*path, name))
+    elif isinstance(part, Formula):
+        for value in part.constants:
+            yield from _of_numbers(value, path)
+    elif isinstance(part, Mapping | tuple):
+        names = part if isinstance(part, Mapping) else getattr(part, "_fields", count(1))
+        values = part.values() if isinstance(part, Mapping) else part
+        for name, value in zip(names, values, strict=False):
+            yield from _of_numbers(value, (*path, name), least)
 
 
 def _of_unlike(inertias: Mapping[int, float]) -> Iterator[Problem]:

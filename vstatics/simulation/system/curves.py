@@ -24,11 +24,15 @@ def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
 
 def programme_at(programme: Programme, time: float) -> float:
     """The value of a programme at a time, from there on."""
-    curve = programme.curve
-    at = curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
+    at = curve_at(programme.curve, time)
     if at == 0 or programme.factor == 0:
         return 0.0
     return at * programme.factor
+
+
+def curve_at(curve: Curve, time: float) -> float:
+    """The value of a curve at a time, from there on."""
+    return curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
 
 
 def programme_along(programme: Programme, times: Floats) -> Floats:

@@ -158,7 +158,7 @@ def _finite(matrix: Floats) -> Floats:
             "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
             "vibration can't be calculated: expected numbers nearer to each other"
         )
-        raise CaseError(message)
+        raise CaseError("E520", message, ("inertias",))
     return matrix
 
 
