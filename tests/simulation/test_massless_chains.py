@@ -69,6 +69,20 @@ def test_where_a_torque_no_longer_changes_with_speed_a_link_follows_its_shaft() 
     assert motion.torques[-1, motion.devices.index("s")] == pytest.approx(-50.0)
 
 
+def test_a_link_without_inertia_leaps_to_the_piece_where_torques_balance() -> None:
+    """At -80 rad/s the law gives 20 N*m, whatever the speed; the limit of 14 balances it at -35.
+
+    Until the clutch opens at .2 s, link 2 turns with the heavy link 3.
+    """
+    spring = Spring(between(1, 2), 800.0, name="s", limit=14.0)
+    clutch = ShiftElement(2, 3, name="C", stiffness=1e5)
+    case = links(2.0, 0.0, 1e3, elements=(clutch,), springs=(spring,))
+    opens: dict[int, Control] = {1: Capacity(Points((0.2, 0.2), (160.0, 0.0), "time"))}
+    start = {1: -50.0, 2: -80.0, 3: -80.0}
+    motion = run(case, 0.4, start, ((2, OVER_SPEED),), opens)
+    assert motion.speeds[-1, 1] == pytest.approx(-14 / 0.4)
+
+
 def test_a_formula_acts_on_a_link_without_inertia_while_a_spring_slips() -> None:
     """The limit of 40 N*m balances ``-2*speed``: the link turns by 20 rad/s, as long as it slips."""
     spring = Spring(between(1, 2), 5000.0, name="s", limit=40.0)

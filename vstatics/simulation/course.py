@@ -123,7 +123,7 @@ class EventRun:
                 selected = self.selection.select(at, before, scales, (), met)
         except NoChoice:
             _, choices = self.selection.choices.at(at, before, self.scales, met)
-            names = [self._name_of(kind, index) for kind, index, _ in choices]
+            names = [self._name_of(kind, index) for kind, index, _ in choices if kind != "pieces"]
             message = (
                 f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
                 f"fits for {', '.join(names) or 'the speeds as they are'}"

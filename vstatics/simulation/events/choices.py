@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import repeat
 
 import numpy as np
@@ -44,6 +44,10 @@ class ModeChoices:
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
         """Mechanisms whose speeds can jump in the same way."""
+        self.leaping = [
+            bool((np.abs(loose.light[one.link]) > STANDING).any()) for one in system.outside
+        ]
+        """Outside torques on links whose speeds can jump in the same way."""
         self.within = AHEAD * system.scenario.duration
         """How far it is looked ahead. [s]"""
 
@@ -74,7 +78,17 @@ class ModeChoices:
             *map(_converter_piece, repeat(at), system.converters, last[layout.outside :]),
             *map(_friction_piece, repeat(at), system.contacts, last[layout.frictions :]),
         ]
+        choices += self._leaps(pieces)
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
+
+    def _leaps(self, pieces: Sequence[int]) -> Iterator[Choice]:
+        """Pieces of points over a speed to which it may jump, the nearest first."""
+        for index, (one, leaping) in enumerate(zip(self.system.outside, self.leaping, strict=True)):
+            law = one.law
+            if leaping and isinstance(law, Points) and law.over == "speed" and law.x[1:]:
+                now = pieces[index]
+                others = sorted(range(len(law.x) + 1), key=lambda piece: abs(piece - now))
+                yield "pieces", index, tuple(others)
 
     def _contact(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool

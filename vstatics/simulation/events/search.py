@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import combinations, product
-from typing import Literal
+from typing import Any, Literal
 
 from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
@@ -19,11 +19,11 @@ _WORTH_WHILE = 24_000
 a try of many takes longer."""
 
 
-Kind = Literal["contacts", "meshes", "springs"]
+Kind = Literal["contacts", "meshes", "springs", "pieces"]
 """What may stick or slip, as systems and their states call it."""
-Choice = tuple[Kind, int, tuple[str, ...]]
-"""Its kind, its index, its states: the one that sticks first."""
-Changed = tuple[tuple[int, str], ...]
+Choice = tuple[Kind, int, tuple[Any, ...]]
+"""Its kind, its index, its states: the one that sticks first; of pieces their numbers."""
+Changed = tuple[tuple[int, Any], ...]
 """Numbers of choices, and what is chosen in place of their first states."""
 
 
