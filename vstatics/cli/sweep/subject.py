@@ -12,7 +12,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import case_of, is_a
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
-from vstatics.sweep.options import FileName
+from vstatics.sweep.options import PlacedFile
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
 
 ReadSubject = tuple[Subject, list[Problem]]
@@ -30,7 +30,7 @@ def read_subject(file: str, input_format: readers.Format | None, telling: Tellin
     try:
         data, name = files.read_input(file)
     except ReadError as error:
-        if not isinstance(file, FileName):
+        if not isinstance(file, PlacedFile):
             raise
         message = f"{file} {error.problems[0].message}"
         raise ReadError([Problem("E018", message, place=file.place)]) from None
