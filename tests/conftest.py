@@ -40,8 +40,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--kills",
         type=int,
-        default=count(4, 40),
-        help="so often tests/cli/test_killed.py kills a run or a sweep",
+        default=count(2, 40),
+        help="so often tests/cli/test_killed.py kills work of each kind",
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import json
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -62,6 +63,12 @@ def test_the_page_lists_every_id() -> None:
     assert set(listed) == ids_in_code()
     for identity, says in DOUBTS.items():
         assert f"| {identity} | {says} |" in page
+
+
+def test_no_two_ids_say_the_same() -> None:
+    page = (ROOT / "docs/messages.md").read_text("utf-8")
+    said = re.findall(r"^\| [EWN]\d{3} \| (.*) \|$", page, re.MULTILINE)
+    assert sorted(says for says, count in Counter(said).items() if count > 1) == []
 
 
 def test_a_message_ends_with_its_id() -> None:

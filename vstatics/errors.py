@@ -151,9 +151,14 @@ class Problem(NamedTuple):
         """Whether it is an error, a warning or a note."""
         return severity(self.id)
 
+    @property
+    def told(self) -> str:
+        """The message with its id, as it stands in answers."""
+        return f"{self.message} [{self.id}]"
+
     def __str__(self) -> str:
         """The problem in one line that is safe to print, in the wording of a compiler."""
-        text = f"{self.message} [{self.id}]"
+        text = self.told
         if self.place is not None:
             file, line, column, _ = self.place
             where = f"{file}:{line}:{column}: " if line else f"{file}: "

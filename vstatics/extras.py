@@ -109,4 +109,4 @@ def require(extra: str, purpose: str) -> None:
     """
     message = missing(extra, purpose)
     if message:
-        raise CaseError("E026", message)
+        raise CaseError("E014", message)

@@ -1,4 +1,4 @@
-"""Runs and sweeps that are killed at random moments and resumed: nothing is lost or mixed up.
+"""Work that is killed at random moments and resumed: nothing is lost or mixed up.
 
 ``pytest tests/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
 """
@@ -28,7 +28,11 @@ GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
 """400000 variants in 7 pieces."""
 CASES = 150
 BRAKES = ("--vary", "controls.brake.scale=.9:1.2:500", "--out", "locks[brake],heat[brake]")
-BOXES = ("--sets", "2", "--elements", "4", "--engaged", "2", "--own-input", "--ratios", "2.5,1.4,1")
+BOXES = (
+    *("--sets", "3", "--elements", "5", "--engaged", "2"),
+    *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
+)
+"""Nine pieces of a second or less."""
 
 
 class Work(NamedTuple):
@@ -38,7 +42,7 @@ class Work(NamedTuple):
     output: str
 
 
-WORKS = {
+CASES_AND_SWEEPS = {
     **{
         f"run {form} -j {jobs}": Work(
             ("run", "--files-from", "list", "-f", form, "-j", jobs), "out/"
@@ -53,14 +57,20 @@ WORKS = {
     },
     "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
     "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
-    **{
-        f"samples {form}": Work(("simulate", "lock.yaml", "--samples", "500"), f"out.{form}")
-        for form in ("csv", "npz")
-    },
-    "sweep of a scenario": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
-    "best of a scenario": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
-    "box": Work(("synth", "box", *BOXES), "out.json"),
-    "boxes": Work(("synth", "box", *BOXES), "out/"),
+}
+SAMPLES = {
+    f"{form} -j {jobs}": Work(
+        ("simulate", "lock.yaml", "--samples", "500", "-j", jobs), f"out.{form}"
+    )
+    for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+}
+SCENARIOS = {
+    "all": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
+    "best": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
+}
+FOUND = {
+    "a file": Work(("synth", "box", *BOXES, "-j", "2"), "out.json"),
+    "a folder": Work(("synth", "box", *BOXES, "-j", "1"), "out/"),
 }
 
 
@@ -154,8 +164,13 @@ def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
     return made(work, folder), time.monotonic() - began
 
 
+@pytest.mark.parametrize(
+    "works",
+    [CASES_AND_SWEEPS, SAMPLES, SCENARIOS, FOUND],
+    ids=["cases and sweeps", "samples", "sweeps of scenarios", "boxes"],
+)
 def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
-    tmp_path: Path, request: pytest.FixtureRequest
+    works: dict[str, Work], tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     """Up to three times in a row, then it is let alone; the bytes are the same."""
     kills = int(request.config.getoption("--kills"))
@@ -163,8 +178,8 @@ def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
     told: Counter[str] = Counter()
     undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
     while sum(told[way] for way in WAYS) < kills:
-        name = choose.choice(list(WORKS))
-        work = WORKS[name]
+        name = choose.choice(list(works))
+        work = works[name]
         if name not in undisturbed:
             undisturbed[name] = whole(work, tmp_path / f"whole {len(undisturbed)}")
         expected, seconds = undisturbed[name]

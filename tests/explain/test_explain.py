@@ -64,3 +64,30 @@ def test_a_gear_that_is_not_there_is_wrong_use() -> None:
     said = vstatics("explain", CASES / "ford-model-t.yaml", "--gear", "hihg")
     assert said.status == 2
     assert "no gear 'hihg'; did you mean `high`?" in said.err
+
+
+DRAGGED = b"""\
+links: [in, out]
+mechanisms: {pair: {first: in, second: out, ratio: 2, efficiency: 0.98}}
+gears:
+  little: {load: {speed: 3000 rpm, torque: 1 N*m}, drag: {out: 5 N*m}}
+  none: {load: {speed: 3000 rpm, torque: 0 N*m}, drag: {in: 1 N*m}}
+"""
+
+
+def test_a_dragged_gear_has_torques_and_no_efficiency() -> None:
+    """At the output 2 x .98 of the 5 N*m come from the input, 3.04 from outside."""
+    said = vstatics("explain", "-", "--from", "yaml", "--gear", "little", stdin=DRAGGED).out
+    assert "warning: dragged: drag takes more than the input gives" in said
+    assert "    M_pair = 1  Mx = -3.04\n  there is no efficiency\n" in said
+    assert "N*m" not in said
+
+
+def test_torques_that_are_relative_to_nothing_are_in_newton_metres() -> None:
+    """The drag of 1 N*m is driven from the output, by 2/.98 N*m."""
+    said = vstatics("explain", "-", "--from", "yaml", "--gear", "none", stdin=DRAGGED).out
+    assert "Torques: the balance of each link, in N*m\n" in said
+    assert "Torques with losses, in N*m: u eta^x" in said
+    assert f"Mx = -{2 / 0.98:.4f}\n  there is no efficiency\n" in said
+    said = vstatics("flow", "-", "--from", "yaml", "--gear", "none", stdin=DRAGGED).out
+    assert "1 is that of 1 N*m at the input" in said

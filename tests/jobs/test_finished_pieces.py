@@ -15,7 +15,7 @@ import pytest
 from tests.commands import environment
 from tests.sweep.sweeps import names, plan
 from vstatics.errors import ReadError
-from vstatics.jobs import pieces
+from vstatics.jobs import piece_file
 from vstatics.jobs.alone import Alone
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.sweep.output import Output, description
@@ -55,7 +55,7 @@ def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
     written = store(path)
     calculate(written)
     for gone in (1, 3):
-        Path(pieces.piece_path(written.store.directory, gone)).unlink()
+        Path(piece_file.piece_path(written.store.directory, gone)).unlink()
     written.store.unlock()
     again = store(path, resume=True)
     assert (again.finished, list(again.pending)) == (16, [1, 3])
@@ -71,7 +71,7 @@ def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> Non
     calculate(written)
     folder = Path(written.store.directory)
     (folder / "00000001.999.tmp").write_bytes(b"half")
-    (folder / pieces.ASSEMBLED).write_bytes(b"half")
+    (folder / piece_file.ASSEMBLED).write_bytes(b"half")
     (folder / "00000002").write_bytes(b"half")
     written.store.unlock()
     again = store(path, resume=True)
@@ -206,6 +206,6 @@ def test_a_piece_that_does_not_fit_on_the_disk_leaves_nothing(tmp_path: Path) ->
             assemble(written)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert pieces.ASSEMBLED not in names(Path(written.store.directory))
+    assert piece_file.ASSEMBLED not in names(Path(written.store.directory))
     assemble(written)
     assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 31

@@ -34,7 +34,7 @@ from vstatics.numerics import compiled
 values, into = np.arange(3.0), np.zeros(3)
 compiled.put(values, into)
 assert (values == into).all()
-print(len(compiled.TROUBLE), bool(compiled.put.stats.cache_hits))
+print(len(compiled.CACHE_TROUBLE), bool(compiled.put.stats.cache_hits))
 """
 
 

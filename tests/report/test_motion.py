@@ -45,7 +45,7 @@ def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:
         stopped=Problem("E608", "stopped at <b>3 s\x1b"), messages=(Message("N601", "a & b"),)
     )
     text = "".join(shown_run(RunSection(motion), None))
-    assert "The run stopped: stopped at &lt;b&gt;3 s\\u001b" in text
+    assert "The run stopped: stopped at &lt;b&gt;3 s\\u001b [E608]" in text
     assert "note: a &amp; b [N601]" in text
 
 

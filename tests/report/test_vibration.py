@@ -118,7 +118,7 @@ def test_without_scipy_the_rest_is_written_and_it_is_told(
     assert said.status == 0
     assert f"no vibration: {needs}" in said.err
     page = Page(said.out)
-    assert f"Left out: {needs} [E026]" in [one.text for one in page.all("p")]
+    assert f"Left out: {needs} [E014]" in [one.text for one in page.all("p")]
     assert page.table("Ratios, steps")["low"]["ratio"].text == "3.600"
     assert vstatics("report", write(tmp_path, DRIVELINE), "-o", "-", "-q").err == ""
 

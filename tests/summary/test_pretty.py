@@ -151,3 +151,19 @@ def test_a_bad_case_does_not_stop_the_others() -> None:
     said = vstatics("run", "--pretty", "tests/bad/efficiency-0.dat", MZKT)
     assert said.status == 1
     assert "6.230" in said.out
+
+
+def test_small_torques_of_a_dragged_gear_are_shown_and_rounding_is_not() -> None:
+    """The output turns the input by 2 x .02 N*m; beside 1000 N*m .00000002 is nothing."""
+    case = b"""\
+links: [in, out]
+mechanisms: {pair: {first: in, second: out, ratio: 2}}
+gears:
+  small: {load: {speed: 3000 rpm, torque: 0 N*m}, drag: {in: 0.02 N*m}}
+  large: {load: {speed: 3000 rpm, torque: 1000 N*m}, drag: {in: 1000 N*m, out: 0.00000002 N*m}}
+"""
+    text = shown("-", "--from", "yaml", stdin=case)
+    small = next(line for line in text.splitlines() if " small " in line)
+    assert small.split()[-3:] == [".02000", "pair", "dragged"]
+    ports = text.splitlines()[len(gear_lines(text)) :]
+    assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-.04000", ".0"]

@@ -13,9 +13,9 @@ from vstatics.summary.shifts import transitions
 
 
 def test_each_shift_of_the_8hp_changes_one_element(zf: Summary) -> None:
-    """A property that the source names: one clutch opens and one closes, up to jumps of one."""
+    """A property that the source names: one clutch opens and one closes, up to skips of one."""
     assert {transition.word for transition in zf.transitions} == {"single"}
-    assert [(one.start, one.end) for one in zf.transitions if one.jumped == "5"] == [("4", "6")]
+    assert [(one.start, one.end) for one in zf.transitions if one.skipped == "5"] == [("4", "6")]
     first = zf.transitions[0]
     assert (first.released, first.engaged) == (["C"], ["E"])  # ABC to ABE
 

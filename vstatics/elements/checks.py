@@ -95,7 +95,7 @@ def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
 def _problems(element: Element, path: Path) -> Iterator[Problem]:
     if element.kind not in KINDS:
         known = f"expected one of {', '.join(KINDS)}{nearest(element.kind, KINDS)}"
-        yield Problem("E301", f"read {element.kind!r}, {known}", (*path, "kind"))
+        yield Problem("E224", f"read {element.kind!r}, {known}", (*path, "kind"))
         return
     kind = element.shape
     yield from _apart(element, kind, path)

@@ -109,7 +109,7 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
             around = wheel.internal and not other.internal and wheel.rim == other.rim
             if around and wheel.teeth <= other.teeth:
                 message = f"read {wheel.teeth}, expected more teeth than the {other.teeth} of"
-                yield Problem("E331", f"{message} {other.member}", (*place, "teeth"))
+                yield Problem("E305", f"{message} {other.member}", (*place, "teeth"))
     for train in group.trains:
         speeds: dict[int, Fraction] = {}
         for wheel in group.wheels_of(train):

@@ -59,6 +59,8 @@ class Explanation(NamedTuple):
     signs: Sequence[PowerSign]
     lossy: System | None
     """With losses; None where there is no such solution."""
+    input_torque: Known
+    """What torques are relative to: 1, or 0 where the load gives none, and they are in N*m."""
     together: Sequence[Together]
     one_piece: Sequence[str]
     """Elements, or mechanisms, that turn as one piece."""
@@ -130,6 +132,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         torques=torques,
         signs=signs_of(state),
         lossy=lossy,
+        input_torque=case.input_torque(actual),
         together=together,
         one_piece=one_piece,
         standing=standing,

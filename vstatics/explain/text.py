@@ -70,12 +70,13 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
     ['Structural-distribution matrix', 'Speeds', 'Torques', 'Torques with losses', 'Ratio']
     """
     drags = ", M with drag" * _drags(one)
+    unit = "" if one.input_torque else ", in N*m"
     is_ratio = one.formula is None or one.formula.left == "i"
     parts = {
         MATRIX: _matrix(one, digits),
         "Speeds": _system(one.speeds, digits, with_symbols=True),
-        "Torques: the balance of each link": _system(one.torques, digits, with_symbols=True),
-        f"{LOSSES}{drags}": _losses(one, digits),
+        f"Torques: the balance of each link{unit}": _system(one.torques, digits, with_symbols=True),
+        f"Torques with losses{unit}: {LOSSES}{drags}": _losses(one, digits),
         "Turning together, whatever the ratios are": _together(one),
         RATIO[not is_ratio]: _ratio(one, digits),
     }
@@ -90,7 +91,7 @@ MATRIX = (
 )
 RATIO = ("Ratio", "Output speed")
 LOSSES = (
-    "Torques with losses: u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
 )
 
@@ -164,9 +165,17 @@ def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
         if _drags(one):
             yield f"{INDENT}drag stands on the right sides"
         yield from _system(one.lossy, digits, with_symbols=False)
-        yield f"{INDENT}efficiency = {short(one.efficiency, digits)}"
+        yield INDENT + _efficiency(one, digits)
     else:
         yield f"{INDENT}all u stay as they are, and so do the torques"
+
+
+def _efficiency(one: Explanation, digits: int | None) -> str:
+    """Its value; there is none where all torques are known, such as those of a dragged gear."""
+    assert one.lossy is not None  # noqa: S101 - for mypy
+    if math.isnan(one.efficiency) and not any(map(math.isnan, one.lossy.values.values())):
+        return "there is no efficiency"
+    return f"efficiency = {short(one.efficiency, digits)}"
 
 
 def _drags(one: Explanation) -> bool:

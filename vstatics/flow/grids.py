@@ -90,7 +90,8 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     shown = flow.lossy or flow.ideal
     if balanced:
         entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
-        yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}"
+        unit = "" if flow.ports.input_torque else "; 1 is that of 1 N*m at the input, of no torque"
+        yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}{unit}"
     unknown = [str(node) for node in shown.unknown]
     if unknown:
         yield f"not determined: {', '.join(unknown)}"

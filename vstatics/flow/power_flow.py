@@ -157,7 +157,7 @@ class GearFlow(NamedTuple):
 
     @property
     def kilowatts(self) -> float:
-        """The power at the input link, NaN where no load tells it [kW]."""
+        """The power at the input link, of 1 N*m where its load gives none; NaN without [kW]."""
         return self.ports.scales["kW"]
 
     @property

@@ -90,8 +90,9 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
-    """The error that an item could not be done."""
-    return CaseError("E027", f"{describe(item)}: {type(error).__name__}: {error}")
+    """The program has a fault, which an item shows."""
+    told = f"an error of vstatics, please report it: {type(error).__name__}: {error}"
+    return CaseError("E002", f"{describe(item)}: {told}")
 
 
 class Alone(Workers):

@@ -17,7 +17,7 @@ from vstatics.errors import ReadError, of_file
 from vstatics.jobs.files import is_temporary, put_for_good, replace
 from vstatics.jobs.finished_cases import OTHER_BUILD, Description, differing
 from vstatics.jobs.lock import lock, unlock
-from vstatics.jobs.pieces import ASSEMBLED, Account, read_account
+from vstatics.jobs.piece_file import ASSEMBLED, Account, read_account
 
 SUFFIX = ".parts"
 PLAN = "plan.json"

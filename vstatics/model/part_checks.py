@@ -162,7 +162,7 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     """A variator or converter joins two links, at a finite speed ratio if it has its own."""
     if mechanism.kind not in MECHANISM_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in MECHANISM_KINDS)
-        yield Problem("E271", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
+        yield Problem("E224", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
         return
     for member in ("first", "second"):
         if getattr(mechanism, member) == HOUSING:
@@ -205,7 +205,7 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
             yield Problem("E276", message, inner)
         elif not math.isfinite(ratio):
-            yield Problem("E249", f"read {ratio}, expected a finite number", inner)
+            yield Problem("E229", f"read {ratio}, expected a finite number", inner)
     for number, one in enumerate(own, 1):
         if one.kind and math.isnan(one.ratio) and number not in gear.speed_ratios:
             message = (
@@ -287,7 +287,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
         if link is not None:
             yield from of_link(link, (*path, end), case.own_links, lowest=1)
     if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
-        yield Problem("E231", f"input and output are both link {called(case, ends[0])}", path)
+        yield Problem("E214", f"input and output are both link {called(case, ends[0])}", path)
     yield from _turning(case, gear, (*path, "input_turns"))
     yield from _dragging(case, gear, path)
     yield from _speed_ratios(case, gear, path)
@@ -347,7 +347,7 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
             return
         if value is not None and not math.isfinite(value):
             message = f"read {value:g}, expected a finite number"
-            yield Problem("E240", message, (*path, "load", quantity))
+            yield Problem("E229", message, (*path, "load", quantity))
         elif value == 0 and quantity == "speed":
             message = "read 0, expected a speed other than 0, as of an input that turns"
             yield Problem("E241", message, (*path, "load", quantity))
@@ -375,7 +375,7 @@ def _engaged(
     for position, element in enumerate(engaged, 1):
         if not is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"
-            yield Problem("E244", f"read {element!r}, expected {expected}", (*path, position))
+            yield Problem("E243", f"read {element!r}, expected {expected}", (*path, position))
             continue
         message = f"element {elements[element - 1].name or element} is"
         if element in seen:
@@ -411,4 +411,4 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
     for link, value in values.items():
         yield from of_link(link, (*path, link), links, lowest=1)
         if not math.isfinite(value):
-            yield Problem("E249", f"read {value}, expected a finite number", (*path, link))
+            yield Problem("E229", f"read {value}, expected a finite number", (*path, link))

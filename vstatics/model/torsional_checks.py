@@ -33,7 +33,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if len(twist) < len(spring.twist):
         link = next(iter(twist))
         message = f"joins link {called(case, link)} to itself, expected two different links"
-        yield Problem("E250", message, (*path, "second"))
+        yield Problem("E218", message, (*path, "second"))
         return
     shaft = ends(twist)
     for link, part in twist.items():
@@ -104,7 +104,7 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     for number, name in enumerate(names, 1):
         if other := taken.get(name) or rows.get(name):
             message = f"`{name}` is the name of {other} too, expected another"
-            yield Problem("E258", message, ("springs", number))
+            yield Problem("E257", message, ("springs", number))
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:

@@ -15,7 +15,7 @@ from vstatics.numerics.arrays import Floats, Integers
 
 Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
-TROUBLE: list[str] = []
+CACHE_TROUBLE: list[str] = []
 """Why machine code is not kept, or what is kept could not be read; for the command to tell."""
 
 
@@ -39,13 +39,13 @@ def _cache() -> str:
                 os.makedirs(path, mode=0o700, exist_ok=True)  # noqa: PTH103
             found = os.stat(path)  # noqa: PTH116
             if found.st_uid != os.geteuid() or found.st_mode & 0o022:
-                TROUBLE.append(f"{path} is another's, or others may write in it")
+                CACHE_TROUBLE.append(f"{path} is another's, or others may write in it")
                 return ""
         if not os.access(folder, os.W_OK):
-            TROUBLE.append(f"{folder} can't be written")
+            CACHE_TROUBLE.append(f"{folder} can't be written")
             return ""
     except OSError as error:
-        TROUBLE.append(f"{folder}: {error.strerror}")
+        CACHE_TROUBLE.append(f"{folder}: {error.strerror}")
         return ""
     return folder
 
@@ -64,7 +64,7 @@ class _KeptCode(FunctionCache):
         except RuntimeError:  # the code is not ready to be kept yet: Numba compiles it again
             pass
         except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
-            TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
+            CACHE_TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
             with suppress(Exception):
                 self.flush()  # type: ignore[no-untyped-call] # Numba has no types
 
@@ -80,7 +80,7 @@ def compiled(function: Compiled) -> Compiled:
             if kept.cache_path.startswith(CACHE):
                 made._cache = kept  # noqa: SLF001 - as its own enable_caching does
     except (OSError, RuntimeError) as error:
-        TROUBLE.append(f"{CACHE}: {error}")
+        CACHE_TROUBLE.append(f"{CACHE}: {error}")
     finally:  # functions of others are kept where they want
         numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
     return cast(Compiled, made)

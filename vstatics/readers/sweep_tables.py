@@ -67,7 +67,7 @@ def _npz(data: bytes) -> dict[str, Any]:
 
 def _parquet(data: bytes) -> dict[str, Any]:
     if message := missing("parquet", "Parquet"):
-        raise ReadError("E112", message)
+        raise ReadError("E014", message)
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]
 

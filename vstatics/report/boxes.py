@@ -64,7 +64,7 @@ def boxes_page(
         If the case of one that is drawn is none.
     """
     if not listing.boxes:
-        raise CaseError("E413", "no box was found, so there is nothing to show")
+        raise CaseError("E009", "no box was found, so there is nothing to show")
     without = missing("plot", "a picture")
     parts = [
         ("Overview", list(_overview(listing, without))),

@@ -51,7 +51,7 @@ def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
 
     motion = section.motion
     if motion.stopped is not None:
-        yield tag("p", f"The run stopped: {printable(motion.stopped.message)}", class_="error")
+        yield tag("p", f"The run stopped: {printable(motion.stopped.told)}", class_="error")
     if motion.messages:
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
     if section.course:

@@ -145,7 +145,7 @@ FACTS: Mapping[str, Callable[[Summary], Fact]] = {
         "",
     ),
     "most that change in a shift": lambda one: (
-        max((each.changes for each in one.transitions if not each.jumped), default=0),
+        max((each.changes for each in one.transitions if not each.skipped), default=0),
         "",
     ),
     "spread": lambda one: (one.design.spread, ""),

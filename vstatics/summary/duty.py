@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.statics.physical import known_units
+from vstatics.statics.ports import ports
 from vstatics.statics.results import Results
 
 Kind = Literal["energy", "time"]
@@ -29,6 +30,7 @@ class Stage(NamedTuple):
     energy: float
     """Share of the input energy; all together are 1. [-]"""
     efficiency: float
+    """0 where the gear is dragged and nothing leaves it."""
 
 
 class Cycle(NamedTuple):
@@ -62,7 +64,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     """
     shares = {gear: share for gear, share in duty.shares.items() if share > 0}
     gears = [gear.name for gear in results.case.gears]
-    efficiencies = dict(zip(gears, results.efficiency.tolist(), strict=True))
+    efficiencies = {gear: _efficiency(results, gear) for gear in gears}
     powers = dict.fromkeys(gears, 1.0 if duty.kind == "energy" else math.nan)
     if duty.kind == "time" and "kW" in known_units(results.case):
         powers = dict(zip(gears, results.input_power_kW.tolist(), strict=True))
@@ -74,6 +76,17 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     total = math.fsum(energies.values())
     stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
     return Cycle(stages, math.fsum(stage.energy * stage.efficiency for stage in stages))
+
+
+def _efficiency(results: Results, gear: str) -> float:
+    """What leaves a gear by what enters it, also where it is dragged, NaN where it has no power."""
+    number = results.case.gear_number(gear)
+    if not results.dragged[number - 1]:
+        return float(results.efficiency[number - 1])
+    power = {"in": 0.0, "out": 0.0, "": 0.0}
+    for port in ports(results.gear(number)).ports:
+        power[port.way] += port.power
+    return power["out"] / power["in"]
 
 
 def _problems(

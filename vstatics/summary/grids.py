@@ -80,16 +80,16 @@ def _spread(summary: Summary) -> Grid:
 
 def _transitions(summary: Summary) -> Grid:
     rows = [
-        (one.start, one.end, one.jumped, one.word, one.released, one.engaged)
+        (one.start, one.end, one.skipped, one.word, one.released, one.engaged)
         for one in summary.transitions
     ]
-    headings = "from", "to", "jumps", "kind", "released", "engaged"
+    headings = "from", "to", "skips", "kind", "released", "engaged"
     return grid_of("Transitions", headings, rows, key="transitions")
 
 
 def _slip_powers(summary: Summary) -> Grid:
-    """Of the shifts that jump no gear, and of elements that have any."""
-    shifts = [one for one in summary.transitions if not one.jumped]
+    """Of the shifts that skip no gear, and of elements that have any."""
+    shifts = [one for one in summary.transitions if not one.skipped]
     loaded = any(math.isfinite(power) for one in shifts for power in one.slip_power_kW.values())
     rows = [
         (one.start, one.end, name, "up" if name in one.engaged else "down", exact(power, 3))

@@ -21,12 +21,16 @@ from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
 from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.html import table
+from vstatics.tables.numbers import ROUNDED_NUMBER
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
+
+NEEDS_DECIMALS = 10
+"""A speed in rpm or a torque in N*m below has a digit after the point."""
 
 NAMES_IN_HEADS = 12
 """So many characters of names of shift elements head columns; more are numbered."""
@@ -179,6 +183,7 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
     if not known:
         return Cell("")
     value, name = max(known, key=lambda one: one[0])
+    decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 

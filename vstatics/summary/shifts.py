@@ -16,7 +16,7 @@ WORDS = ("none", "single", "double", "triple")
 
 
 @told(
-    *("start", "end", "jumped", "released", "engaged", "changes", "slip_power", "slip_power_kW"),
+    *("start", "end", "skipped", "released", "engaged", "changes", "slip_power", "slip_power_kW"),
     kind="word",
 )
 class Transition(NamedTuple):
@@ -24,8 +24,8 @@ class Transition(NamedTuple):
 
     start: str
     end: str
-    jumped: str
-    """The gear between the two, if one is jumped."""
+    skipped: str
+    """The gear between the two, if one is skipped."""
     released: Sequence[str]
     engaged: Sequence[str]
     slip_power: Mapping[str, float]
@@ -50,7 +50,7 @@ class Transition(NamedTuple):
 
 
 def transitions(results: Results) -> list[Transition]:
-    """The shifts between neighbours of one case, then those that jump one gear.
+    """The shifts between neighbours of one case, then those that skip one gear.
 
     A freewheel counts as engaged where it holds, so what it does by itself is told, too.
 

@@ -21,7 +21,7 @@ from vstatics.tables.written_results import GEAR
 if TYPE_CHECKING:
     import pandas as pd
 
-    from vstatics.jobs.pieces import Account
+    from vstatics.jobs.piece_file import Account
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]

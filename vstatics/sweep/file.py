@@ -19,7 +19,15 @@ from vstatics.readers.named.nodes import (
     shown,
     what,
 )
-from vstatics.sweep.options import OPTIONS, FileName, Option, Stretch, SweepOptions, Text, joined
+from vstatics.sweep.options import (
+    OPTIONS,
+    Option,
+    PlacedFile,
+    PlacedPart,
+    SweepOptions,
+    Text,
+    joined,
+)
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
@@ -97,7 +105,7 @@ class _Reader:
         if not isinstance(node, Scalar) or not node.text:
             raise _WrongError("the name of a file")
         name = node.text if node.text == "-" else os.path.join(self.directory, node.text)  # noqa: PTH118
-        return FileName(name).at(self.place(node))
+        return PlacedFile(name).at(self.place(node))
 
     def count(self, node: Node, option: Option) -> int:
         text = node.text.replace("_", "") if isinstance(node, Scalar) else ""
@@ -127,7 +135,7 @@ class _Reader:
             raise _WrongError("text", node)
         place = self.place(node)
         as_written = place.text.startswith(node.text, place.column - 1)
-        return Text(node.text, (Stretch(1, place, as_written),))
+        return Text(node.text, (PlacedPart(1, place, as_written),))
 
     def texts(self, node: Node, _: Option | None = None) -> tuple[Text, ...]:
         items = node.items if isinstance(node, Listing) else [node]
@@ -142,7 +150,7 @@ class _Reader:
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(
-            joined(Text(f"{key.text}=", (Stretch(1, self.place(key)),)), self.texts(value), ",")
+            joined(Text(f"{key.text}=", (PlacedPart(1, self.place(key)),)), self.texts(value), ",")
             for key, value in node.entries
         )
 

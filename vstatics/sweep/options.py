@@ -13,7 +13,7 @@ from vstatics.sweep.formats import FORMATS
 from vstatics.sweep.variants.samples import METHODS
 
 
-class Stretch(NamedTuple):
+class PlacedPart(NamedTuple):
     """Where a part of a text stands."""
 
     first: int
@@ -23,13 +23,13 @@ class Stretch(NamedTuple):
     """Letter by letter; else, as where several lines became one, only as a whole."""
 
 
-class FileName(str):
+class PlacedFile(str):
     """The name of a file that stands in a sweep file, and where it stands there."""
 
     __slots__ = ("place",)
     place: Place
 
-    def at(self, place: Place) -> FileName:
+    def at(self, place: Place) -> PlacedFile:
         """Keep the place."""
         self.place = place
         return self
@@ -39,7 +39,7 @@ class Text(NamedTuple):
     """The text of an option, and where it stands in a sweep file, if in one."""
 
     text: str
-    parts: tuple[Stretch, ...] = ()
+    parts: tuple[PlacedPart, ...] = ()
 
     def place(self, column: int) -> Place | None:
         """Where a column of the text stands."""

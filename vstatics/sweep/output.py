@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.extras import build
-from vstatics.jobs import pieces
+from vstatics.jobs import piece_file
 from vstatics.jobs.alone import Alone, Workers
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.pieces import Account, Copy
+from vstatics.jobs.piece_file import Account, Copy
 from vstatics.sweep import chunk, tasks
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text
@@ -110,7 +110,7 @@ class Output:
         if workers.remote:
             items = tasks.items(self.task, self.pending, remote=True)
             for _, (account, data) in workers.each(tasks.piece_sent, items):
-                pieces.write_piece(self.task.directory, account.piece, [data])
+                piece_file.write_piece(self.task.directory, account.piece, [data])
                 yield account
         else:
             for _, account in workers.each(tasks.write_piece, self.pending):
@@ -135,7 +135,7 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(pieces.ASSEMBLED)  # what is there of it may fill a disk
+            self.store.discard(piece_file.ASSEMBLED)  # what is there of it may fill a disk
             raise
         self.store.finish()
         return SweepReport(sum(account.rows for account in accounts), counts, removed)
@@ -145,7 +145,7 @@ class Output:
         from vstatics.sweep.formats import tables
 
         rows = self.task.plan.output_headings, self._chunks(accounts)
-        with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
+        with open(self.store.path(piece_file.ASSEMBLED), "wb") as file:  # noqa: PTH123
             if self.task.form == "parquet":
                 tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
             else:
@@ -166,7 +166,7 @@ class Output:
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
         """Write what is known and let the workers copy the rest, each piece to its place."""
-        with open(self.store.path(pieces.ASSEMBLED), "wb") as file:  # noqa: PTH123
+        with open(self.store.path(piece_file.ASSEMBLED), "wb") as file:  # noqa: PTH123
             file.truncate(layout.length)
             for place, known in layout.texts:
                 file.seek(place)
@@ -187,8 +187,8 @@ class Output:
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)
-            account, buffers = pieces.piece_bytes(number, len(selected.variants), {}, data)
-            pieces.write_piece(self.task.directory, number, buffers)
+            account, buffers = piece_file.piece_bytes(number, len(selected.variants), {}, data)
+            piece_file.write_piece(self.task.directory, number, buffers)
             yield account
             number += 1
 

@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.jobs import pieces
+from vstatics.jobs import piece_file
 from vstatics.jobs.alone import Workers
-from vstatics.jobs.pieces import Account, Copy
+from vstatics.jobs.piece_file import Account, Copy
 from vstatics.jobs.workers import workers
 from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
@@ -89,7 +89,7 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    return pieces.piece_bytes(_number(item), len(rows.variants), counts, data, rows.removed)
+    return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, rows.removed)
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
@@ -101,13 +101,13 @@ def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
 def write_piece(task: SweepTask, piece: int) -> Account:
     """Calculate a piece and leave it on disk."""
     account, data = piece_data(task, piece)
-    pieces.write_piece(task.directory, piece, data)
+    piece_file.write_piece(task.directory, piece, data)
     return account
 
 
 def copy(task: SweepTask, copies: Sequence[Copy]) -> int:
     """Copy stretches of pieces into the output."""
-    return pieces.copy(task.directory, copies)
+    return piece_file.copy(task.directory, copies)
 
 
 def data_of(form: Format, rows: Chunk) -> list[Any]:
@@ -125,7 +125,7 @@ def columns_of(rows: Chunk) -> list[Any]:
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:
     """A piece of columns back from disk."""
-    with open(pieces.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
+    with open(piece_file.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
         data = [file.read(segment.length) for segment in account.segments]
     names, headings, gears = task.plan.names, task.plan.headings, task.plan.gears
     values = 1 + len(names)

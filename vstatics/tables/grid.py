@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.tables.numbers import certain, rounded
+from vstatics.tables.numbers import ROUNDED_PART, certain, rounded
 
 NOTHING = "-"
 """Stands for a number that does not exist, and for a list of nothing."""
@@ -179,7 +179,9 @@ def text(heading: str) -> Column:
     return Column(heading, is_number=False)
 
 
-def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) -> Cell:
+def exact(
+    value: float | None, decimals: int = 3, *, digits: int | None = None, beside: float = 0.0
+) -> Cell:
     """A number as a cell that keeps all its digits; None does not exist.
 
     Parameters
@@ -188,11 +190,15 @@ def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) 
         Digits after the point; a small number has more, see `rounded`.
     digits : int, optional
         As many in any number.
+    beside : float
+        A larger number of its kind; a billionth part of it is shown as 0.
 
     Examples
     --------
     >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text, exact(-0.01038).text
     (('.988', 0.98765), '-1.5e+09', '-', '-.01038')
+    >>> exact(2e-8, beside=1000)[:2]
+    ('.000', 2e-08)
     """
     known = math.nan if value is None else value
     if not math.isfinite(known):
@@ -200,7 +206,7 @@ def exact(value: float | None, decimals: int = 3, *, digits: int | None = None) 
     if abs(certain(known)) >= LARGE_CELL:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
-        text = rounded(known, decimals, digits)
+        text = rounded(0.0 if abs(known) < ROUNDED_PART * beside else known, decimals, digits)
     return Cell(text, known, kind=float)
 
 

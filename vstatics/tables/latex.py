@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.tables.grid import NO, NOTHING, YES, Grid
 
-_WORDS = {
+_COMMANDS = {
     "\\": r"\textbackslash{}",
     "~": r"\textasciitilde{}",
     "^": r"\textasciicircum{}",
@@ -22,7 +22,7 @@ _WORDS = {
     YES: r"$\bullet$",
     NO: r"$\cdot$",
 }
-_SPECIAL = re.compile("[" + re.escape("".join(_WORDS)) + "]")
+_SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
@@ -53,7 +53,7 @@ def escaped(text: str) -> str:
     >>> print(escaped("50 % of R_1"))
     50 \% of R\_1
     """
-    return _SPECIAL.sub(lambda found: _WORDS[found[0]], text)
+    return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text)
 
 
 def _lines(grid: Grid) -> Iterator[str]:

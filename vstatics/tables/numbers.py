@@ -17,6 +17,8 @@ SMALL, SIGNIFICANT = 0.1, 4
 """Below the first a number that people read has so many significant digits, ..."""
 ROUNDED_NUMBER = 1e-12
 """... unless it is nothing but rounding."""
+ROUNDED_PART = 1e-9
+"""Less than this part of a larger number of its kind is rounding, too."""
 
 
 def certain(value: float) -> float:

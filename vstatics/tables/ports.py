@@ -142,13 +142,15 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
 
 
 def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
-    def cell(value: float, unit: str) -> Cell:
+    def cell(value: float, what: str, unit: str) -> Cell:
+        scale, decimals = 1.0 if unit == "rpm" else gear.relative(1.0), 3
         if unit in physical:
-            return exact(value * gear.scales[unit], UNITS[unit].decimals)
-        return exact(value if unit == "rpm" else gear.relative(value))
+            scale, decimals = gear.scales[unit], UNITS[unit].decimals
+        largest = max(abs(getattr(port, what) * scale) for _, port in gear.rows)
+        return exact(value * scale, decimals, beside=largest)
 
     for name, port in gear.rows:
-        numbers = (cell(getattr(port, what), unit) for what, unit in MEASURES)
+        numbers = (cell(getattr(port, what), what, unit) for what, unit in MEASURES)
         yield [name, *numbers, port.way]
     for name, lost in gear.losses:
-        yield [f"lost: {name}", "", "", cell(lost, "kW"), ""]
+        yield [f"lost: {name}", "", "", cell(lost, "power", "kW"), ""]

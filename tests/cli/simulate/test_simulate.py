@@ -173,7 +173,7 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
     assert said.status == 1
     assert said.err == "lock.yaml: error: at 0.5 s brake neither sticks nor slips\n"
     if form == "json":
-        assert json.loads(said.out)["stopped"] == "at 0.5 s brake neither sticks nor slips"
+        assert json.loads(said.out)["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
     assert said.out
 
 

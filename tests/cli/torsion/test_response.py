@@ -208,12 +208,14 @@ def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin(
     assert (answer.status, "standard input (-) can be read once" in answer.err) == (2, True)
 
 
-def test_a_link_that_stands_still_has_no_response() -> None:
+def test_a_link_that_stands_still_has_no_response_and_others_are_named_that_have_one() -> None:
     text = GOOD.replace("direct: {engaged: [C, D]}", "held: {engaged: [A]}")
     text = text.replace("output: vehicle\n", "output: vehicle\ninput: disc\n")
     answer = said("response", *AT, "--orders", "2", *SPEED, text=text)
     assert answer.status == 1
-    assert "gear held: link engine stands still" in answer.err
+    assert "gear held: link engine stands still: expected another, such as " in answer.err
+    other = answer.err.partition("such as ")[2].split()[0].strip(",")
+    assert said("response", "--at", other, "--orders", "2", *SPEED, text=text).status == 0
 
 
 ORDERS = ("", "0", "-2", "nan", "inf", "x", "2,", ",2", "2,,4", "2;4", "1:3:3")

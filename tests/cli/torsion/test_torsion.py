@@ -29,7 +29,7 @@ SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
 ALL = (*((name, *options) for name, options in ASKED.items()), SIMPLIFY)
 STANDS = {
     "reduce": "link engine does not turn: nothing can be reduced to it",
-    "response": "link engine stands still",
+    "response": "link engine stands still: expected another, such as disc, sun, ring",
 }
 """What commands say of a gear that holds the engine."""
 CSV_OF_VALUES = ("response", "csv")

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from tests.sweep.sweeps import plan
 from vstatics.jobs.alone import Alone
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.pieces import Account, Segment
+from vstatics.jobs.piece_file import Account, Segment
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import FORMATS, npz, text
 from vstatics.sweep.formats.npz import combined_crc

@@ -111,7 +111,7 @@ class OutputOptions(NamedTuple):
         if self.style.raw and chosen != "csv":
             raise click.UsageError("--raw is for CSV")
         if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
-            raise ReadError([Problem("E008", message)])
+            raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)
 
     def _expected(self, *, several: bool) -> str:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
 
-LIMIT = click.option(
+LIMIT_OPTION = click.option(
     "--limit",
     type=float,
     callback=value(above_0),

@@ -12,7 +12,7 @@ from vstatics.cli.frame import formats
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
-from vstatics.cli.frame.scenario_run import LIMIT
+from vstatics.cli.frame.scenario_run import LIMIT_OPTION
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.frame.values import above_0, value
 
@@ -105,7 +105,7 @@ options = gathered(
         default="events",
         help="`tarasik`: the published equations (12) to (15), for comparison.",
     ),
-    LIMIT,
+    LIMIT_OPTION,
     _SAMPLES,
     formats.options(*FORMATS),
     arguments.input_format,

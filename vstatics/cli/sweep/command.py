@@ -14,7 +14,7 @@ from vstatics.cli.frame import files, formats
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
-from vstatics.cli.frame.scenario_run import LIMIT
+from vstatics.cli.frame.scenario_run import LIMIT_OPTION
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.sweep.estimate import estimate, most_rows
 from vstatics.cli.sweep.run import SweepRun, carry_out
@@ -63,7 +63,7 @@ effort = gathered(
     Effort,
     click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3."),
     click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
-    LIMIT,
+    LIMIT_OPTION,
 )
 
 

@@ -18,7 +18,7 @@ from vstatics.readers.named.node_paths import child
 from vstatics.readers.named.nodes import Mapping, Node, Scalar, decode
 from vstatics.readers.named.reader import case_tree, read_case_tree
 from vstatics.readers.reading import Reading
-from vstatics.sweep.options import FileName, SweepOptions
+from vstatics.sweep.options import PlacedFile, SweepOptions
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
 
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
@@ -44,7 +44,7 @@ def read_subject(
     try:
         data, name = files.read_input(file)
     except ReadError as error:
-        if not isinstance(file, FileName):
+        if not isinstance(file, PlacedFile):
             raise
         message = f"{file} {error.problems[0].message}"
         raise ReadError([Problem("E018", message, place=file.place)]) from None

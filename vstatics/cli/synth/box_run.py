@@ -16,10 +16,10 @@ from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import is_stream, replace, unwritable
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.pieces import ASSEMBLED
+from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
-from vstatics.numerics.compiled import TROUBLE
+from vstatics.numerics.compiled import CACHE_TROUBLE
 from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.choice import family_count, ranked
 from vstatics.synthesis.boxes.figures import MeasuredBox
@@ -61,7 +61,7 @@ def carry_out(run: BoxRun) -> int:
     with progress(None, "made ready", quiet=run.quiet):
         count = box_pieces.cut(run.asked.search)
         box_pieces.prepare()  # once, not in every process
-    for why in TROUBLE[:1]:
+    for why in CACHE_TROUBLE[:1]:
         files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(found, int):

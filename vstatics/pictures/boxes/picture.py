@@ -77,7 +77,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
         If there is no box.
     """
     if not drawn:
-        raise CaseError("E401", "no box was found, so there is nothing to draw")
+        raise CaseError("E009", "no box was found, so there is nothing to draw")
     count, gap = DIAGRAMS_SIDE_BY_SIDE, DIAGRAM_GAP
     room = (A4_WIDTH - 2 * BOXES_MARGIN - (count - 1) * gap) / count
     cases = [box.transmission() for box in drawn]

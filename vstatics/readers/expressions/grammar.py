@@ -45,7 +45,7 @@ _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
 """Signs before an operand, and what they bind like."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
-_WORDS = (*_LOGIC, "not")
+_WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
 _BLANK = re.compile(r"\s*")
 
@@ -202,7 +202,7 @@ class _Parser:
         """An operand, with the signs before it."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
-        sign = name if name in _WORDS else self.matched(_SIGN)
+        sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
         if sign in _PREFIXES:
             return self.prefixed(sign, least, depth)
         if sign == "(":
@@ -214,7 +214,7 @@ class _Parser:
         if not read:
             message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
             raise self.source.error(message, self.at)
-        if self.before in _WORDS and self.end_of_before == self.at:
+        if self.before in _WORD_SIGNS and self.end_of_before == self.at:
             raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
         tree, end = read
         self.take(self.source.text[self.at : end], end)

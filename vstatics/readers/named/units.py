@@ -37,7 +37,7 @@ _PREFIXES = {
     )
     for prefix in prefixes.split()
 } | {"": (1, 1)}
-_WORDS: dict[str, _Factor] = {
+_WORDS_OF_UNITS: dict[str, _Factor] = {
     word: (kind, above, below)
     for words, kind, above, below in (
         ("lb lbs lbf pound pounds", "force", *_LBF),
@@ -133,7 +133,7 @@ def _factor(word: str) -> _Factor | None:
         if word.startswith(prefix) and (known := _PREFIXED.get(word[len(prefix) :])):
             kind, above, below = known
             return kind, above * up, below * down
-    return _WORDS.get(word.casefold())
+    return _WORDS_OF_UNITS.get(word.casefold())
 
 
 QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻¹]{{0,39}}$"

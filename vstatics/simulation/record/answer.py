@@ -52,7 +52,7 @@ def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> Motion
         motion.peaks,
         motion.reached if targets else None,
         motion.messages,
-        motion.stopped.message if motion.stopped else None,
+        motion.stopped.told if motion.stopped else None,
     )
 
 

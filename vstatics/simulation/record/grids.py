@@ -16,7 +16,7 @@ from vstatics.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text
 def motion_grids(motion: Motion) -> Iterator[Grid]:
     """All tables that have something to say."""
     if motion.stopped is not None:
-        why = [[motion.stopped.message]]
+        why = [[motion.stopped.told]]
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
     yield _events(motion)
     yield _energy(motion)

@@ -74,7 +74,7 @@ def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Colum
         for number in numbers:
             if number in columns:
                 message = f"{quoted(path)} is varied twice, expected each number once"
-                raise CaseError([Problem("E422", message, ("vary",))])
+                raise CaseError([Problem("E706", message, ("vary",))])
             columns[number] = column
     return columns, shape[0]
 

@@ -84,7 +84,7 @@ pick a gear, or use min, max or sum [E105]
     return WhereCondition(whole.text, tuple(true))
 
 
-_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b""")
+_JOINING_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b""")
 
 
 def _between_ands(text: str) -> list[tuple[int, int]]:
@@ -94,7 +94,7 @@ def _between_ands(text: str) -> list[tuple[int, int]]:
     ([(0, 6), (9, 26)], [(0, 12)])
     """
     spans, start, depth = [], 0, 0
-    for found in _WORDS.finditer(text):
+    for found in _JOINING_WORDS.finditer(text):
         depth += (found[0] in "([") - (found[0] in ")]")
         if depth == 0 and found[0] == "or":
             return [(0, len(text))]

@@ -56,7 +56,7 @@ def load_table(path: str, subject: Subject) -> VariantTable:
             return read_table(opened, path, subject)
     except OSError as error:
         raise ReadError(
-            [of_file("E712", path, f"can't be read: {error.strerror or error}")]
+            [of_file("E006", path, f"can't be read: {error.strerror or error}")]
         ) from None
 
 
@@ -254,7 +254,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
             row.append(_finite(number))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
-            problems.append(Problem("E716", message, place=place._replace(column=column)))
+            problems.append(Problem("E718", message, place=place._replace(column=column)))
     if problems:
         raise ReadError(problems)
     return row

@@ -159,7 +159,7 @@ def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -
     """What to say of a text without a point."""
     expected = "; or ".join(
         f"{words}, then {spoken([f'`.{one}`' for one, of in known.items() if of == owner], 'or')}"
-        for owner, words in _WORDS.items()
+        for owner, words in _WORDS_OF_OWNERS.items()
         if owner in known.values()
     )
     names = [f"{name}.{one}" for one, owner in known.items() for name in _usable(owner, case)]
@@ -168,7 +168,7 @@ def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -
     return f"read {shown(text)}, expected {expected}{hint}"
 
 
-_WORDS: Mapping[Owner, str] = {
+_WORDS_OF_OWNERS: Mapping[Owner, str] = {
     "mechanisms": "a mechanism",
     "devices": "an elastic device",
     "links": "a link",
@@ -185,7 +185,7 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
         return f"the case {what}, so there is no {quantity} to vary"
     numbered = typed_number(name.removeprefix("#"), len(names))
     if name.startswith("#") and numbered is None:
-        what = _WORDS[owner].replace("an elastic", "a")
+        what = _WORDS_OF_OWNERS[owner].replace("an elastic", "a")
         return f"read {shown(name)}, expected the number of {what}, #1 to #{len(names)}"
     if owner == "devices" and (called or numbered):
         return f"{quoted(name)} is rigid: give it a `stiffness` in the case, so that it can vary"

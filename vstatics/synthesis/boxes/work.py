@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.pieces import Account, piece_bytes, piece_path, write_piece
+from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
 from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured

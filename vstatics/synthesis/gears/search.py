@@ -212,7 +212,7 @@ class CombinationSearch:
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
                 f"than the {at_most} that may be tried"
             )
-            raise CaseError("E816", message, ("shift_elements",))
+            raise CaseError("E420", message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
         free = needed(self.case) + 1  # of the steps of elimination, about
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)

@@ -116,7 +116,7 @@ class _AskedByName:
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
             message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
-            raise CaseError("E838", message, path)
+            raise CaseError("E827", message, path)
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
         of_sets = named_ratios(self.layouts)

@@ -153,9 +153,12 @@ def _gear_response(
     if isinstance(system, str):
         return GearResponse(gear.name, speeds, error=system)
     split = coordinates(system)
-    if split.undetermined[at] or not split.free[at].any():
+    excitable = ~split.undetermined & split.free.any(axis=1)
+    if not excitable[at]:
         why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
-        return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}")
+        others = [name for name, can in zip(case.link_names, excitable, strict=False) if can]
+        other = f"expected another, such as {', '.join(others[:3])}"
+        return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}: {other}")
     natural = natural_modes(system, split)
     undamped = _are_undamped(system, natural)
     largest = np.abs(natural.shapes[: system.own]).max(axis=0)

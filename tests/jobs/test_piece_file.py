@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from vstatics.jobs import pieces
-from vstatics.jobs.pieces import Account, Copy, copy, piece_bytes, read_account, write_piece
+from vstatics.jobs import piece_file
+from vstatics.jobs.piece_file import Account, Copy, copy, piece_bytes, read_account, write_piece
 
 
 def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
@@ -24,12 +24,12 @@ def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
 def test_a_damaged_piece_is_none(damage: str, tmp_path: Path) -> None:
     account, buffers = piece_bytes(3, 2, {"ok": 2}, [b"columns"])
     write_piece(str(tmp_path), 3, buffers)
-    file = Path(pieces.piece_path(str(tmp_path), 3))
+    file = Path(piece_file.piece_path(str(tmp_path), 3))
     data = file.read_bytes()
     damaged = {"cut": data[:-1], "changed": b"C" + data[1:], "another": data, "empty": b""}
     file.write_bytes(damaged[damage])
     if damage == "another":
-        file.rename(pieces.piece_path(str(tmp_path), 5))
+        file.rename(piece_file.piece_path(str(tmp_path), 5))
     assert read_account(str(tmp_path), 5 if damage == "another" else 3) is None
     assert account.piece == 3
 
@@ -42,7 +42,7 @@ def test_stretches_are_copied_to_their_places(
     for number in range(2):
         _, buffers = piece_bytes(number, 1, {}, [b"0123456789"])
         write_piece(str(tmp_path), number, buffers)
-    (tmp_path / pieces.ASSEMBLED).write_bytes(b".........")
+    (tmp_path / piece_file.ASSEMBLED).write_bytes(b".........")
 
     def refused(*_: object) -> int:
         raise OSError(errno.EXDEV, "no")
@@ -50,7 +50,7 @@ def test_stretches_are_copied_to_their_places(
     if not in_kernel:
         monkeypatch.setattr(os, "copy_file_range", refused, raising=False)
     assert copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
-    assert (tmp_path / pieces.ASSEMBLED).read_bytes() == b".234..89."
+    assert (tmp_path / piece_file.ASSEMBLED).read_bytes() == b".234..89."
 
 
 def test_an_account_is_made_of_plain_things() -> None:

@@ -26,7 +26,7 @@ _BUFFER = 2**20
 
 
 class Segment(NamedTuple):
-    """A stretch of the data of a piece: a column of numbers, or all its text."""
+    """A part of the data of a piece: a column of numbers, or all its text."""
 
     length: int
     crc: int
@@ -55,7 +55,7 @@ class Account(NamedTuple):
 
 
 class Copy(NamedTuple):
-    """A stretch of a piece, and where it goes."""
+    """A part of a piece, and where it goes."""
 
     piece: int
     source: int
@@ -138,7 +138,7 @@ def piece_path(directory: str, piece: int) -> str:
 
 
 def copy(directory: str, copies: Sequence[Copy]) -> int:
-    """Copy stretches of pieces into the file that becomes the output; how many bytes.
+    """Copy parts of pieces into the file that becomes the output; how many bytes.
 
     The kernel does it where it can.
 
