@@ -10,7 +10,7 @@ again between those that are known.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import combinations, pairwise
 from typing import Any, NamedTuple
 
@@ -19,7 +19,8 @@ import numpy as np
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
-from vstatics.simulation.scenario.formula_code import PI
+from vstatics.simulation.scenario.formula_code import NO_TABLES, PI
+from vstatics.simulation.scenario.tables import Table
 
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
@@ -40,7 +41,9 @@ class StraightLine(NamedTuple):
         return self.value + self.slope * x
 
 
-def corners(tree: Tree, name: str) -> dict[float, bool]:
+def corners(
+    tree: Tree, name: str, tables: Mapping[str, Table] = NO_TABLES
+) -> dict[float, bool]:
     """The corners along a variable, in order, each with whether the formula may jump there.
 
     Those of what is no straight line are not found.
@@ -58,7 +61,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
     while waiting:
         low, high = waiting.pop()
         met: list[tuple[float, bool]] = []
-        _line(tree, name, _inside(low, high), met)
+        _line(tree, name, _inside(low, high), met, tables)
         within = [(at, jumps) for at, jumps in met if low <= at <= high and math.isfinite(at)]
         fresh = sorted({at for at, _ in within}.difference(found))
         for at, jumps in within:
@@ -102,12 +105,19 @@ def _decided(tree: Any, name: str, at: float) -> Any:
     return tree._replace(operands=tuple(_decided(one, name, at) for one in tree.operands))
 
 
-def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> StraightLine | None:
+def _line(
+    tree: Any,
+    name: str,
+    at: float,
+    met: list[tuple[float, bool]],
+    tables: Mapping[str, Table] = NO_TABLES,
+) -> StraightLine | None:
     """A part as a straight line near a place, if it is one; where lines in it meet is added."""
     if not isinstance(tree, Applied):
-        known = {name: StraightLine(0.0, 1.0), PI: StraightLine(math.pi, 0.0)}
-        return StraightLine(tree.value, 0.0) if isinstance(tree, Constant) else known.get(tree.name)
-    operands = [_line(one, name, at, met) for one in tree.operands]
+        return _of_operand(tree, name)
+    operands = [_line(one, name, at, met, tables) for one in tree.operands]
+    if tree.name in tables:
+        return _of_table(tables[tree.name], operands, at, met)
     lines = [one for one in operands if one]
     if tree.name in _MEETS:
         met += ((place, tree.name in JUMPS) for place in _meetings(lines, len(operands)))
@@ -118,6 +128,31 @@ def _line(tree: Any, name: str, at: float, met: list[tuple[float, bool]]) -> Str
     if tree.name in ("abs", "min", "max"):
         return _picked(tree.name, lines, at)
     return _applied(tree.name, lines)
+
+
+def _of_operand(operand: Any, name: str) -> StraightLine | None:
+    """A number, or the variable itself."""
+    if isinstance(operand, Constant):
+        return StraightLine(operand.value, 0.0)
+    known = {name: StraightLine(0.0, 1.0), PI: StraightLine(math.pi, 0.0)}
+    return None if operand.subscripts else known.get(operand.name)
+
+
+def _of_table(
+    table: Table,
+    operands: list[StraightLine | None],
+    at: float,
+    met: list[tuple[float, bool]],
+) -> StraightLine | None:
+    """A table of one variable is straight between its points."""
+    [line, *others] = operands
+    if others or line is None:
+        return None
+    if line.slope:
+        twice = {one for one, next_one in pairwise(table.x) if one == next_one}
+        met += (((x - line.value) / line.slope, x in twice) for x in table.x)
+    value, slope = table.line_at(line.at(at))
+    return StraightLine(value + slope * line.value, slope * line.slope)
 
 
 def _value(tree: Applied, values: list[float]) -> float:

@@ -7,21 +7,59 @@ bends or jumps is told by `corners`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import lru_cache
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
-from vstatics.errors import nearest, quoted, spoken
+from vstatics.errors import listed, nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
-from vstatics.readers.expressions.operands import DottedName, TableName
+from vstatics.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
-from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
+from vstatics.simulation.scenario.formula_code import (
+    FUNCTIONS,
+    PI,
+    VARIABLES,
+    Function,
+    Seen,
+    compiled,
+    of_times,
+    seen_in,
+)
+from vstatics.simulation.scenario.tables import Table
+
+OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
+"""Words of what a motion is, which any formula may see."""
+OF_TORQUES = ("acceleration", "torque", "power")
+"""Words of what follows from torques: a torque that saw them would have no beginning."""
+OF_EVENTS = ("locks", "slips")
+"""Words of what has happened."""
+
+
+class Vocabulary(NamedTuple):
+    """What the formulas of a scenario may speak of, besides the time and their own link."""
+
+    rows: Mapping[str, Collection[str]] = MappingProxyType({})
+    """The names of links, elements and devices that a word can be of."""
+    numbers: Mapping[str, float] = MappingProxyType({})
+    values: Collection[str] = ()
+    """Names of states, and of numbers that sequences change."""
+    tables: Mapping[str, Table] = MappingProxyType({})
+
+    def only(self, *words: str) -> Vocabulary:
+        """The same with only these words of rows."""
+        return self._replace(rows={one: self.rows[one] for one in words if one in self.rows})
+
+
+NO_WORDS = Vocabulary()
 
 
 class Formula(NamedTuple):
     """A formula of t [s], and of speed [rad/s] and angle [rad] of the link itself.
+
+    It may see the whole box, too: speeds, slips, twists, states (`seen`).
 
     Examples
     --------
@@ -35,6 +73,30 @@ class Formula(NamedTuple):
     text: str
     within: tuple[tuple[str, float, float], ...] = ()
     """Variables, and the jumps between which each stays: so what is decided there is decided."""
+    numbers: tuple[tuple[str, float], ...] = ()
+    """Values of names."""
+    tables: tuple[tuple[str, Table], ...] = ()
+    compared: tuple[int, ...] | None = None
+    """Of a condition, the place of a comparison: it is the difference that is compared there."""
+
+    @property
+    def seen(self) -> tuple[Seen, ...]:
+        """What it sees besides the time and its own link, in the order of its function.
+
+        >>> Formula("100*(slip('C') > 2) + p").seen
+        (Seen(word='slip', of='C'), Seen(word='value', of='p'))
+        """
+        return _read(*self).seen
+
+    def knowing(self, numbers: Mapping[str, float]) -> Formula:
+        """The same with values of some of its names.
+
+        >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
+        6.0
+        """
+        names = {one.of for one in self.seen if one.word == "value"}
+        known = tuple((name, value) for name, value in numbers.items() if name in names)
+        return self._replace(numbers=(*self.numbers, *known)) if known else self
 
     @property
     def variables(self) -> frozenset[str]:
@@ -48,8 +110,8 @@ class Formula(NamedTuple):
         return _read(*self).variables
 
     @property
-    def function(self) -> Callable[[float, float, float], float]:
-        """Its value by t, speed and angle; NaN or infinite where it has none.
+    def function(self) -> Function:
+        """Its value by t, speed and angle, then by what it sees; NaN or infinite: it has none.
 
         Raises
         ------
@@ -75,7 +137,8 @@ class Formula(NamedTuple):
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
         """
-        return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
+        read = _read(*self)
+        return tuple(at for at, jumps in corners(read.tree, name, read.tables).items() if jumps)
 
     @property
     def switches(self) -> bool:
@@ -91,7 +154,9 @@ class Formula(NamedTuple):
         return _read(*self).of_times(times)
 
 
-def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
+def read_formula(
+    source: Excerpt, names: Collection[str] = VARIABLES, words: Vocabulary = NO_WORDS
+) -> Formula:
     """Read a formula.
 
     Parameters
@@ -99,6 +164,8 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     source : Excerpt
     names : collection of str
         What it may have of t, speed and angle.
+    words : Vocabulary
+        What else.
 
     Raises
     ------
@@ -108,52 +175,90 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     Examples
     --------
     >>> read_formula(Excerpt("3000*min(t/0.3, 1)", "FH"), ["t"])
-    Formula(text='3000*min(t/0.3, 1)', within=())
+    Formula(text='3000*min(t/0.3, 1)', within=(), numbers=(), tables=(), compared=None)
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
     vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
-    _tree(source, names)
-    return Formula(source.part.strip())
+    tree = formula_tree(source, names, words)
+    written = {part.name for part in parts_of(tree) if isinstance(part, TableName | Applied)}
+    numbers = tuple((name, one) for name, one in words.numbers.items() if name in written)
+    tables = tuple((name, one) for name, one in words.tables.items() if name in written)
+    return Formula(source.part.strip(), (), numbers, tables)
 
 
-def _tree(source: Excerpt, names: Collection[str]) -> Tree:
-    """The tree of a formula in which only these names stand."""
+def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> Tree:
+    """The tree of a formula in which only these names and words stand."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
-    tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
-    for part in _parts(tree):
+    functions = (*FUNCTIONS, *words.tables)
+    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
+    tree = parse(source, Language(functions, operands, "t", caret=True, of_names=of_names))
+    for part in parts_of(tree):
         if isinstance(part, Applied):
-            if (
-                part.name not in ("min", "max")
-                and part.name in FUNCTIONS
-                and len(part.operands) > 1
-            ):
-                count, example = len(part.operands), f"{part.name}(t)"
-                message = f"{part.name} of {count} parts, expected one, as in {example}"
-                raise source.error(message, part.at)
+            _check_operands(part, words, source)
         elif isinstance(part, DottedName):
             message = f"read {quoted(part.written)}, expected {operands}"
             raise source.error(message, part.at)
         elif isinstance(part, TableName):
-            _check_name(part, names, source)
+            _check_name(part, names, words, source)
     return tree
 
 
-def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> None:
+def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
+    """As many operands as a function or a table has."""
+    count, name = len(part.operands), part.name
+    if name in words.tables:
+        wanted = words.tables[name].variables
+        if count != wanted:
+            many = ("none", "one", "two")
+            message = f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many"
+            raise source.error(message, part.at)
+    elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
+        message = f"{name} of {count} parts, expected one, as in {name}(t)"
+        raise source.error(message, part.at)
+
+
+def _check_name(
+    part: TableName, names: Collection[str], words: Vocabulary, source: Excerpt
+) -> None:
     name = part.name
-    if name == PI or name in names:
+    if name in words.rows and part.subscripts:
+        _check_row(part, words.rows[name], source)
+        return
+    if name in (*OF_TORQUES, *OF_EVENTS) and part.subscripts:
+        where = "`when`" if name in OF_EVENTS else "`rate` and `when`"
+        message = f"read `{name}`, which stands in {where} alone"
+        raise source.error(message, part.at)
+    known = (*names, *words.numbers, *words.values)
+    if name == PI or name in known:
         if part.subscripts:
             message = f"read `[` behind `{name}`, expected {name} alone"
             message += ": that of the link itself" if name in ("speed", "angle") else ""
             raise source.error(message, part.at)
         return
     expected = f"expected a formula of {spoken(names)}"
-    hint = "" if name in VARIABLES else nearest(name, (*names, *FUNCTIONS, PI))
+    if name in VARIABLES and name != "t" and words.rows:
+        expected += f"; of a link it is {name}('out')"
+    hint = "" if name in VARIABLES else nearest(name, (*known, *words.rows, *FUNCTIONS, PI))
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
 
 
-def _parts(tree: Tree) -> Iterator[Tree]:
+def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
+    """That a word is of something that there is."""
+    [row] = part.subscripts
+    seen = seen_in(part)
+    assert seen is not None  # noqa: S101 - it has a row
+    if seen.of not in rows:
+        hint = nearest(seen.of, rows) or f"; there are {listed(list(rows), 8)}" * bool(rows)
+        what = {"temperature": "an element with a `heat_capacity`", "twist": "a spring"}
+        what |= dict.fromkeys(("speed", "angle", "acceleration"), "a link")
+        what |= {"power": "a link, an element or a spring", "torque": "a device"}
+        expected = what.get(part.name, "a shift element")
+        raise source.error(f"read {quoted(seen.of)}, expected {expected}{hint}", row.at)
+
+
+def parts_of(tree: Tree) -> Iterator[Tree]:
     """All parts of a tree."""
     waiting = [tree]
     while waiting:
@@ -167,24 +272,66 @@ class _Read(NamedTuple):
     """What is known of a text."""
 
     variables: frozenset[str]
-    function: Callable[[float, float, float], float]
+    seen: tuple[Seen, ...]
+    function: Function
     of_times: Callable[[Floats], Floats]
     breaks: tuple[float, ...]
     switches: bool
     tree: Tree
+    tables: Mapping[str, Table]
+
+
+@lru_cache(maxsize=1024)
+def _read(
+    text: str,
+    within: tuple[tuple[str, float, float], ...],
+    numbers: tuple[tuple[str, float], ...],
+    tables: tuple[tuple[str, Table], ...],
+    compared: tuple[int, ...] | None,
+) -> _Read:
+    by_name = dict(tables)
+    tree = _parsed(text, tuple(by_name))
+    if compared is not None:
+        for place in compared:
+            tree = tree.operands[place]  # type: ignore[union-attr] # as it was found
+        tree = tree._replace(name="-")  # type: ignore[call-arg]
+    tree = _with_numbers(tree, dict(numbers))
+    for name, low, high in within:
+        tree = between(tree, name, low, high)
+    inside = [part for part in parts_of(tree) if isinstance(part, TableName)]
+    seen = tuple(dict.fromkeys(one for part in inside if (one := seen_in(part))))
+    variables = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
+    breaks = tuple(corners(tree, "t", by_name))
+    switches = any(
+        isinstance(one, TableName) and one.name != "t"
+        for part in parts_of(tree)
+        if isinstance(part, Applied) and part.name in JUMPS
+        for one in parts_of(part)
+    )
+    function = compiled(tree, by_name, seen)
+    along = of_times(tree, by_name) if not seen else _no_times
+    return _Read(variables, seen, function, along, breaks, switches, tree, by_name)
+
+
+def _no_times(_: Floats) -> Floats:
+    message = "this formula sees more than the time"
+    raise TypeError(message)
 
 
 @lru_cache(maxsize=256)
-def _read(text: str, within: tuple[tuple[str, float, float], ...]) -> _Read:
-    tree = _tree(Excerpt(text, "formula"), VARIABLES)
-    for name, low, high in within:
-        tree = between(tree, name, low, high)
-    names = {part.name for part in _parts(tree) if isinstance(part, TableName)}
-    breaks = tuple(corners(tree, "t"))
-    switches = any(
-        isinstance(one, TableName) and one.name != "t"
-        for part in _parts(tree)
-        if isinstance(part, Applied) and part.name in JUMPS
-        for one in _parts(part)
+def _parsed(text: str, tables: tuple[str, ...]) -> Tree:
+    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
+    functions = (*FUNCTIONS, *tables)
+    return parse(
+        Excerpt(text, "formula"), Language(functions, "t", "t", caret=True, of_names=of_names)
     )
-    return _Read(frozenset(names - {PI}), compiled(tree), of_times(tree), breaks, switches, tree)
+
+
+def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
+    """The tree with values in place of names."""
+    if isinstance(tree, Applied):
+        operands = tuple(_with_numbers(one, numbers) for one in tree.operands)
+        return tree._replace(operands=operands)
+    if isinstance(tree, TableName) and not tree.subscripts and tree.name in numbers:
+        return Constant(numbers[tree.name])
+    return tree
