@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, listed
 from vstatics.numerics.arrays import largest
 from vstatics.simulation.bounds import Guard
+from vstatics.simulation.events.commands import Commands, value_of, with_states
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
-from vstatics.simulation.events.margins import LargeSizes, Watch
+from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Watch
 from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
+from vstatics.simulation.events.sequences import Judge, SequenceProgress, SequenceRun
 from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
@@ -37,16 +39,34 @@ _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
 _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
+_MOST_STEPS_AT_ONCE = 1000
 
 
 class EventRun:
-    """A run."""
+    """A run.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    engaged : sequence of int
+        Numbers of the shift elements that are engaged at the start.
+    record : Record
+    rtol : float
+    watch : callable, optional
+    """
 
     def __init__(
-        self, system: MotionSystem, record: Record, rtol: float, watch: Guard | None = None
+        self,
+        system: MotionSystem,
+        engaged: tuple[int, ...],
+        record: Record,
+        rtol: float,
+        watch: Guard | None = None,
     ) -> None:
         self.system, self.record = system, record
         self.selection = ModeSelection(system)
+        self.sequences = SequenceRun(system.scenario)
+        self.commands = Commands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = system.scenario.duration
         self.breaks = break_times(system)
@@ -69,26 +89,69 @@ class EventRun:
         met: list[int] = []
         length: float | None = None
         while True:
-            selected = self._selected(at, before, left, met)
+            selected = self._settled(at, before, left, met)
             equations = selected.margins.equations
             states = equations.states
-            self._tell(at.time, before, states)
-            end = next((time for time in self.breaks if time > at.time), self.duration)
-            found, length = self._to_event(selected, min(end, self.duration), length)
+            found, length = self._to_event(selected, self._end(equations.time), length)
             at = instant_of(equations, found.time, found.state)
             if found.time >= self.duration:
                 return
-            before, met = states, []
-            if not found.watches:
-                left = []
-            else:
+            before, left, met = states, [], []
+            if found.watches:
                 self._count(found)
                 before = turned(states, found.watches)
-                # nothing is taken up again at the instant at which it has ended
-                left = [*left, states] if self.at_once else [states]
+                if any(watch.kind not in FOLLOWING for watch in found.watches):
+                    # nothing is taken up again at the instant at which it has ended
+                    left = [*left, states] if self.at_once else [states]
                 met = [watch.of for watch in found.watches if watch.kind == "slip"]
             self.scales = self.scales._replace(speed=max(self.scales.speed, largest(at.speeds)))
             at = self._joined(at, before)
+
+    def _end(self, time: float) -> float:
+        """Up to where nothing bends, jumps or is due by the time alone [s]."""
+        end = next((one for one in self.breaks if one > time), self.duration)
+        return min(end, self.sequences.next_time(), self.duration)
+
+    def _settled(
+        self, at: Instant, before: States | None, left: list[States], met: list[int]
+    ) -> Selected:
+        """What sticks and slips, with all steps done that are due here."""
+        selected = self._selected(at, before, left, met)
+        self._tell(at.time, before, selected.margins.equations.states)
+        if not self.sequences.going:
+            return selected
+        for _ in range(_MOST_STEPS_AT_ONCE):
+            equations, state = selected.margins.equations, selected.state
+            judge = Judge(equations, at.time, state)
+            due = self.sequences.due(at.time, judge, self.record.events)
+            if due is None:
+                selected.margins.follow(self.sequences.awaited(judge))
+                return selected
+            at = self._done(due, instant_of(equations, at.time, state), judge.now)
+            before = equations.states
+            at = self._joined(at, before)
+            selected = self._selected(at, before, [], [])
+            self._tell(at.time, before, selected.margins.equations.states)
+        names = listed([one.name for one in self.sequences.going if one.step], 6)
+        message = (
+            f"at {at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one instant, "
+            f"without end: {names}"
+        )
+        raise CaseError("E671", message, ("sequences",))
+
+    def _done(
+        self, due: SequenceProgress, at: Instant, seen: tuple[float, Sequence[float]]
+    ) -> Instant:
+        """The instant after a step that is due."""
+        step = due.step
+        assert step is not None  # noqa: S101 - it is due
+        values = {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
+        at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        self.system = self.commands.given(self.system, at.time, step, values)
+        self.selection = self.selection.of(self.system)
+        self.breaks = break_times(self.system)
+        self.record.events.append(due.go_on(at.time))
+        return at
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.duration
@@ -165,7 +228,8 @@ class EventRun:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
         equations, state = selected.margins.equations, selected.state
         time = equations.time
-        if equations.ports.is_affine or equations.springs:
+        straight = equations.ports.is_affine or equations.springs
+        if straight and not self.system.layout.values:
             try:
                 for step in Closed(equations, state, self.scales.torque).stretches(state, end):
                     yield step
@@ -210,6 +274,7 @@ class EventRun:
         stiff = equations.ports.stiffness
         absolute[equations.twists] = relative * torque / np.where(stiff > 0, stiff, 1.0)
         absolute[equations.angles] = relative * speed * self.duration
+        absolute[equations.values] = relative * self.record.value_scales
         absolute[equations.works.start :] = relative * self.record.energy_scale
         return StepTolerances(relative, absolute)
 
@@ -220,7 +285,7 @@ class EventRun:
         for index, contact in enumerate(system.contacts):
             if contact.one_way or contact.while_open is not None:
                 continue
-            if math.isinf(capacity_at(contact, at.time)):
+            if contact.programme.look is None and math.isinf(capacity_at(contact, at.time)):
                 rigid.append(index)
                 slip = abs(float(contact.row @ at.speeds))
                 if slip > STANDING * self.scales.speed and (
@@ -255,6 +320,9 @@ class EventRun:
     def _name(self, watch: Watch) -> str:
         if watch.kind == "split":
             return "what sticks"
+        if watch.kind in FOLLOWING:
+            named = self.system.scenario.states if watch.kind == "state" else self.sequences.going
+            return f"the {'state' if watch.kind == 'state' else 'sequence'} {named[watch.of].name}"
         kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
         if kind is not None:
             return self._name_of(kind, watch.of)

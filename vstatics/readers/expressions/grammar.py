@@ -281,7 +281,6 @@ class _Parser:
         self.take(name, end)
         return TableName(name, subscripts, at)
 
-
     def of_name(self, word: str, at: int, bracket: int) -> TableName:
         """A word and, between brackets, the name in quotes of what it is of."""
         begin = self.source.end_of(_BLANK, bracket + 1)

@@ -26,6 +26,8 @@ class Instant(NamedTuple):
     """Of links. [rad/s]"""
     twists: Floats
     angles: Floats
+    values: Floats
+    """Of states and temperatures."""
     accounts: Floats
     """Works and losses up to here. [J]"""
 
@@ -70,6 +72,7 @@ def state_of(equations: Equations, at: Instant) -> Floats:
     state[: equations.motions] = equations.structure.motions(at.speeds)
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
+    state[equations.values] = at.values
     state[equations.works.start :] = at.accounts
     return state
 
@@ -81,14 +84,27 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
         equations.speeds(time, state),
         state[equations.twists].copy(),
         state[equations.angles].copy(),
+        state[equations.values].copy(),
         state[equations.works.start :].copy(),
     )
 
 
 def start_instant(system: MotionSystem, speeds: Floats, twists: Floats) -> Instant:
     """The instant t = 0, up to which nothing has turned or worked."""
-    accounts = np.zeros(system.layout.ports + 2 * len(system.springs) + len(system.meshes))
-    return Instant(0.0, speeds, twists, np.zeros(len(system.layout.angles)), accounts)
+    layout, elements = system.layout, system.case.shift_elements
+    accounts = np.zeros(layout.ports + 2 * len(system.springs) + len(system.meshes))
+    stores = [elements[index].heat_store for index in layout.hot]
+    values = [state.start for state in system.scenario.states]
+    values += [store.ambient for store in stores if store]
+    return Instant(
+        0.0, speeds, twists, np.zeros(len(layout.angles)), np.array(values, float), accounts
+    )
+
+
+def seen_at(system: MotionSystem, at: Instant) -> list[float]:
+    """All that is seen at an instant but what follows from torques."""
+    rates = system.port_rows @ at.speeds
+    return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
 def break_times(system: MotionSystem) -> list[float]:
@@ -101,6 +117,9 @@ def break_times(system: MotionSystem) -> list[float]:
             times.update(one.law.x)
         elif isinstance(one.law, Formula):
             times.update(one.law.breaks)
+    for state in system.scenario.states:
+        if isinstance(state.rate, Formula):
+            times.update(state.rate.knowing(system.settings).breaks)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 
@@ -108,11 +127,12 @@ def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     """Speeds and torques that are large at the start."""
     torque = 1.0
     times = [at.time, *break_times(system)]
+    seen = seen_at(system, at)
     for contact in system.contacts:
-        held = [abs(capacity_at(contact, time)) for time in times]
+        held = [abs(capacity_at(contact, time, seen=seen)) for time in times]
         torque = max([torque, *(one for one in held if math.isfinite(one))])
     for spring in system.springs:
-        limit = abs(programme_at(spring.programme, at.time))
+        limit = abs(programme_at(spring.programme, at.time, seen))
         torque = max(torque, limit if math.isfinite(limit) else 0.0)
     for one in system.outside:
         if isinstance(one.law, Points):

@@ -53,7 +53,7 @@ class Finder:
         self.by_formula = [
             contact
             for contact in self.equations.system.contacts
-            if isinstance(contact.programme.curve, Formula)
+            if isinstance(contact.programme.curve, Formula) and contact.programme.look is None
         ]
 
     def event_in(self, step: TimeStep) -> MarginEnd | None:

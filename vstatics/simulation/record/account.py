@@ -61,9 +61,9 @@ def energy_account(
     )
     rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
     areas = {
-        one.name: one.friction.area * one.friction.surfaces
+        one.name: one.pack.area * one.pack.surfaces
         for one in system.case.shift_elements
-        if one.friction is not None and one.name in heat
+        if one.pack is not None and one.name in heat
     }
     per_area = {name: heat[name] / area for name, area in areas.items()}
     return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)

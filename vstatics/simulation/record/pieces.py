@@ -191,8 +191,8 @@ def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str
 def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
     """Torques of all devices at several times, shape (devices, times) [N*m]."""
     equations = margins.equations
-    _, ports = equations.acting_at(times, states)
-    held = margins.split(times, equations.structure.torques @ ports, ports)
+    rates, ports = equations.acting_at(times, states)
+    held = margins.split(times, states, rates, ports)
     system, layout = equations.system, equations.layout
     count = len(system.case.devices)
     made = np.zeros((count + len(system.converters), len(times)))

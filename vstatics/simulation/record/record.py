@@ -19,7 +19,13 @@ from vstatics.simulation.record.pieces import MotionColumns, Piece, peaks
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.tolerances import SAME_TIME, SAME_VALUES, SHARED_TORQUE
+from vstatics.simulation.tolerances import (
+    LEAST_VALUE,
+    SAME_TIME,
+    SAME_VALUES,
+    SHARED_TORQUE,
+    SMALL_VALUE,
+)
 from vstatics.statics.result_arrays import Message
 
 
@@ -37,6 +43,8 @@ class Record:
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
+        self.value_scales = np.maximum(np.abs(start.values), LEAST_VALUE)
+        """What is large of states and temperatures."""
         self.targets = [
             (link - 1, speed)
             for link, speeds in system.scenario.targets.items()
@@ -88,6 +96,8 @@ class Record:
         piece.steps.append((step, end))
         self.time = end
         equations = piece.margins.equations
+        values = np.abs(state[equations.values])
+        self.value_scales = np.maximum(self.value_scales, SMALL_VALUE * values)
         self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
         self._store(equations, end, state)
         self._targets(step, end, state, equations)

@@ -25,8 +25,8 @@ from vstatics.simulation.scenario.tables import Table
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
 
-_COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
-JUMPS = _COMPARES | {"sign"}
+COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
+JUMPS = COMPARES | {"sign"}
 _MEETS = JUMPS | {"abs", "min", "max"}
 
 
@@ -41,9 +41,7 @@ class StraightLine(NamedTuple):
         return self.value + self.slope * x
 
 
-def corners(
-    tree: Tree, name: str, tables: Mapping[str, Table] = NO_TABLES
-) -> dict[float, bool]:
+def corners(tree: Tree, name: str, tables: Mapping[str, Table] = NO_TABLES) -> dict[float, bool]:
     """The corners along a variable, in order, each with whether the formula may jump there.
 
     Those of what is no straight line are not found.

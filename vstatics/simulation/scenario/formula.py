@@ -17,7 +17,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.simulation.scenario.corners import JUMPS, between, corners
+from vstatics.simulation.scenario.corners import COMPARES, JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import (
     FUNCTIONS,
     PI,
@@ -77,7 +77,7 @@ class Formula(NamedTuple):
     """Values of names."""
     tables: tuple[tuple[str, Table], ...] = ()
     compared: tuple[int, ...] | None = None
-    """Of a condition, the place of a comparison: it is the difference that is compared there."""
+    """Of a condition, the place of a part: of a comparison it is the difference."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
@@ -87,6 +87,11 @@ class Formula(NamedTuple):
         (Seen(word='slip', of='C'), Seen(word='value', of='p'))
         """
         return _read(*self).seen
+
+    @property
+    def tree(self) -> Tree:
+        """Its operations, one inside another."""
+        return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:
         """The same with values of some of its names.
@@ -294,7 +299,8 @@ def _read(
     if compared is not None:
         for place in compared:
             tree = tree.operands[place]  # type: ignore[union-attr] # as it was found
-        tree = tree._replace(name="-")  # type: ignore[call-arg]
+        if isinstance(tree, Applied) and tree.name in COMPARES:
+            tree = tree._replace(name="-")
     tree = _with_numbers(tree, dict(numbers))
     for name, low, high in within:
         tree = between(tree, name, low, high)

@@ -152,9 +152,7 @@ def of_times(tree: Tree, tables: Tables = NO_TABLES) -> Callable[[Floats], Float
     return function
 
 
-def _as_arrays(
-    tree: Tree, known: Sequence[Floats], tables: Tables, seen: Sequence[Seen]
-) -> Floats:
+def _as_arrays(tree: Tree, known: Sequence[Floats], tables: Tables, seen: Sequence[Seen]) -> Floats:
     """The values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is no number."""
     by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
 

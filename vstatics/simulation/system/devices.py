@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +37,7 @@ from vstatics.simulation.system.matrices import (
     combination,
     unit,
 )
+from vstatics.simulation.system.sight import with_settings
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.torsion.system.bodies import planet_bodies
 
@@ -72,7 +74,7 @@ def motion_system(
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
-    return MotionSystem(
+    made = MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
         heavy=np.array([row for row, _ in bodies]),
@@ -86,7 +88,27 @@ def motion_system(
         springs=tuple(_springs(case, capacities, rows)),
         outside=tuple(outside),
         converters=scenario.converters,
+        settings=scenario.settings,
     )
+    return with_settings(made, scenario.settings)
+
+
+def with_programmes(system: MotionSystem, capacities: list[Programme]) -> MotionSystem:
+    """The system with other programmes of its shift elements."""
+    elements = system.case.shift_elements
+    contacts = tuple(
+        one if one.element is None else one._replace(programme=capacities[one.element])
+        for one in system.contacts
+    )
+    springs = tuple(
+        one
+        if one.element is None
+        else one._replace(
+            programme=_slipping_torque(elements[one.element], capacities[one.element])
+        )
+        for one in system.springs
+    )
+    return replace(system, contacts=contacts, springs=springs)
 
 
 def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
@@ -151,7 +173,7 @@ def _elements(
                 element.name,
                 rows[index],
                 programme,
-                element.friction,
+                element.pack,
                 element.static,
                 one_way=element.is_freewheel,
                 overrun_drag=drag,
@@ -201,7 +223,7 @@ def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> l
 
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
     """At which an elastic shift element slips."""
-    pack = element.friction
+    pack = element.pack
     if element.static != 1 or (pack and len(pack.coefficient) > 1):
         message = (
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "

@@ -75,7 +75,7 @@ class MotionStructure:
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
         self.held = held
         rows, columns, self.multipliers = _constraints(system, held, meshes)
-        mass, ports = system.mass, system.port_rows()
+        mass, ports = system.mass, system.port_rows
         signs = np.full(len(ports), -1.0)
         signs[: len(system.outside)] = 1.0
         forces = ports.T * signs
