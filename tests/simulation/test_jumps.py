@@ -7,15 +7,22 @@ values (A. F. Filippov, Differential equations with discontinuous righthand side
 from __future__ import annotations
 
 import math
+from random import Random
+from typing import NamedTuple
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
+from tests.chance import count, seeded
 from tests.simulation.boxes import RPM, held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import ShiftElement
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation import simulate
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
@@ -161,6 +168,152 @@ def test_bounces_that_become_ever_shorter_come_to_rest() -> None:
     assert motion.time[moving].max() == pytest.approx(rest, rel=1e-4)
     assert motion.speeds[-1, 0] == 0
     assert motion.energy.heat["1"] == pytest.approx(144.0, rel=1e-6)
+
+
+MOVING = [
+    "100*(speed < 300 + t)",
+    "100*(300 > speed - t)",
+    "50 - 50*sign(2*speed - 600 - 2*t)",
+    "100*(abs(speed) < 300 + t)",
+    "100*(max(speed, -speed) < min(t, 99) + 300)",
+    "100*(not speed >= 300 + 2*sin(t/2)*cos(t/2) - sin(t) + t)",
+]
+"""100 N*m up to 300 rad/s + t, nothing above."""
+
+
+@pytest.mark.parametrize("law", MOVING)
+def test_a_limiter_that_rises_with_time_is_followed(law: str) -> None:
+    """J = 2, 50 N*m of load: 25 rad/s^2 up to 300 + t after 1/24 s, then 2*1 + 50 N*m hold it."""
+    laws: Laws = ((1, Formula(law)), (1, constant(-50.0)))
+    motion = run(links(2.0), 3.0, {1: 299.0}, laws)
+    sliding = motion.time >= 1 / 24 + 1e-6
+    expected = 300 + motion.time[sliding]
+    assert motion.speeds[sliding, 0] == pytest.approx(expected, rel=1e-13)
+    assert motion.energy.work == pytest.approx(303**2 - 299**2, rel=EXACT)
+    assert not motion.events
+
+
+@pytest.mark.parametrize("power", ["t^2", "t*t", "(t^3 + t^2*1)/(t + 1)"])
+def test_a_limiter_that_rises_too_fast_is_left(power: str) -> None:
+    """300 + 10 t^2 wants 2*20 t N*m of its 100, up to 2.5 s: 300 + 62.5 + 50*1.5 rad/s at 4 s."""
+    laws: Laws = ((1, Formula(f"100*(speed < 300 + 10*{power})")),)
+    motion = run(links(2.0), 4.0, {1: 300.0}, laws)
+    assert motion.speeds[-1, 0] == pytest.approx(437.5, rel=EXACT)
+
+
+def test_a_law_that_brings_speed_and_angle_to_rest() -> None:
+    """Sliding mode: from w = -10 angle on both die away as exp(-10 t) (V. I. Utkin, 1977).
+
+    3 rad/s fall by 50 rad/s^2: 3 - 50 t = -10 (3 t - 25 t^2) after (sqrt(3400) - 20)/500 s.
+    """
+    motion = run(links(2.0), 0.5, {1: 3.0}, ((1, Formula("-100*sign(speed + 10*angle)")),))
+    met = (math.sqrt(3400) - 20) / 500
+    later = motion.time > met + 1e-6
+    expected = (3 - 50 * met) * np.exp(-10 * (motion.time[later] - met))
+    assert motion.speeds[later, 0] == pytest.approx(expected, rel=1e-7)
+
+
+@pytest.mark.parametrize(("push", "speed"), [(60.0, 5.0), (-60.0, 5.0), (140.0, 45.0)])
+def test_an_angle_that_grows_is_followed(push: float, speed: float) -> None:
+    """-100 N*m sign(angle - 5 t), from 5 rad/s on: 40 N*m are left of 140, on 2 kg*m^2 for 2 s."""
+    laws: Laws = ((1, Formula("-100*sign(angle - 5*t)")), (1, constant(push)))
+    motion = run(links(2.0), 2.0, {1: 5.0}, laws)
+    assert motion.speeds[-1, 0] == pytest.approx(speed, rel=EXACT)
+
+
+def test_two_limiters_that_cross() -> None:
+    """The lower one of 310 - t and 300 + t holds, each by its own torque: 305 rad/s at 5 s."""
+    text = "100*(speed < 310 - t)*(speed < 300 + t)"
+    motion = run(links(2.0), 8.0, {1: 300.0}, ((1, Formula(text)), (1, constant(-50.0))))
+    lower = np.minimum(310 - motion.time, 300 + motion.time)
+    assert motion.speeds[:, 0] == pytest.approx(lower, rel=1e-9)
+
+
+def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
+    """The torques on the members of a set balance, whatever it loses: T1 + T2 + T3 = sum J dw/dt."""
+    case = planetary_set(0.96)
+    laws: Laws = (
+        (1, constant(40.0)),
+        (2, constant(-60.0)),
+        (3, Formula("-300*sign(speed - 20*t)")),
+    )
+    motion = run(case, 1.0, {1: 50.0, 2: 20.0}, laws)
+    first, last = motion.speeds[[0, -1]]
+    assert last[2] == pytest.approx(20.0, rel=EXACT)
+    ring = float(np.dot(last - first, [case.inertias[link] for link in (1, 2, 3)])) + 60 - 40
+    turned = (first + last) / 2
+    given = 40 * turned[0] - 60 * turned[1] + ring * turned[2]
+    assert motion.energy.work == pytest.approx(given, rel=EXACT)
+    assert sum(motion.energy.losses.values()) > 1.0
+
+
+SWITCHES = [
+    "-{0}*sign({1})",
+    "{0}*({1} < 0) - {0}*(0 <= {1})",
+    "-{0}*({1} > 0) + {0}*(not {1} > 0)",
+]
+"""One switch in several words."""
+
+
+class Switch(NamedTuple):
+    """A law that pushes to a speed, which varies with time and angle."""
+
+    size: float
+    """[N*m]"""
+    base: float
+    swing: float
+    rate: float
+    by_angle: float
+
+    def formula(self, words: str) -> Formula:
+        """As a scenario has it."""
+        size, base, swing, rate, by_angle = (f"({part})" for part in self)
+        place = f"{base} + {swing}*sin({rate}*t)"
+        return Formula(words.format(size, f"(speed - ({place} + {by_angle}*angle))"))
+
+    def smooth(self, t: float, speed: float, angle: float) -> float:
+        """With a switch of some width [N*m]."""
+        place = self.base + self.swing * math.sin(self.rate * t) + self.by_angle * angle
+        return -self.size * math.tanh((speed - place) / 1e-5)
+
+
+def random_switch(rng: Random) -> Switch:
+    ranges = (20, 150), (-5, 5), (0, 6), (1, 6), rng.choice([(-4, 0), (0, 0)])
+    return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
+
+
+def check_switches(rng: Random) -> None:
+    """Two links and a damped spring: the same by an integrator that knows no jumps."""
+    inertias = [rng.uniform(0.5, 5) for _ in range(2)]
+    stiffness, damping = rng.uniform(50, 500), rng.uniform(1, 10)
+    spring = Spring(between(1, 2), stiffness=stiffness, damping=damping)
+    first, second = random_switch(rng), random_switch(rng)
+    start = [rng.uniform(-10, 10) for _ in range(2)]
+    laws = tuple(
+        (link, one.formula(rng.choice(SWITCHES))) for link, one in ((1, first), (2, second))
+    )
+    motion = run(links(*inertias, springs=(spring,)), 2.0, {1: start[0], 2: start[1]}, laws)
+
+    def change(t: float, state: Floats) -> list[float]:
+        v, w, a, b = state.tolist()
+        sprung = stiffness * (a - b) + damping * (v - w)
+        pushed = first.smooth(t, v, a) - sprung, second.smooth(t, w, b) + sprung
+        return [pushed[0] / inertias[0], pushed[1] / inertias[1], v, w]
+
+    found = solve_ivp(change, (0.0, 2.0), [*start, 0.0, 0.0], "Radau", rtol=1e-7, atol=1e-8)
+    assert motion.speeds[-1] == pytest.approx(found.y[:2, -1], abs=2e-4)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
+    check_switches(seeded(seed))
+
+
+@pytest.mark.slow
+@settings(max_examples=count(40, 150), deadline=None)
+@given(st.integers(0, 10**6))
+def test_slides_of_any_law_are_what_a_smooth_switch_tends_to(seed: int) -> None:
+    check_switches(seeded(seed))
 
 
 def test_a_formula_that_jumps_over_both() -> None:

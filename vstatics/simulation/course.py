@@ -257,7 +257,7 @@ class EventRun:
             name = self.system.names[self.system.outside[index].link]
             message = (
                 f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
-                "can slide along what compares speed or angle with a number, not along this"
+                "can slide along what is straight in speed and angle, not along this"
             )
             return Problem("E607", message, ("torques", name))
         return Problem(

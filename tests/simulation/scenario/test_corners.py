@@ -18,6 +18,10 @@ from vstatics.simulation.scenario.formula import Formula
         ("100*(10 < speed < 20 or not speed < 80)*t", (10.0, 20.0, 80.0)),
         ("(speed < 3*10^2)*exp(-speed/100)", (300.0,)),
         ("abs(speed) + max(speed, 3)", ()),
+        ("100*(speed^2 < 90000)", (-300.0, 300.0)),
+        ("sign(speed*abs(speed) - 400)", (20.0,)),
+        ("sign(speed^3 - 2*speed^2/3 - speed/3)", (-1 / 3, 0.0, 1.0)),
+        ("sign(speed^2 + 1)*sign(1/speed)*sign(speed^99)", ()),
         ("100*(speed < 3*t)", ()),
         ("100*(angle < 5)", ()),
         ("100*(t < 5)", ()),
@@ -33,7 +37,7 @@ def test_jumps_over_the_speed(text: str, jumps: tuple[float, ...]) -> None:
 def test_between_jumps_a_formula_is_what_it_is_there(low: float, high: float, speed: float) -> None:
     """And goes on so beyond, where steps of an integration may ask for it."""
     whole = Formula("t*speed*(abs(speed) < 300) - 7*sign(speed + 300)")
-    piece = whole._replace(within=(("speed", low, high),))
+    piece = whole.between("speed", low, high)
     assert piece.function(2.0, speed, 0.0) == whole.function(2.0, speed, 0.0)
     assert piece.jumps("speed") == ()
     slope = piece.function(2.0, 1000.0, 0.0) - piece.function(2.0, 0.0, 0.0)

@@ -9,12 +9,12 @@ from itertools import repeat
 
 import numpy as np
 
-from vstatics.simulation.events.instants import Instant, seen_at
+from vstatics.simulation.events.instants import Instant, seen_at, sliding_speed
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
-from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem, OutsideTorque, sign
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
@@ -112,14 +112,15 @@ class ModeChoices:
         """On which side of a jump a motion is; right there it may stick."""
         switch = self.system.contacts[index].switch
         assert switch is not None  # noqa: S101 - it is asked of these alone
-        over, place, side = switch.jump
-        speed, near = float(at.speeds[switch.link]), STANDING * scales.speed
-        apart = speed - place
+        over, curve, side, _ = switch.jump
+        near = STANDING * scales.speed
+        apart = slides = float(at.speeds[switch.link]) - sliding_speed(self.system, index, at)
         if over == "angle":
+            place = curve_at(curve, math.nextafter(at.time, math.inf))
             apart = float(at.angles[self.layout.angles.index(switch.link)]) - place
-            moves, near = abs(speed) > near, STANDING * max(1.0, abs(place))
+            moves, near = abs(slides) > near, STANDING * max(1.0, abs(place))
             if moves and (met or abs(apart) <= near):
-                return sign(speed)  # it passes
+                return sign(slides)  # it passes
         if abs(apart) > near and not (met or (over == "speed" and self.touched[index])):
             return sign(apart)
         choices.append(("contacts", index, ("stick", side, "-" if side == "+" else "+")))

@@ -11,9 +11,10 @@ from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
 
@@ -66,10 +67,25 @@ def consistent(
     return made, Jump(equations.system.names[int(links.argmax())], lost)
 
 
+def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) -> Floats:
+    """The motions with inertia at an instant; drivers have their speeds exactly."""
+    driven = [sliding_speed(system, index, at) for index in structure.drivers]
+    return structure.motions(at.speeds, np.array(driven))
+
+
+def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
+    """At which a motion slides along a jump, from an instant on [rad/s]."""
+    switch = system.contacts[contact].switch
+    assert switch is not None  # noqa: S101 - it is asked of these alone
+    angle = float(at.angles[system.layout.angles.index(switch.link)])
+    speed = curve_at(switch.jump.speed, math.nextafter(at.time, math.inf))
+    return speed + switch.jump.by_angle * angle
+
+
 def state_of(equations: Equations, at: Instant) -> Floats:
     """The state of equations at an instant."""
     state = np.empty(equations.size)
-    state[: equations.motions] = equations.structure.motions(at.speeds)
+    state[: equations.motions] = motions_of(equations.system, equations.structure, at)
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
     state[equations.values] = at.values
@@ -120,6 +136,9 @@ def break_times(system: MotionSystem) -> list[float]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             times.update(state.rate.knowing(system.settings).breaks)
+    for contact in system.contacts:
+        at = contact.switch.jump.at if contact.switch else None
+        times.update(at.breaks if isinstance(at, Formula) else ())
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 

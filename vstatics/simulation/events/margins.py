@@ -13,7 +13,7 @@ from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.split import least, widest, widest_place
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import Look, friction_at
-from vstatics.simulation.system.curves import programme_along, programme_at
+from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.tolerances import (
@@ -100,7 +100,7 @@ class Margins:
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
         for index, state in enumerate(states.contacts):
-            if state in SIGNS and not _is_over_angle(system.contacts[index]):
+            if state in SIGNS:
                 self.slipping.append((layout.contacts + index, SIGNS[state]))
                 self._watch("slip", index, torque=False)
         for index, (contact, state) in enumerate(
@@ -126,7 +126,8 @@ class Margins:
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
         contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
-        self.slip_speeds = np.array([one.speed for one in contacts])
+        self.switches = [(row, one.switch) for row, one in enumerate(contacts) if one.switch]
+        """Rows of slips that are those from a jump, with their jumps."""
         self.jumping = [row for row, one in enumerate(self.holding) if one[0].switch][::2]
         """First of the two limits of each contact at a jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
@@ -199,7 +200,7 @@ class Margins:
             port = equations.layout.angles.index(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((port, by_angle, corner, side))
-        self._slipping()
+        self._frictions()
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
@@ -207,8 +208,8 @@ class Margins:
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
 
-    def _slipping(self) -> None:
-        """Corners of the friction of what slips, and jumps over an angle."""
+    def _frictions(self) -> None:
+        """Corners of the friction of what slips."""
         equations = self.equations
         contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
         for index, (contact, state) in enumerate(contacts):
@@ -217,10 +218,6 @@ class Margins:
             way, port = SIGNS[state], equations.layout.contacts + index
             for corner, side in self._ends(equations.layout.frictions + index, contact.corners):
                 self.corners.append((port, False, way * corner, way * side))
-            if contact.switch and _is_over_angle(contact):
-                place = equations.layout.angles.index(contact.switch.link)
-                self.corners.append((place, True, contact.switch.jump.at, way))
-                self._watch("slip", index, torque=False)
 
     def _ends(self, index: int, corners: Sequence[float]) -> Iterator[tuple[float, float]]:
         """The corners between which a law is, and on which side of each."""
@@ -293,7 +290,12 @@ class Margins:
         layout = equations.layout
         times = equations.ports.inside(times)
         seen = equations.seen_at(times, states, rates, torques) if self.sees else ()
-        slips = rates[self.slip_ports] - self.slip_speeds[:, None]
+        slips = rates[self.slip_ports]
+        for row, (link, jump) in self.switches:
+            angles = states[equations.angles][layout.angles.index(link)]
+            if jump.over == "angle":
+                slips[row] = angles
+            slips[row] -= curve_along(jump.at, times) + jump.by_angle * angles
         parts = [self.slip_signs[:, None] * slips]
         slack = self._slack(times, held, torques, seen)
         mine = len(self.holding)
@@ -478,10 +480,6 @@ def _is_limited(device: Contact | Elastic, time: float) -> bool:
     """Whether there is a torque that it does not carry."""
     programme = device.programme
     return programme.look is not None or math.isfinite(programme_at(programme, time))
-
-
-def _is_over_angle(contact: Contact) -> bool:
-    return contact.switch is not None and contact.switch.jump.over == "angle"
 
 
 def _limits(contact: Contact, side: int, times: Floats, seen: Sequence[Sequence[float]]) -> Floats:

@@ -17,7 +17,13 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
-from vstatics.simulation.events.instants import Instant, Jump, consistent, state_of
+from vstatics.simulation.events.instants import (
+    Instant,
+    Jump,
+    consistent,
+    motions_of,
+    state_of,
+)
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
 from vstatics.simulation.system.equations import Equations
@@ -123,7 +129,7 @@ class ModeSelection:
             motions = self.structure(states.held, ("",) * len(meshes))
         except np.linalg.LinAlgError:
             return states
-        speeds = motions.free @ motions.motions(at.speeds)
+        speeds = motions.free @ motions_of(self.system, motions, at)
         for index, (_, *moving) in options.items():
             slip = self.system.meshes[index].slip
             speed = float(slip @ speeds)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.expressions.grammar import Applied
 from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.record.motion import Event
 from vstatics.simulation.scenario.formula import Formula
@@ -51,11 +52,10 @@ class Judge:
 
     def _operands(self, comparison: Formula) -> Iterator[Look]:
         """What is compared: a difference is 0 but for rounding of these."""
-        assert comparison.compared is not None  # noqa: S101 - it is a comparison
-        system = self.equations.system
-        for place in (0, 1):
-            operand = comparison._replace(compared=(*comparison.compared, place))
-            yield looking(system, operand.knowing(system.settings))
+        system, difference = self.equations.system, comparison.whole
+        assert isinstance(difference, Applied)  # noqa: S101 - a comparison is one
+        for operand in difference.operands:
+            yield looking(system, comparison._replace(tree=operand).knowing(system.settings))
 
 
 class SequenceProgress:

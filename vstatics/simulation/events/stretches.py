@@ -278,10 +278,10 @@ class Closed:
         free = equations.structure.free
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))
-        driven = equations.structure.driven
-        if driven is not None:  # of size 1, whatever has its speeds
-            others = np.delete(factors[: equations.angles.start], equations.motions - 1)
-            factors[equations.motions - 1] = largest(driven) * max(1.0, largest(others))
+        drivers = len(equations.structure.drivers)
+        if drivers:  # they may move nothing heavy
+            driven = slice(equations.motions - drivers, equations.motions)
+            factors[driven] = max(1.0, largest(factors[: equations.angles.start]))
         return factors
 
     def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:

@@ -347,10 +347,10 @@ def of_formula(
     """One that can be read, with known names alone."""
     if not isinstance(law, Formula):
         return
-    numbers, tables = dict(law.numbers), dict(law.tables)
-    known = words._replace(numbers=numbers, tables=tables)
+    if law.tree is not None:  # read with its names, which it no longer has
+        return
     try:
-        formula_tree(Excerpt(law.text, "formula"), names, known)
+        formula_tree(Excerpt(law.text, "formula"), names, words)
     except ReadError as error:
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
 

@@ -33,8 +33,9 @@ class Condition(NamedTuple):
     @property
     def comparisons(self) -> tuple[Formula, ...]:
         """The differences that are compared, from the left to the right."""
-        places = (place for place, part in _parts(self.formula.tree, ()) if _compares(part))
-        return tuple(self.formula._replace(compared=place) for place in places)
+        parts = (part for part in _parts(self.formula.whole) if isinstance(part, Applied))
+        compared = (part._replace(name="-") for part in parts if _compares(part))
+        return tuple(self.formula._replace(tree=one) for one in compared)
 
     def holds(self, sides: Sequence[str], happened: Callable[[Seen], bool]) -> bool:
         """Whether it is true.
@@ -59,7 +60,7 @@ class Condition(NamedTuple):
                 return not parts[0]
             return all(parts) if part.name == "and" else any(parts)
 
-        return true(self.formula.tree)
+        return true(self.formula.whole)
 
 
 def read_condition(source: Excerpt, words: Vocabulary) -> Condition:
@@ -78,7 +79,7 @@ def read_condition(source: Excerpt, words: Vocabulary) -> Condition:
     vstatics.errors.ReadError: when:1:3: error: expected a condition, such as `t >= 0.5` [E105]
     """
     formula = read_formula(source, ["t"], words)
-    for _, part in _parts(formula.tree, ()):
+    for part in _parts(formula.whole):
         is_event = isinstance(part, TableName) and part.name in OF_EVENTS
         if not (is_event or (isinstance(part, Applied) and part.name in (*_SIDES, *_JOINS))):
             at = getattr(part, "at", source.start)
@@ -98,9 +99,9 @@ def _compares(part: Tree) -> bool:
     return isinstance(part, Applied) and part.name in _SIDES
 
 
-def _parts(tree: Tree, place: tuple[int, ...]) -> Iterator[tuple[tuple[int, ...], Tree]]:
-    """What is joined, and what joins it, each with its place in the tree."""
-    yield place, tree
+def _parts(tree: Tree) -> Iterator[Tree]:
+    """What is joined, and what joins it, from the left to the right."""
+    yield tree
     if isinstance(tree, Applied) and tree.name in _JOINS:
-        for number, one in enumerate(tree.operands):
-            yield from _parts(one, (*place, number))
+        for one in tree.operands:
+            yield from _parts(one)

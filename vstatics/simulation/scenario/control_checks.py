@@ -17,9 +17,9 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
 
     Examples
     --------
-    >>> from vstatics import Gear, Transmission
+    >>> from vstatics import Transmission
     >>> from vstatics.simulation.scenario.laws import constant
-    >>> case = Transmission(1, [], [], [Gear()])
+    >>> case = Transmission(1, [], [], [], inertias={1: 2.0})
     >>> state = ControlState("p", constant(1.0), start=3.0, most=2.0)
     >>> for problem in control_problems(Scenario(case, 1.0, states=(state,))):
     ...     print(problem)

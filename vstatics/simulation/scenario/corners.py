@@ -1,8 +1,8 @@
 """Where a formula bends or jumps along one of its variables, and what it is between jumps.
 
-A comparison, ``abs``, ``sign``, ``min`` or ``max`` of straight lines does so where these meet.
-What is straight by pieces, as ``abs(speed)``, is a line between two corners: these are looked for
-again between those that are known.
+A comparison, ``abs``, ``sign``, ``min`` or ``max`` of polynomials does so where these meet. What
+is one by pieces, as ``abs(speed)``, is one between two corners: these are looked for again between
+those that are known.
 
 ``min(t/0.3, 1)`` bends at 0.3, ``100*(abs(speed) < 300)`` jumps at -300 and 300.
 """
@@ -10,41 +10,43 @@ again between those that are known.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from itertools import combinations, pairwise
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from functools import reduce
+from itertools import combinations, pairwise, zip_longest
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
-from vstatics.simulation.scenario.formula_code import NO_TABLES, PI
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.formula_code import PI
+from vstatics.simulation.scenario.tables import Table, TableCall
 
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
 
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
-_MEETS = JUMPS | {"abs", "min", "max"}
+_BENDS = frozenset(("abs", "min", "max"))
 
 
-class StraightLine(NamedTuple):
-    """``value + slope x``."""
+_MOST_DEGREE = 8
+"""Polynomials of a higher one are not looked at."""
 
-    value: float
-    slope: float
-
-    def at(self, x: float) -> float:
-        """Its value."""
-        return self.value + self.slope * x
+Polynomial: TypeAlias = tuple[float, ...]
+"""What stands before 1, x, x^2, ...; the last of several is not 0."""
 
 
-def corners(tree: Tree, name: str, tables: Mapping[str, Table] = NO_TABLES) -> dict[float, bool]:
+def value_at(polynomial: Polynomial, x: float) -> float:
+    """The value of a polynomial."""
+    return reduce(lambda total, factor: total * x + factor, reversed(polynomial))
+
+
+def corners(tree: Tree, name: str) -> dict[float, bool]:
     """The corners along a variable, in order, each with whether the formula may jump there.
 
-    Those of what is no straight line are not found.
+    Those of what is no polynomial are not found.
 
     Examples
     --------
@@ -59,11 +61,13 @@ def corners(tree: Tree, name: str, tables: Mapping[str, Table] = NO_TABLES) -> d
     while waiting:
         low, high = waiting.pop()
         met: list[tuple[float, bool]] = []
-        _line(tree, name, _inside(low, high), met, tables)
+        _polynomial(tree, name, _inside(low, high), met)
         within = [(at, jumps) for at, jumps in met if low <= at <= high and math.isfinite(at)]
-        fresh = sorted({at for at, _ in within}.difference(found))
+        bends = {at for at, jumps in within if not jumps}.difference(found)
+        fresh = sorted(bends or {at for at, _ in within}.difference(found))
         for at, jumps in within:
-            found[at] = found.get(at, False) or jumps
+            if at in found or at in fresh:  # beyond a bend what else was met may not be
+                found[at] = found.get(at, False) or jumps
         if len(found) > MOST_BREAKS:
             return {}
         if fresh:
@@ -93,64 +97,72 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
     return decided
 
 
-def _decided(tree: Any, name: str, at: float) -> Any:
+def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
+    """A tree by what it is near a place; `abs`, `min`, `max` only in what is compared."""
     if not isinstance(tree, Applied):
         return tree
     if tree.name in JUMPS:
-        line = _line(tree, name, at, [])
-        if line is not None:
-            return Constant(line.at(at))
-    return tree._replace(operands=tuple(_decided(one, name, at) for one in tree.operands))
+        value = _polynomial(tree, name, at, [])
+        if value is not None:
+            return Constant(value_at(value, at))
+        inside = True
+    operands = tuple(_decided(one, name, at, inside=inside) for one in tree.operands)
+    if inside and tree.name in _BENDS:
+        known = [_polynomial(one, name, at, []) for one in operands]
+        if None not in known:
+            return _picked(tree, operands, [value_at(one, at) for one in known if one])
+    return tree._replace(operands=operands)
 
 
-def _line(
-    tree: Any,
-    name: str,
-    at: float,
-    met: list[tuple[float, bool]],
-    tables: Mapping[str, Table] = NO_TABLES,
-) -> StraightLine | None:
-    """A part as a straight line near a place, if it is one; where lines in it meet is added."""
+def _polynomial(
+    tree: Any, name: str, at: float, met: list[tuple[float, bool]]
+) -> Polynomial | None:
+    """A part as a polynomial near a place, if it is one; where those in it meet is added."""
     if not isinstance(tree, Applied):
         return _of_operand(tree, name)
-    operands = [_line(one, name, at, met, tables) for one in tree.operands]
-    if tree.name in tables:
-        return _of_table(tables[tree.name], operands, at, met)
-    lines = [one for one in operands if one]
-    if tree.name in _MEETS:
-        met += ((place, tree.name in JUMPS) for place in _meetings(lines, len(operands)))
-    if len(lines) < len(operands):
+    inner: list[tuple[float, bool]] = []
+    operands = [_polynomial(one, name, at, inner) for one in tree.operands]
+    known = [one for one in operands if one]
+    if isinstance(tree.name, TableCall):
+        met += inner
+        return _of_table(tree.name.table, operands, at, met)
+    jumps = tree.name in JUMPS
+    met += ((place, bends or (jumps and None in operands)) for place, bends in inner)
+    if jumps or tree.name in _BENDS:
+        met += ((place, jumps) for place in _meetings(known, len(operands)))
+    if len(known) < len(operands):
         return None
-    if not any(line.slope for line in lines) or tree.name in JUMPS:
-        return StraightLine(_value(tree, [line.at(at) for line in lines]), 0.0)
-    if tree.name in ("abs", "min", "max"):
-        return _picked(tree.name, lines, at)
-    return _applied(tree.name, lines)
+    if jumps or not any(len(one) > 1 for one in known):
+        return (_value(tree, [value_at(one, at) for one in known]),)
+    if tree.name in _BENDS:
+        values = [value_at(one, at) for one in known]
+        picked: Polynomial = _picked(tree, known, values, lambda one: tuple(-part for part in one))
+        return picked
+    return _applied(tree.name, known)
 
 
-def _of_operand(operand: Any, name: str) -> StraightLine | None:
+def _of_operand(operand: Any, name: str) -> Polynomial | None:
     """A number, or the variable itself."""
+    names: dict[str, Polynomial] = {name: (0.0, 1.0), PI: (math.pi,)}
     if isinstance(operand, Constant):
-        return StraightLine(operand.value, 0.0)
-    known = {name: StraightLine(0.0, 1.0), PI: StraightLine(math.pi, 0.0)}
-    return None if operand.subscripts else known.get(operand.name)
+        return (operand.value,)
+    return None if operand.subscripts else names.get(operand.name)
 
 
 def _of_table(
     table: Table,
-    operands: list[StraightLine | None],
+    operands: Sequence[Polynomial | None],
     at: float,
     met: list[tuple[float, bool]],
-) -> StraightLine | None:
+) -> Polynomial | None:
     """A table of one variable is straight between its points."""
-    [line, *others] = operands
-    if others or line is None:
+    [inner, *others] = operands
+    if others or inner is None:
         return None
-    if line.slope:
-        twice = {one for one, next_one in pairwise(table.x) if one == next_one}
-        met += (((x - line.value) / line.slope, x in twice) for x in table.x)
-    value, slope = table.line_at(line.at(at))
-    return StraightLine(value + slope * line.value, slope * line.slope)
+    twice = {one for one, next_one in pairwise(table.x) if one == next_one}
+    met += ((root, x in twice) for x in table.x for root in _roots(_sum(inner, (-x,))))
+    value, slope = table.line_at(value_at(inner, at))
+    return _sum((value,), inner, slope) if slope else (value,)
 
 
 def _value(tree: Applied, values: list[float]) -> float:
@@ -159,38 +171,68 @@ def _value(tree: Applied, values: list[float]) -> float:
     return float(evaluate(constants, lambda _: np.zeros((1, 1))).item())
 
 
-def _picked(name: str, lines: list[StraightLine], at: float) -> StraightLine:
-    """Which line `abs`, `min` or `max` is near a place."""
-    if name == "abs" or len(lines) == 1:
-        [line] = lines
-        negative = name == "abs" and line.at(at) < 0
-        return StraightLine(-line.value, -line.slope) if negative else line
-    return (min if name == "min" else max)(lines, key=lambda line: line.at(at))
+def _picked(
+    tree: Applied,
+    operands: Sequence[Any],
+    values: Sequence[float],
+    minus: Callable[[Any], Any] = lambda one: Applied("-x", (one,), 0, 0),
+) -> Any:
+    """Which of its operands `abs`, `min` or `max` is, by their values."""
+    if tree.name == "abs":
+        return minus(operands[0]) if values[0] < 0 else operands[0]
+    return operands[values.index((min if tree.name == "min" else max)(values))]
 
 
-def _meetings(lines: list[StraightLine], count: int) -> Iterator[float]:
-    """Where lines that are compared meet, or one is 0."""
+def _meetings(known: list[Polynomial], count: int) -> Iterator[float]:
+    """Where polynomials that are compared meet, or one is 0."""
     if count == 1:
-        lines = [*lines, StraightLine(0.0, 0.0)]
-    for one, other in combinations(lines, 2):
-        if one.slope != other.slope:
-            yield (other.value - one.value) / (one.slope - other.slope)
+        known = [*known, (0.0,)]
+    for one, other in combinations(known, 2):
+        yield from _roots(_sum(one, other, -1.0))
 
 
-def _applied(name: str, operands: list[StraightLine]) -> StraightLine | None:  # noqa: PLR0911 - a table
-    """An operation of lines that gives a line."""
+def _roots(polynomial: Polynomial) -> Iterator[float]:
+    """Where a polynomial is 0."""
+    if len(polynomial) == 2:
+        yield -polynomial[0] / polynomial[1]
+    elif len(polynomial) > 2 and all(map(math.isfinite, polynomial)):
+        for root in np.roots(polynomial[::-1]):
+            if root.imag == 0:
+                yield float(root.real)
+
+
+def _sum(one: Polynomial, other: Polynomial, factor: float = 1.0) -> Polynomial:
+    """One and another that is multiplied."""
+    made = [a + factor * b for a, b in zip_longest(one, other, fillvalue=0.0)]
+    while len(made) > 1 and not made[-1]:
+        made.pop()
+    return tuple(made)
+
+
+def _product(one: Polynomial, other: Polynomial) -> Polynomial | None:
+    if len(one) + len(other) - 2 > _MOST_DEGREE:
+        return None
+    shifted = ((*(0.0,) * power, *(part * a for a in other)) for power, part in enumerate(one))
+    return reduce(_sum, shifted)
+
+
+def _applied(name: str, operands: Sequence[Polynomial]) -> Polynomial | None:  # noqa: PLR0911 - a table
+    """An operation on polynomials that gives one."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":
-            return StraightLine(-first.value, -first.slope)
+            return _sum((0.0,), first, -1.0)
         case "+":
-            return StraightLine(first.value + second.value, first.slope + second.slope)
+            return _sum(first, second)
         case "-":
-            return StraightLine(first.value - second.value, first.slope - second.slope)
-        case "*" if not second.slope:
-            return StraightLine(first.value * second.value, first.slope * second.value)
-        case "*" if not first.slope:
-            return StraightLine(first.value * second.value, first.value * second.slope)
-        case "/" if second.value and not second.slope:
-            return StraightLine(first.value / second.value, first.slope / second.value)
+            return _sum(first, second, -1.0)
+        case "*":
+            return _product(first, second)
+        case "/" if len(second) == 1 and second[0]:
+            return tuple(part / second[0] for part in first)
+        case "**" if len(second) == 1 and second[0] in range(1, _MOST_DEGREE + 1):
+            whole: Polynomial | None = first
+            for _ in range(int(second[0]) - 1):
+                whole = _product(whole, first) if whole else None
+            return whole
     return None

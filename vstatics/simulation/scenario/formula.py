@@ -7,7 +7,7 @@ bends or jumps is told by `corners`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -17,7 +17,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.simulation.scenario.corners import COMPARES, JUMPS, between, corners
+from vstatics.simulation.scenario.algebra import parts, slope, variables
+from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.formula_code import (
     FUNCTIONS,
     PI,
@@ -28,7 +29,8 @@ from vstatics.simulation.scenario.formula_code import (
     of_times,
     seen_in,
 )
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.surfaces import Surface, on_side, surfaces
+from vstatics.simulation.scenario.tables import Table, TableCall
 
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of what a motion is, which any formula may see."""
@@ -71,13 +73,8 @@ class Formula(NamedTuple):
     """
 
     text: str
-    within: tuple[tuple[str, float, float], ...] = ()
-    """Variables, and the jumps between which each stays: so what is decided there is decided."""
-    numbers: tuple[tuple[str, float], ...] = ()
-    """Values of names."""
-    tables: tuple[tuple[str, Table], ...] = ()
-    compared: tuple[int, ...] | None = None
-    """Of a condition, the place of a part: of a comparison it is the difference."""
+    tree: Tree | None = None
+    """What of it is calculated, where not all: between jumps, with numbers for names, its slope."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
@@ -89,7 +86,7 @@ class Formula(NamedTuple):
         return _read(*self).seen
 
     @property
-    def tree(self) -> Tree:
+    def whole(self) -> Tree:
         """Its operations, one inside another."""
         return _read(*self).tree
 
@@ -100,8 +97,9 @@ class Formula(NamedTuple):
         6.0
         """
         names = {one.of for one in self.seen if one.word == "value"}
-        known = tuple((name, value) for name, value in numbers.items() if name in names)
-        return self._replace(numbers=(*self.numbers, *known)) if known else self
+        if names.isdisjoint(numbers):
+            return self
+        return self._replace(tree=_with_numbers(self.whole, numbers))
 
     @property
     def variables(self) -> frozenset[str]:
@@ -142,16 +140,29 @@ class Formula(NamedTuple):
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
         """
-        read = _read(*self)
-        return tuple(at for at, jumps in corners(read.tree, name, read.tables).items() if jumps)
+        return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
+
+    def between(self, name: str, low: float, high: float) -> Formula:
+        """What it is between two jumps along a variable."""
+        return self._replace(tree=between(_read(*self).tree, name, low, high))
+
+    @property
+    def surfaces(self) -> dict[Surface, str]:
+        """Where else it switches, by time or angle, each with the side it itself counts to."""
+        return surfaces(_read(*self).tree)
+
+    def on_side(self, surface: Surface, side: float) -> Formula:
+        """What it is above a surface, +1, or below, -1."""
+        return self._replace(tree=on_side(_read(*self).tree, surface, side))
+
+    @property
+    def slope(self) -> Formula:
+        """Its change with time, of a formula of t of which that is known."""
+        return self._replace(tree=slope(_read(*self).tree))
 
     @property
     def switches(self) -> bool:
-        """Whether it compares a speed or an angle in a way of which no jumps are known.
-
-        >>> Formula("100*(speed < 300 + 10*t)").switches
-        True
-        """
+        """Whether it compares speeds or angles."""
         return _read(*self).switches
 
     def along(self, times: Floats) -> Floats:
@@ -180,17 +191,17 @@ def read_formula(
     Examples
     --------
     >>> read_formula(Excerpt("3000*min(t/0.3, 1)", "FH"), ["t"])
-    Formula(text='3000*min(t/0.3, 1)', within=(), numbers=(), tables=(), compared=None)
+    Formula(text='3000*min(t/0.3, 1)', tree=None)
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
     vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
     tree = formula_tree(source, names, words)
-    written = {part.name for part in parts_of(tree) if isinstance(part, TableName | Applied)}
-    numbers = tuple((name, one) for name, one in words.numbers.items() if name in written)
-    tables = tuple((name, one) for name, one in words.tables.items() if name in written)
-    return Formula(source.part.strip(), (), numbers, tables)
+    text = source.part.strip()
+    known = _with_numbers(tree, words.numbers)
+    calls = any(isinstance(part, Applied) and part.name in words.tables for part in parts(tree))
+    return Formula(text, known if calls or known != tree else None)
 
 
 def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> Tree:
@@ -198,8 +209,9 @@ def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> 
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     functions = (*FUNCTIONS, *words.tables)
     of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    tree = parse(source, Language(functions, operands, "t", caret=True, of_names=of_names))
-    for part in parts_of(tree):
+    read = parse(source, Language(functions, operands, "t", caret=True, of_names=of_names))
+    tree: Tree = _with_tables(read, words.tables)
+    for part in parts(tree):
         if isinstance(part, Applied):
             _check_operands(part, words, source)
         elif isinstance(part, DottedName):
@@ -208,6 +220,16 @@ def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> 
         elif isinstance(part, TableName):
             _check_name(part, names, words, source)
     return tree
+
+
+def _with_tables(tree: Any, tables: Mapping[str, Table]) -> Any:
+    """The tree with calls that know their tables."""
+    if not isinstance(tree, Applied):
+        return tree
+    name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
+    return tree._replace(
+        name=name, operands=tuple(_with_tables(one, tables) for one in tree.operands)
+    )
 
 
 def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
@@ -263,16 +285,6 @@ def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
         raise source.error(f"read {quoted(seen.of)}, expected {expected}{hint}", row.at)
 
 
-def parts_of(tree: Tree) -> Iterator[Tree]:
-    """All parts of a tree."""
-    waiting = [tree]
-    while waiting:
-        part = waiting.pop()
-        yield part
-        if isinstance(part, Applied):
-            waiting += reversed(part.operands)
-
-
 class _Read(NamedTuple):
     """What is known of a text."""
 
@@ -283,40 +295,20 @@ class _Read(NamedTuple):
     breaks: tuple[float, ...]
     switches: bool
     tree: Tree
-    tables: Mapping[str, Table]
 
 
 @lru_cache(maxsize=1024)
-def _read(
-    text: str,
-    within: tuple[tuple[str, float, float], ...],
-    numbers: tuple[tuple[str, float], ...],
-    tables: tuple[tuple[str, Table], ...],
-    compared: tuple[int, ...] | None,
-) -> _Read:
-    by_name = dict(tables)
-    tree = _parsed(text, tuple(by_name))
-    if compared is not None:
-        for place in compared:
-            tree = tree.operands[place]  # type: ignore[union-attr] # as it was found
-        if isinstance(tree, Applied) and tree.name in COMPARES:
-            tree = tree._replace(name="-")
-    tree = _with_numbers(tree, dict(numbers))
-    for name, low, high in within:
-        tree = between(tree, name, low, high)
-    inside = [part for part in parts_of(tree) if isinstance(part, TableName)]
+def _read(text: str, tree: Tree | None) -> _Read:
+    tree = tree or _parsed(text)
+    inside = [part for part in parts(tree) if isinstance(part, TableName)]
     seen = tuple(dict.fromkeys(one for part in inside if (one := seen_in(part))))
-    variables = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
-    breaks = tuple(corners(tree, "t", by_name))
+    own = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
     switches = any(
-        isinstance(one, TableName) and one.name != "t"
-        for part in parts_of(tree)
-        if isinstance(part, Applied) and part.name in JUMPS
-        for one in parts_of(part)
+        isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
+        for part in parts(tree)
     )
-    function = compiled(tree, by_name, seen)
-    along = of_times(tree, by_name) if not seen else _no_times
-    return _Read(variables, seen, function, along, breaks, switches, tree, by_name)
+    along = _no_times if seen else of_times(tree)
+    return _Read(own, seen, compiled(tree, seen), along, tuple(corners(tree, "t")), switches, tree)
 
 
 def _no_times(_: Floats) -> Floats:
@@ -324,13 +316,10 @@ def _no_times(_: Floats) -> Floats:
     raise TypeError(message)
 
 
-@lru_cache(maxsize=256)
-def _parsed(text: str, tables: tuple[str, ...]) -> Tree:
+def _parsed(text: str) -> Tree:
     of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    functions = (*FUNCTIONS, *tables)
-    return parse(
-        Excerpt(text, "formula"), Language(functions, "t", "t", caret=True, of_names=of_names)
-    )
+    language = Language(FUNCTIONS, "t", "t", caret=True, of_names=of_names)
+    return parse(Excerpt(text, "formula"), language)
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import ast
 import math
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
-from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -20,14 +20,12 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.tables import Table, TableCall
 
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
 """By t, speed and angle, then by what else is seen."""
-Tables: TypeAlias = Mapping[str, Table]
-NO_TABLES: Tables = MappingProxyType({})
 
 
 class Seen(NamedTuple):
@@ -98,7 +96,7 @@ _COMPARISONS: Mapping[str, type[ast.cmpop]] = {
 _LOGIC: Mapping[str, type[ast.boolop]] = {"and": ast.And, "or": ast.Or}
 
 
-def compiled(tree: Tree, tables: Tables = NO_TABLES, seen: Sequence[Seen] = ()) -> Function:
+def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     """The function of a tree: of `VARIABLES`, then of what else is seen.
 
     Examples
@@ -109,7 +107,7 @@ def compiled(tree: Tree, tables: Tables = NO_TABLES, seen: Sequence[Seen] = ()) 
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    functions = {**_PLAIN, **{name: table.at for name, table in tables.items()}}
+    functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
     plain: Function = _evaluated(tree, functions, seen)
 
     def function(*known: float) -> float:
@@ -117,12 +115,12 @@ def compiled(tree: Tree, tables: Tables = NO_TABLES, seen: Sequence[Seen] = ()) 
             return plain(*known)
         except (ArithmeticError, ValueError):
             arrays = [np.array([[one]]) for one in known]
-            return _as_arrays(tree, arrays, tables, seen).item()
+            return _as_arrays(tree, arrays, seen).item()
 
     return function
 
 
-def of_times(tree: Tree, tables: Tables = NO_TABLES) -> Callable[[Floats], Floats]:
+def of_times(tree: Tree) -> Callable[[Floats], Floats]:
     """The function of a tree in which t alone stands, for many times at once.
 
     Examples
@@ -134,9 +132,9 @@ def of_times(tree: Tree, tables: Tables = NO_TABLES) -> Callable[[Floats], Float
     array([2., 3.])
     """
     if _compares(tree):
-        one = compiled(tree, tables)
+        one = compiled(tree)
         return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
-    functions = {**_BROAD, **{name: table.along for name, table in tables.items()}}
+    functions = {**_BROAD, **{name: table.along for name, table in _tables(tree).items()}}
     broad = _evaluated(tree, functions)
 
     def function(times: Floats) -> Floats:
@@ -146,19 +144,28 @@ def of_times(tree: Tree, tables: Tables = NO_TABLES) -> Callable[[Floats], Float
             except (ArithmeticError, ValueError):  # of numbers alone, as 1/0
                 zeros = np.zeros((1, 1))
                 arrays = [times[:, None, None], zeros, zeros]
-                values = _as_arrays(tree, arrays, tables, ()).reshape(-1)
+                values = _as_arrays(tree, arrays, ()).reshape(-1)
             return np.broadcast_to(values, times.shape).astype(float)
 
     return function
 
 
-def _as_arrays(tree: Tree, known: Sequence[Floats], tables: Tables, seen: Sequence[Seen]) -> Floats:
+def _tables(tree: Any) -> dict[str, Table]:
+    """The tables that a tree calls, by their names."""
+    if not isinstance(tree, Applied):
+        return {}
+    own = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
+    return reduce(operator.or_, map(_tables, tree.operands), own)
+
+
+def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
     """The values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is no number."""
     by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
 
     def value_of(part: Any) -> Floats:
-        if isinstance(part, Applied):  # a table
-            return tables[part.name].along(*(evaluate(one, value_of) for one in part.operands))
+        if isinstance(part, Applied):
+            assert isinstance(part.name, TableCall)  # noqa: S101 - nothing else is left
+            return part.name.table.along(*(evaluate(one, value_of) for one in part.operands))
         if part.name == PI:
             return np.array([[math.pi]])
         return by_name[seen_in(part) or part.name]
@@ -208,7 +215,7 @@ class _Writer:
             return operands[0]
         if tree.name in _ARITHMETIC:
             return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
-        return _call(tree.name, *operands)
+        return _call(str(tree.name), *operands)
 
     def power(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
         """A square is a product, since that is fast."""

@@ -44,7 +44,7 @@ def _table(data: bytes) -> Table:
 
     Examples
     --------
-    >>> _table(b"speed [rpm],.2,1\n0,10,50\n3000,20,90\n").at(314.159265358979, 1.0)
+    >>> _table(b"speed [rpm],.2,1\n0,10,50\n3000,20,90\n").at(1000.0, 1.0)
     90.0
     >>> _table(b"time [ms],pedal\n0,.3\n1000,1\n").at(0.5)
     0.65

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -69,6 +69,23 @@ class Table(NamedTuple):
             return self.values[row][0], 0.0
         slope = (self.values[row + 1][0] - self.values[row][0]) / (self.x[row + 1] - self.x[row])
         return self.values[row][0] - slope * self.x[row], slope
+
+
+class TableCall(str):
+    """The name of a table where a formula calls it: it knows the table."""
+
+    __slots__ = ("table",)
+    table: Table
+
+    def __new__(cls, name: str, table: Table) -> Self:
+        """Keep the table."""
+        made = super().__new__(cls, name)
+        made.table = table
+        return made
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """For another process."""
+        return str(self), self.table
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:

@@ -48,7 +48,7 @@ def vocabulary(
     Examples
     --------
     >>> from vstatics import ShiftElement
-    >>> words = vocabulary(Transmission(2, [ShiftElement(1, 2, name="C")], [], []), values=["p"])
+    >>> words = vocabulary(Transmission(2, [ShiftElement(1, 2, name="C")], [], [], inertias={1: 1.0}), values=["p"])
     >>> words.rows["slip"], words.rows["speed"]
     (('C',), ('1', '2'))
     """
@@ -80,7 +80,7 @@ def name_problems(key: str, names: Collection[str], before: Collection[str]) -> 
     Examples
     --------
     >>> [str(one) for one in name_problems("numbers", ["t"], [])]
-    ["numbers.t: 't' is a word of formulas, expected another name [E680]"]
+    ['numbers.t: `t` is a word of formulas, expected another name [E680]']
     """
     for name in names:
         path: Path = (key, name)

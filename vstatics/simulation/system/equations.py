@@ -67,11 +67,10 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
-        contacts = [(one.kind == "contact", one.of) for one in structure.multipliers]
         self.driving = [
-            (layout.contacts + index, row)
-            for row, (is_contact, index) in enumerate(contacts)
-            if is_contact and system.contacts[index].speed
+            (layout.contacts + one.of, row)
+            for row, one in enumerate(structure.multipliers)
+            if one.kind == "contact" and system.contacts[one.of].drives
         ]
         """Contacts that stick at a speed other than 0: port, multiplier."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])

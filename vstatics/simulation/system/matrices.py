@@ -57,10 +57,9 @@ class Contact(NamedTuple):
     along the jump, with a torque between both (Filippov); none of it is friction."""
 
     @property
-    def speed(self) -> float:
-        """At which it sticks [rad/s]."""
-        jump = self.switch.jump if self.switch else None
-        return jump.at if jump and jump.over == "speed" else 0.0
+    def drives(self) -> bool:
+        """Whether it sticks at another speed than 0."""
+        return self.switch is not None and not self.switch.jump.rests
 
     @property
     def corners(self) -> tuple[float, ...]:

@@ -138,7 +138,7 @@ class Ports:
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
-            torques[port] = factor * formula.function(time, 0.0, 0.0)
+            torques[port] += factor * formula.function(time, 0.0, 0.0)
         for port, on_road in self.roads:
             torques[port] = on_road(rates[port])
         for port, place, function in self.special:
@@ -170,7 +170,7 @@ class Ports:
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
-            torques[port] = factor * curve_along(formula, times)
+            torques[port] += factor * curve_along(formula, times)
         for port, on_road in self.roads:
             torques[port] = on_road(rates[port])
         for port, place, function in self.special:
@@ -242,7 +242,13 @@ class Ports:
             self.switching.append(port)
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
-        if state not in SIGNS or contact.switch:
+        if contact.switch:
+            if state == "stick":  # how the speed at which it does so changes, see `structure`
+                jump = contact.switch.jump
+                self._programme(port, Programme(jump.change), 1.0, time)
+                self.by_rate[port] = jump.by_angle
+            return
+        if state not in SIGNS:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, largest
-from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.matrices import MotionSystem, Switch
 from vstatics.simulation.tolerances import (
     BEARING_MOTION,
     DEPENDENT,
@@ -49,18 +49,20 @@ class MotionStructure:
     Attributes
     ----------
     free : ndarray, shape (links, motions)
-        Speeds of links by those of the motions with inertia, ``N``.
+        Speeds of links by those of the motions with inertia, ``N``. The last of them are those
+        of contacts that stick at speeds other than 0, ``p``: these speeds are their sizes.
     light : ndarray, shape (links, massless motions)
         Speeds of links by those of the motions without.
-        The last motion is that in which contacts stick at speeds other than 0, if there are such:
-        it has the size 1 and never changes.
+    drivers : sequence of int
+        Contacts that stick at speeds other than 0, one for each such speed.
     projection : ndarray, shape (motions, links)
         Motions of the same momentum by speeds of links that do not fit, as those of links without
         inertia.
     rates, light_rates : ndarray
         Rates of ports by these.
     accelerations : ndarray, shape (motions, ports)
-        dq/dt by the torques of ports.
+        dq/dt by the torques of ports; in place of the torque of a driver stands the change of its
+        speed, dw0/dt.
     balances : ndarray, shape (massless motions, ports)
         What must be 0, by the torques of ports.
     multipliers : sequence of Multiplier
@@ -94,10 +96,13 @@ class MotionStructure:
         self.balances = left_light.T @ forces
         reduced = left.T @ mass @ self.free
         self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
-        self.driven = _driven(system, self.multipliers, rows)
-        if self.driven is not None:
-            self.free = np.column_stack([self.free, self.driven])
-            self.accelerations = np.vstack([self.accelerations, np.zeros(len(ports))])
+        self.drivers, driven = _driven(system, self.multipliers, rows)
+        if self.drivers:
+            at = [system.layout.contacts + index for index in self.drivers]
+            self.accelerations[:, at] = -np.linalg.solve(reduced, left.T @ mass @ driven)
+            forces[:, at] = 0.0
+            self.free = np.column_stack([self.free, driven])
+            self.accelerations = np.vstack([self.accelerations, np.eye(len(ports))[at]])
         self.rates = ports @ self.free
         residual = forces - mass @ self.free @ self.accelerations
         weights = np.array([_weight(system, one) for one in self.multipliers])
@@ -108,27 +113,39 @@ class MotionStructure:
         self.mesh_light_rates: Floats = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
 
-    def motions(self, speeds: Floats) -> Floats:
-        """The motions with inertia that fit speeds of links, by their momentum where none do."""
-        free = self.free if self.driven is None else self.free[:, :-1]
-        moved = speeds if self.driven is None else speeds - self.driven
+    def motions(self, speeds: Floats, driven: Floats) -> Floats:
+        """The motions with inertia that fit speeds of links, by their momentum where none do.
+
+        The last ones have the speeds of their drivers.
+        """
+        count = self.free.shape[1] - len(driven)
+        free = self.free[:, :count]
+        moved = speeds - self.free[:, count:] @ driven
         made: Floats = free.T @ moved
         made += self.projection @ (moved - free @ made)
-        return made if self.driven is None else np.append(made, 1.0)
+        return np.append(made, driven)
 
 
-def _driven(system: MotionSystem, multipliers: Sequence[Multiplier], rows: Floats) -> Floats | None:
-    """Speeds of links with which contacts stick at speeds other than 0; None: all stick at 0."""
-    speeds = [
-        system.contacts[one.of].speed if one.kind == "contact" else 0.0 for one in multipliers
-    ]
-    if not any(speeds):
-        return None
-    made = solved(rows.T, np.array(speeds))
-    if largest(rows.T @ made - speeds) > STANDING * largest(np.array(speeds)):
+def _driven(
+    system: MotionSystem, multipliers: Sequence[Multiplier], rows: Floats
+) -> tuple[tuple[int, ...], Floats]:
+    """Contacts that stick at speeds other than 0, and speeds of links by these.
+
+    Several that do so at one place are one.
+    """
+    places: dict[Switch, list[int]] = {}
+    for row, one in enumerate(multipliers):
+        switch = system.contacts[one.of].switch if one.kind == "contact" else None
+        if switch and not switch.jump.rests:
+            places.setdefault(switch._replace(jump=switch.jump._replace(side="")), []).append(row)
+    wanted = np.zeros((len(multipliers), len(places)))
+    for column, sticking in enumerate(places.values()):
+        wanted[sticking, column] = 1.0
+    made = solved(rows.T, wanted)
+    if largest(rows.T @ made - wanted) > STANDING:
         message = "speeds at which contacts stick contradict each other"
         raise np.linalg.LinAlgError(message)
-    return made
+    return tuple(multipliers[sticking[0]].of for sticking in places.values()), made
 
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
