@@ -295,6 +295,7 @@ class EventRun:
         if not joining:
             return at
         made = impact(system, at.speeds, rigid, joining)
+        self.record.impact_work += made.work
         for index, energy in zip(joining, made.energies, strict=True):
             if at.time > 0:  # what happens at the start is no event
                 joined = event_of(at.time, system.contacts[index], "impact", energy)

@@ -59,7 +59,9 @@ class ModeChoices:
         system = self.system
         self.seen = seen_at(system, at)
         contacts = [
-            self._switch(index, at, scales, choices, met=index in met)
+            "rigid"
+            if contact.is_given
+            else self._switch(index, at, scales, choices, met=index in met)
             if contact.switch
             else self._contact(index, at, scales, choices, met=index in met)
             for index, contact in enumerate(system.contacts)

@@ -137,8 +137,9 @@ def break_times(system: MotionSystem) -> list[float]:
         if isinstance(state.rate, Formula):
             times.update(state.rate.knowing(system.settings).breaks)
     for contact in system.contacts:
-        at = contact.switch.jump.at if contact.switch else None
-        times.update(at.breaks if isinstance(at, Formula) else ())
+        if contact.switch:
+            at = contact.switch.jump.at
+            times.update(at.breaks if isinstance(at, Formula) else at.x)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.curves import capacity_at, curve_at
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
@@ -76,8 +76,14 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     held = [*start.engaged, *(gear.engaged if gear else ())]
     rows = [mesh.row for mesh in system.meshes]
     rows += [system.by_element[number - 1].row for number in held]
-    given = dict(start.speeds)
-    if gear is not None:
+    given = {link: curve_at(speed, 0.0) for link, speed in scenario.speeds.items()}
+    _check_ties(system, given)
+    for link, speed in start.speeds.items():
+        known = given.setdefault(link, speed)
+        if abs(known - speed) > STANDING * max(1.0, abs(known)):
+            message = f"read {speed:g} rad/s, but `speeds` gives {known:g} rad/s at t = 0"
+            raise CaseError("E691", message, ("start", "speeds", case.link_name(link)))
+    if gear is not None and (start.speed or not scenario.speeds):
         given.setdefault(case.gear_input(gear), start.speed)
     values = [0.0] * len(rows)
     for link, speed in given.items():
@@ -94,6 +100,18 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     if backward := list(_backward(system, speeds, scale)):
         raise CaseError(backward)
     return speeds
+
+
+def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
+    """Refuse speeds that are given of links which the train ties to each other."""
+    rows = [mesh.row for mesh in system.meshes]
+    for link in given:
+        before = null(system.rows(rows))
+        rows.append(np.eye(len(system.names))[link - 1])
+        if null(system.rows(rows)).shape[1] == before.shape[1]:
+            name = system.case.link_name(link)
+            message = f"the train ties {name} to other links whose speed is given, or holds it"
+            raise CaseError("E690", f"{message}: expected one of them", ("speeds", name))
 
 
 def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Problem]:

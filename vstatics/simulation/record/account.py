@@ -28,7 +28,11 @@ def element_heat(equations: Equations, states: Floats) -> Floats:
 
 
 def energy_account(
-    start: Instant, end: float, equations: Equations, state: Floats, impact: float
+    start: Instant,
+    end: float,
+    equations: Equations,
+    state: Floats,
+    impacts: tuple[float, float],
 ) -> Energy:
     """The energies of a run [J].
 
@@ -41,13 +45,14 @@ def energy_account(
         That hold at the end.
     state : ndarray
         At the end.
-    impact : float
-        What impacts took. [J]
+    impacts : tuple of float
+        What impacts took, and the work that was done on links at given speeds. [J]
     """
     system = equations.system
     heat, losses = _heat_and_losses(equations, state)
     works, layout = state[equations.works], equations.layout
-    work = float(works[: layout.outside].sum())
+    impact, impact_work = impacts
+    work = float(works[: layout.outside].sum()) + impact_work
     work -= sum(
         float(works[layout.contacts + index])
         for index, contact in enumerate(system.contacts)

@@ -36,6 +36,8 @@ class Record:
         self.system, self.start, self.every = system, start, step
         self.events: list[Event] = []
         self.impact = 0.0
+        self.impact_work = 0.0
+        """Of impulses on links whose speeds are given. [J]"""
         self.joined: set[int] = set()
         """Contacts that have just joined by an impact."""
         self.messages: list[Message] = []
@@ -147,7 +149,11 @@ class Record:
             heat,
             tuple(self.events),
             energy_account(
-                self.start, self.time, last.margins.equations, last.states[-1], self.impact
+                self.start,
+                self.time,
+                last.margins.equations,
+                last.states[-1],
+                (self.impact, self.impact_work),
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),

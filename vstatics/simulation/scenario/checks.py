@@ -329,6 +329,9 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     for link, law in scenario.torques:
         path = ("torques", _name(scenario.case, link))
         yield from of_formula(law, ["t", "speed", "angle"], path, seen)
+    for link, speed in scenario.speeds.items():
+        path = ("speeds", _name(scenario.case, link))
+        yield from of_formula(speed, ["t"], path, Vocabulary())
     for state in scenario.states:
         yield from of_formula(state.rate, ["t"], ("states", state.name, "rate"), more)
     for sequence in scenario.sequences:

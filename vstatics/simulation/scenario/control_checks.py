@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from itertools import chain, pairwise
 
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Curve
 from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
 from vstatics.simulation.scenario.tables import Table
 from vstatics.simulation.scenario.words import name_problems
@@ -33,6 +35,8 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
             yield Problem("E654", f"read {value:g}, expected a number", ("set", name))
     for state in scenario.states:
         yield from _of_state(state, ("states", state.name))
+    for link, speed in scenario.speeds.items():
+        yield from _of_speed(speed, ("speeds", scenario.case.link_name(link)))
     for sequence in scenario.sequences:
         path: Path = ("sequences", sequence.name)
         if not sequence.steps:
@@ -54,6 +58,25 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
     elif state.start < state.least:
         message = f"read {state.start:g}, expected at least {state.least:g}, its min"
         yield Problem("E684", message, (*path, "start"))
+
+
+def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
+    """Of a speed that is given: it changes without a jump, and how it does is known."""
+    if isinstance(speed, Formula):
+        if any(speed.jumps("t")) or not speed.has_slope:
+            why = "jumps" if speed.has_slope else "has no slope that can be told"
+            yield Problem("E689", f"the speed {why}, expected one that changes steadily", path)
+        return
+    if not speed.x:
+        yield Problem("E651", "expected points, one at least, each of two numbers", path)
+    for number, (one, other) in enumerate(pairwise(speed.x), 2):
+        if other <= one:
+            wanted = "points in the order of the time, without a jump"
+            message = f"read {other:g} behind {one:g}, expected {wanted}"
+            yield Problem("E653", message, (*path, number))
+            break
+    if not all(map(math.isfinite, [*speed.x, *speed.y])):
+        yield Problem("E654", "read what is no number, expected numbers", path)
 
 
 def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Problem]:

@@ -317,7 +317,7 @@ def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
     """Numbers by name of what a key of a scenario speaks of."""
     if key == "controls":
         listed = [element.name for element in case.shift_elements]
-    elif key in ("torques", "targets", "start"):
+    elif key in ("torques", "targets", "start", "speeds"):
         listed = list(case.link_names)
     elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
         listed = spots.keys((str(key),))

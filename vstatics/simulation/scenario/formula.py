@@ -161,6 +161,11 @@ class Formula(NamedTuple):
         return self._replace(tree=slope(_read(*self).tree))
 
     @property
+    def has_slope(self) -> bool:
+        """Whether its change with time is known."""
+        return slope(_read(*self).tree) is not None
+
+    @property
     def switches(self) -> bool:
         """Whether it compares speeds or angles."""
         return _read(*self).switches

@@ -118,6 +118,13 @@ def torque_curve(words: Vocabulary) -> Parsed:
     return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0)
 
 
+def speed_curve(words: Vocabulary) -> Parsed:
+    """A speed over time."""
+    seen = words.only()._replace(values=())
+    parse = partial(_curve, measures=["si_speed", "velocity"], names=["t"], words=seen)
+    return Parsed("a speed, or a formula of t", parse, 0.0)
+
+
 def value_curve(words: Vocabulary) -> Parsed:
     """A number, or a formula that sees everything that does not happen at an instant."""
     seen = words.only(*OF_MOTION, *OF_TORQUES)

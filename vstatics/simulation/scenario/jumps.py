@@ -147,8 +147,15 @@ def _plain(formula: Formula) -> Points | Formula:
 
 
 def _slope(curve: Curve) -> Curve:
-    """The change of the place of a jump with time; points are a number there."""
-    return constant(0.0) if isinstance(curve, Points) else _plain(curve.slope)
+    """The change of a place or a speed with time."""
+    if isinstance(curve, Formula):
+        return _plain(curve.slope)
+    slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]
+    if not any(slopes):
+        return constant(0.0)
+    ends = [(x, slopes[number + after]) for number, x in enumerate(curve.x) for after in (0, 1)]
+    times, values = zip(*ends, strict=True)
+    return Points(times, values)
 
 
 def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:

@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.given import (
     capacity_curve,
     condition,
     exactly_one,
+    speed_curve,
     torque_curve,
     value_curve,
 )
@@ -52,6 +53,10 @@ _POINTS_OVER_TIME += "where a time repeats the later value holds from there"
 
 _CAPACITY_POINTS = ListOf(RowOf((_TIME, CAPACITY), "time, capacity"), "points", unique=False)
 _TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", unique=False)
+
+
+_SPEEDS = "a speed, a formula of t, or points [[time, speed], ...]"
+_SPEED_POINTS = ListOf(RowOf((_TIME, SPEED), "time, speed"), "points", unique=False)
 
 
 def _control(curve: Parsed) -> ByForm:
@@ -360,6 +365,13 @@ def scenario_shape(words: Vocabulary) -> ByKey:
                 "torques",
                 Numbers("link", OneOrMany(_law(torque_curve(words)))),
                 "Outside torques on links in N*m, positive like the input's; a law, or several.",
+            ),
+            KeyShape(
+                "speeds",
+                Numbers("link", ByForm(_SPEEDS, speed_curve(words), _SPEED_POINTS)),
+                "Speeds of links that are given over time, in rad/s; what torque this takes is "
+                "their column of torques.",
+                examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
             ),
             KeyShape(
                 "converters", ByName("converter", CONVERTER), "Torque converters by their names."

@@ -140,6 +140,9 @@ class Scenario(NamedTuple):
         Numbers that sequences change.
     states : sequence of ControlState
     sequences : sequence of StepSequence
+    speeds : mapping of int to Curve
+        Link -> its speed over time, which is given: points without a jump, or a formula of t.
+        [rad/s]
     """
 
     case: Transmission
@@ -153,6 +156,7 @@ class Scenario(NamedTuple):
     settings: Mapping[str, float] = MappingProxyType({})
     states: tuple[ControlState, ...] = ()
     sequences: tuple[StepSequence, ...] = ()
+    speeds: Mapping[int, Curve] = MappingProxyType({})
 
 
 def formulas(scenario: Scenario) -> Iterator[Formula]:

@@ -46,8 +46,8 @@ def _table(data: bytes) -> Table:
     --------
     >>> _table(b"speed [rpm],.2,1\n0,10,50\n3000,20,90\n").at(1000.0, 1.0)
     90.0
-    >>> _table(b"time [ms],pedal\n0,.3\n1000,1\n").at(0.5)
-    0.65
+    >>> _table(b"time [ms],pedal\n0,.5\n1000,1\n").at(0.5)
+    0.75
     """
     if len(data) > MOST_BYTES:
         raise ValueError(f"expected a file of {MOST_BYTES // 1_000_000} MB at most")

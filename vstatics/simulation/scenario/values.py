@@ -82,6 +82,10 @@ class ScenarioValues:
             settings={name: float(one) for name, one in values.get("set", {}).items()},
             states=tuple(self._states(values.get("states", {}))),
             sequences=tuple(self._sequences(values.get("sequences", {}))),
+            speeds={
+                link: self._given_speed(one, ("speeds", link), radii.get(link))
+                for link, one in values.get("speeds", {}).items()
+            },
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, Table]]:
@@ -160,6 +164,15 @@ class ScenarioValues:
                 message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
                 self.spots.tell(place, f"{message}to a link with a `road`")
             yield float(one)
+
+    def _given_speed(self, given: Any, path: Path, radius: float | None) -> Curve:
+        """A speed over time [rad/s]; velocities by the radius of the wheels on its link."""
+        if isinstance(given, Formula):
+            return given
+        if not isinstance(given, Sequence):
+            return constant(next(self._speeds([given or 0.0], path, radius)))
+        times, speeds = zip(*given, strict=True) if given else ((), ())
+        return Points(_floats(times), tuple(self._speeds(list(speeds), path, radius)))
 
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
         for number, one in given.items():

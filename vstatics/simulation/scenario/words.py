@@ -48,7 +48,8 @@ def vocabulary(
     Examples
     --------
     >>> from vstatics import ShiftElement
-    >>> words = vocabulary(Transmission(2, [ShiftElement(1, 2, name="C")], [], [], inertias={1: 1.0}), values=["p"])
+    >>> clutch = ShiftElement(1, 2, name="C")
+    >>> words = vocabulary(Transmission(2, [clutch], [], [], inertias={1: 1.0}), values=["p"])
     >>> words.rows["slip"], words.rows["speed"]
     (('C',), ('1', '2'))
     """

@@ -16,7 +16,7 @@ from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.jumps import split_at_jumps
+from vstatics.simulation.scenario.jumps import LawJump, split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import (
@@ -84,6 +84,7 @@ def motion_system(
             *elements,
             *contacts,
             *_drag_contacts(case, dragging, rows),
+            *_given_speeds(scenario),
         ),
         springs=tuple(_springs(case, capacities, rows)),
         outside=tuple(outside),
@@ -258,6 +259,15 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         if friction:
             contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
+
+
+def _given_speeds(scenario: Scenario) -> Iterator[Contact]:
+    """Links whose speeds are given over time."""
+    case = scenario.case
+    for link, speed in scenario.speeds.items():
+        switch = Switch(link - 1, LawJump("speed", speed))
+        row = unit(link - 1, case.links)
+        yield Contact(case.link_name(link), row, OPEN, switch=switch, is_given=True)
 
 
 class DragTorque(NamedTuple):

@@ -54,7 +54,10 @@ class Contact(NamedTuple):
     """Index of the element while whose capacity is 0 it acts."""
     switch: Switch | None = None
     """Where a torque jumps: its side is that of the jump, and it sticks where the motion slides
-    along the jump, with a torque between both (Filippov); none of it is friction."""
+    along the jump, with a torque between both (Filippov); none of it is friction. Where a speed is
+    given it is as if it always slid."""
+    is_given: bool = False
+    """Whether its speed is given."""
 
     @property
     def drives(self) -> bool:

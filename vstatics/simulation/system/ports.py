@@ -243,7 +243,8 @@ class Ports:
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
-            if state == "stick":  # how the speed at which it does so changes, see `structure`
+            # how the speed at which it sticks changes, see `structure`
+            if state in ("stick", "rigid"):
                 jump = contact.switch.jump
                 self._programme(port, Programme(jump.change), 1.0, time)
                 self.by_rate[port] = jump.by_angle
