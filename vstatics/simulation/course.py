@@ -229,7 +229,7 @@ class EventRun:
         equations, state = selected.margins.equations, selected.state
         time = equations.time
         straight = equations.ports.is_affine or equations.springs
-        if straight and not self.system.layout.values:
+        if straight and not (self.system.layout.values or self.system.variators):
             try:
                 for step in Closed(equations, state, self.scales.torque).stretches(state, end):
                     yield step
@@ -294,7 +294,7 @@ class EventRun:
                     joining.append(index)
         if not joining:
             return at
-        made = impact(system, at.speeds, rigid, joining)
+        made = impact(system, at, rigid, joining)
         self.record.impact_work += made.work
         for index, energy in zip(joining, made.energies, strict=True):
             if at.time > 0:  # what happens at the start is no event

@@ -60,7 +60,7 @@ class ModeChoices:
         self.seen = seen_at(system, at)
         contacts = [
             "rigid"
-            if contact.is_given
+            if contact.is_given or contact.is_variator
             else self._switch(index, at, scales, choices, met=index in met)
             if contact.switch
             else self._contact(index, at, scales, choices, met=index in met)

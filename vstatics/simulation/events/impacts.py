@@ -14,8 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats, largest
+from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved
+from vstatics.simulation.system.variators import variator_rows
 from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
@@ -31,22 +33,24 @@ class Impact(NamedTuple):
 
 
 def impact(
-    system: MotionSystem, speeds: Floats, rigid: Sequence[int], joining: Sequence[int]
+    system: MotionSystem, at: Instant, rigid: Sequence[int], joining: Sequence[int]
 ) -> Impact:
     """The impact when contacts join; speeds that are given stay.
 
     Parameters
     ----------
     system : MotionSystem
-    speeds : ndarray, shape (links,)
-        Before. [rad/s]
+    at : Instant
+        Before.
     rigid : sequence of int
         Indices of all contacts that hold anything, those that join among them.
     joining : sequence of int
     """
+    speeds = at.speeds
     wheels = [index for index, one in enumerate(system.contacts) if one.one_way]
     held = [system.contacts[index].row for index in rigid]
     given = [one.row for one in system.contacts if one.is_given]
+    given += variator_rows(system, at.time)
     small = STANDING * max(1.0, largest(speeds))
     best: Impact | None = None
     for count in range(len(wheels), -1, -1):

@@ -74,11 +74,15 @@ def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) ->
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """At which a motion slides along a jump, from an instant on [rad/s]."""
+    """The speed of a driver, such as that with which a motion slides along a jump [rad/s]."""
+    now = math.nextafter(at.time, math.inf)
+    for one in system.variators:
+        if one.contact == contact:
+            return (one.reference - curve_at(one.ratio, now)) * float(at.speeds[one.first])
     switch = system.contacts[contact].switch
     assert switch is not None  # noqa: S101 - it is asked of these alone
     angle = float(at.angles[system.layout.angles.index(switch.link)])
-    speed = curve_at(switch.jump.speed, math.nextafter(at.time, math.inf))
+    speed = curve_at(switch.jump.speed, now)
     return speed + switch.jump.by_angle * angle
 
 
@@ -136,10 +140,9 @@ def break_times(system: MotionSystem) -> list[float]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             times.update(state.rate.knowing(system.settings).breaks)
-    for contact in system.contacts:
-        if contact.switch:
-            at = contact.switch.jump.at
-            times.update(at.breaks if isinstance(at, Formula) else at.x)
+    moving = [one.switch.jump.at for one in system.contacts if one.switch]
+    for at in (*moving, *(one.ratio for one in system.variators)):
+        times.update(at.breaks if isinstance(at, Formula) else at.x)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 

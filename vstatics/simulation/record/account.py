@@ -83,7 +83,7 @@ def _heat_and_losses(
     heat: dict[str, float] = {}
     losses: dict[str, float] = {}
     for index, contact in enumerate(system.contacts):
-        if contact.switch:
+        if contact.switch or contact.is_variator:
             continue
         of = losses if contact.is_drag or contact.overrun_drag else heat
         _add(of, contact.name, works[layout.contacts + index])
@@ -96,6 +96,9 @@ def _heat_and_losses(
     for index, converter in enumerate(system.converters):
         taken = works[layout.pumps + index] + works[layout.turbines + index]
         _add(losses, converter.name, taken)
+    for index, variator in enumerate(system.variators):
+        taken = works[layout.contacts + variator.contact] + works[layout.variators + index]
+        _add(losses, variator.name, taken)
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:
             _add(losses, mesh.name, state[equations.meshed][index])

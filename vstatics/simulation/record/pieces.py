@@ -213,6 +213,9 @@ def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
         made[mesh.device] = held[index] + by_planets[index] @ ports
     for index, spring in enumerate(system.springs):
         made[spring.device] = ports[layout.springs + index]
+    for index, variator in enumerate(system.variators):
+        torque = variator.reference * held[row_of[variator.contact]]
+        made[variator.device] = torque + ports[layout.variators + index]
     end = count + len(system.converters)
     made[count:end] = ports[layout.pumps : layout.turbines]
     given = [index for index, one in enumerate(system.contacts) if one.is_given]

@@ -18,7 +18,7 @@ from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.simulation.scenario.control_checks import control_problems
+from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,
@@ -320,28 +320,33 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     names = [*scenario.settings, *(state.name for state in scenario.states)]
     converters = [one.name for one in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
-    seen, more = words.only(*OF_MOTION), words.only(*OF_MOTION, *OF_TORQUES)
-    elements = scenario.case.shift_elements
+    for law, own, path, which in _placed_formulas(scenario):
+        yield from of_formula(law, own, path, words.only(*which) if which else Vocabulary())
+
+
+def _placed_formulas(
+    scenario: Scenario,
+) -> Iterator[tuple[object, Sequence[str], Path, Sequence[str]]]:
+    """What may be a formula, its own variables, its place, and the words that it may have."""
+    case, elements = scenario.case, scenario.case.shift_elements
+    more = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
-        law = getattr(control, "law", None)
         if 0 < number <= len(elements):
-            yield from of_formula(law, ["t"], ("controls", elements[number - 1].name), seen)
+            path: Path = ("controls", elements[number - 1].name)
+            yield getattr(control, "law", None), ["t"], path, OF_MOTION
     for link, law in scenario.torques:
-        path = ("torques", _name(scenario.case, link))
-        yield from of_formula(law, ["t", "speed", "angle"], path, seen)
+        yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
     for link, speed in scenario.speeds.items():
-        path = ("speeds", _name(scenario.case, link))
-        yield from of_formula(speed, ["t"], path, Vocabulary())
+        yield speed, ["t"], ("speeds", _name(case, link)), ()
+    for number, ratio in scenario.speed_ratios.items():
+        yield ratio, ["t"], ("speed_ratios", case.mechanisms[number - 1].name), ()
     for state in scenario.states:
-        yield from of_formula(state.rate, ["t"], ("states", state.name, "rate"), more)
-    for sequence in scenario.sequences:
-        for number, step in enumerate(sequence.steps, 1):
-            place: Path = ("sequences", sequence.name, number)
-            if step.when:
-                all_words = words.only(*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-                yield from of_formula(step.when.formula, ["t"], (*place, "when"), all_words)
-            for name, value in step.settings.items():
-                yield from of_formula(value, ["t"], (*place, "set", name), more)
+        yield state.rate, ["t"], ("states", state.name, "rate"), more
+    for path, step in placed_steps(scenario):
+        if step.when:
+            yield step.when.formula, ["t"], (*path, "when"), (*more, *OF_EVENTS)
+        for name, value in step.settings.items():
+            yield value, ["t"], (*path, "set", name), more
 
 
 def of_formula(

@@ -37,12 +37,25 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_state(state, ("states", state.name))
     for link, speed in scenario.speeds.items():
         yield from _of_speed(speed, ("speeds", scenario.case.link_name(link)))
+    for number, ratio in scenario.speed_ratios.items():
+        mechanism = scenario.case.mechanisms[number - 1]
+        place: Path = ("speed_ratios", mechanism.name)
+        if mechanism.kind != "variator":
+            yield Problem("E692", f"{mechanism.name} is no variator, expected one", place)
+        yield from _of_speed(ratio, place)
     for sequence in scenario.sequences:
-        path: Path = ("sequences", sequence.name)
         if not sequence.steps:
-            yield Problem("E685", "read no steps, expected one at least", path)
+            place = ("sequences", sequence.name)
+            yield Problem("E685", "read no steps, expected one at least", place)
+    for path, step in placed_steps(scenario):
+        yield from _of_step(step, scenario, path)
+
+
+def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
+    """The steps of all sequences, each with its place."""
+    for sequence in scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
-            yield from _of_step(step, scenario, (*path, number))
+            yield ("sequences", sequence.name, number), step
 
 
 def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:

@@ -100,6 +100,7 @@ class ScenarioDocument(NamedTuple):
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
         walk.references.set_elements(element.name for element in case.shift_elements)
+        walk.references.set_mechanisms(one.name for one in case.mechanisms)
         words = self._words(case)
         values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)
@@ -319,6 +320,8 @@ def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
         listed = [element.name for element in case.shift_elements]
     elif key in ("torques", "targets", "start", "speeds"):
         listed = list(case.link_names)
+    elif key == "speed_ratios":
+        listed = [one.name for one in case.mechanisms]
     elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
         listed = spots.keys((str(key),))
     else:

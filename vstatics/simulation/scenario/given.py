@@ -120,9 +120,18 @@ def torque_curve(words: Vocabulary) -> Parsed:
 
 def speed_curve(words: Vocabulary) -> Parsed:
     """A speed over time."""
+    return _timed_curve(words, "a speed", ["si_speed", "velocity"])
+
+
+def ratio_curve(words: Vocabulary) -> Parsed:
+    """A speed ratio over time."""
+    return _timed_curve(words, "a speed ratio", ["angle"])
+
+
+def _timed_curve(words: Vocabulary, what: str, measures: Sequence[Measure]) -> Parsed:
     seen = words.only()._replace(values=())
-    parse = partial(_curve, measures=["si_speed", "velocity"], names=["t"], words=seen)
-    return Parsed("a speed, or a formula of t", parse, 0.0)
+    parse = partial(_curve, measures=measures, names=["t"], words=seen)
+    return Parsed(f"{what}, or a formula of t", parse, 0.0)
 
 
 def value_curve(words: Vocabulary) -> Parsed:

@@ -36,12 +36,12 @@ class LawJump(NamedTuple):
     @property
     def speed(self) -> Curve:
         """At which a motion slides along it, but for what the angle adds [rad/s]."""
-        return self.at if self.over == "speed" else _slope(self.at)
+        return self.at if self.over == "speed" else curve_slope(self.at)
 
     @property
     def change(self) -> Curve:
         """That of this speed with time [rad/s^2]."""
-        return _slope(self.speed)
+        return curve_slope(self.speed)
 
     @property
     def rests(self) -> bool:
@@ -146,7 +146,7 @@ def _plain(formula: Formula) -> Points | Formula:
     return constant(formula.function(0.0, 0.0, 0.0))
 
 
-def _slope(curve: Curve) -> Curve:
+def curve_slope(curve: Curve) -> Curve:
     """The change of a place or a speed with time."""
     if isinstance(curve, Formula):
         return _plain(curve.slope)

@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.given import (
     capacity_curve,
     condition,
     exactly_one,
+    ratio_curve,
     speed_curve,
     torque_curve,
     value_curve,
@@ -57,6 +58,10 @@ _TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", uniqu
 
 _SPEEDS = "a speed, a formula of t, or points [[time, speed], ...]"
 _SPEED_POINTS = ListOf(RowOf((_TIME, SPEED), "time, speed"), "points", unique=False)
+
+
+_RATIOS = "a speed ratio, a formula of t, or points [[time, ratio], ...]"
+_RATIO_POINTS = ListOf(RowOf((_TIME, NUMBER), "time, ratio"), "points", unique=False)
 
 
 def _control(curve: Parsed) -> ByForm:
@@ -372,6 +377,12 @@ def scenario_shape(words: Vocabulary) -> ByKey:
                 "Speeds of links that are given over time, in rad/s; what torque this takes is "
                 "their column of torques.",
                 examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
+            ),
+            KeyShape(
+                "speed_ratios",
+                Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
+                "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
+                examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
             ),
             KeyShape(
                 "converters", ByName("converter", CONVERTER), "Torque converters by their names."

@@ -143,6 +143,9 @@ class Scenario(NamedTuple):
     speeds : mapping of int to Curve
         Link -> its speed over time, which is given: points without a jump, or a formula of t.
         [rad/s]
+    speed_ratios : mapping of int to Curve
+        Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
+        or a formula of t. [-]
     """
 
     case: Transmission
@@ -157,6 +160,7 @@ class Scenario(NamedTuple):
     states: tuple[ControlState, ...] = ()
     sequences: tuple[StepSequence, ...] = ()
     speeds: Mapping[int, Curve] = MappingProxyType({})
+    speed_ratios: Mapping[int, Curve] = MappingProxyType({})
 
 
 def formulas(scenario: Scenario) -> Iterator[Formula]:

@@ -86,6 +86,9 @@ class ScenarioValues:
                 link: self._given_speed(one, ("speeds", link), radii.get(link))
                 for link, one in values.get("speeds", {}).items()
             },
+            speed_ratios={
+                number: _ratios(one) for number, one in values.get("speed_ratios", {}).items()
+            },
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, Table]]:
@@ -234,6 +237,14 @@ class ScenarioValues:
 
 def _as_curve(given: Any) -> Curve:
     return given if isinstance(given, Formula) else constant(given or 0.0)
+
+
+def _ratios(given: Any) -> Curve:
+    """Speed ratios over time."""
+    if isinstance(given, Formula) or not isinstance(given, Sequence):
+        return _as_curve(given)
+    times, ratios = zip(*given, strict=True) if given else ((), ())
+    return Points(_floats(times), _floats(ratios))
 
 
 def _step(given: Mapping[str, Any]) -> SequenceStep:

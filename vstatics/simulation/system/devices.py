@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,7 +16,7 @@ from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.jumps import LawJump, split_at_jumps
+from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import (
@@ -26,10 +26,12 @@ from vstatics.simulation.scenario.programme import (
     load_torque,
     newton_metres,
 )
+from vstatics.simulation.system.curves import curve_at
 from vstatics.simulation.system.matrices import (
     Contact,
     Elastic,
     MotionSystem,
+    MovingVariator,
     OutsideTorque,
     RigidMechanism,
     Switch,
@@ -74,22 +76,21 @@ def motion_system(
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
+    contacts_of = (*elements, *contacts, *_drag_contacts(case, dragging, rows))
+    given = tuple(_given_speeds(scenario))
+    moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
     made = MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
         heavy=np.array([row for row, _ in bodies]),
         inertias=np.array([inertia for _, inertia in bodies]),
-        meshes=tuple(_meshes(case, rows)),
-        contacts=(
-            *elements,
-            *contacts,
-            *_drag_contacts(case, dragging, rows),
-            *_given_speeds(scenario),
-        ),
+        meshes=tuple(_meshes(case, rows, scenario.speed_ratios)),
+        contacts=(*contacts_of, *given, *(contact for contact, _ in moving)),
         springs=tuple(_springs(case, capacities, rows)),
         outside=tuple(outside),
         converters=scenario.converters,
         settings=scenario.settings,
+        variators=tuple(one for _, one in moving),
     )
     return with_settings(made, scenario.settings)
 
@@ -112,11 +113,13 @@ def with_programmes(system: MotionSystem, capacities: list[Programme]) -> Motion
     return replace(system, contacts=contacts, springs=springs)
 
 
-def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
+def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[RigidMechanism]:
+    """Rigid mechanisms, but variators that move, by their numbers."""
     found = []
     planets = _taken_by_planets(case)
     for index, one in enumerate(case.mechanisms, len(case.shift_elements)):
-        if one.stiffness is not None:
+        number = index - len(case.shift_elements) + 1
+        if one.stiffness is not None or number in moving:
             continue
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
@@ -259,6 +262,28 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         if friction:
             contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
+
+
+def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
+    """Variators whose ratios move, with their contacts, from an index on."""
+    case = scenario.case
+    for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
+        one = case.mechanisms[number - 1]
+        reference = curve_at(ratio, 0.0)
+        row = combination([(one.first, reference), (one.second, -1.0)], case.links)
+        yield (
+            Contact(one.name, row, OPEN, is_variator=True),
+            MovingVariator(
+                one.name,
+                len(case.shift_elements) + number - 1,
+                one.first - 1,
+                ratio,
+                curve_slope(ratio),
+                reference,
+                first + place,
+                one.efficiency,
+            ),
+        )
 
 
 def _given_speeds(scenario: Scenario) -> Iterator[Contact]:

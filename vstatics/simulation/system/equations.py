@@ -20,6 +20,7 @@ from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
 from vstatics.simulation.system.values import ValueChanges
+from vstatics.simulation.system.variators import VariatorTorques
 from vstatics.simulation.tolerances import (
     AHEAD,
     DIFFERENCE_STEP,
@@ -80,6 +81,7 @@ class Equations:
         self.within = AHEAD * max(system.scenario.duration, LEAST_DURATION)
         if self.light:
             self._split_light()
+        self.variators = VariatorTorques(self) if system.variators else None
         self.changes = ValueChanges(self)
         """Of states and temperatures with time."""
 
@@ -243,7 +245,11 @@ class Equations:
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Torques of ports at several times, shape (ports, times) [N*m]."""
         parts = (states[one] for one in (self.twists, self.angles, self.values))
-        return self.ports.torques_at(times, rates, *parts)
+        torques = self.ports.torques_at(times, rates, *parts)
+        if self.variators:
+            for number, time in enumerate(times.tolist()):
+                self.variators.fill(time, rates[:, number], torques[:, number])
+        return torques
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
         """Of links at several times, shape (links, times) [rad/s]."""
@@ -279,7 +285,10 @@ class Equations:
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Of ports [N*m]."""
         parts = (state[one] for one in (self.twists, self.angles, self.values))
-        return self.ports.torques(time, rates, *parts)
+        torques = self.ports.torques(time, rates, *parts)
+        if self.variators:
+            self.variators.fill(time, rates, torques)
+        return torques
 
     def derivative(self, time: float, state: Floats) -> Floats:
         """Change of the state with time."""

@@ -21,7 +21,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
-from vstatics.simulation.scenario.laws import Points, Road
+from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import Converter, Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme
 
@@ -58,11 +58,13 @@ class Contact(NamedTuple):
     given it is as if it always slid."""
     is_given: bool = False
     """Whether its speed is given."""
+    is_variator: bool = False
+    """Whether it is the row of a variator that moves."""
 
     @property
     def drives(self) -> bool:
         """Whether it sticks at another speed than 0."""
-        return self.switch is not None and not self.switch.jump.rests
+        return self.is_variator or (self.switch is not None and not self.switch.jump.rests)
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -112,6 +114,25 @@ class Elastic(NamedTuple):
     element: int | None = None
 
 
+class MovingVariator(NamedTuple):
+    """A variator whose speed ratio moves; see `variators`."""
+
+    name: str
+    device: int
+    """Index among the devices."""
+    first: int
+    """Index of its first link."""
+    ratio: Curve
+    """``w_second/w_first`` over time."""
+    change: Curve
+    """Of the ratio with time. [1/s]"""
+    reference: float
+    """The ratio of its row."""
+    contact: int
+    """Index of its contact."""
+    efficiency: float
+
+
 class OutsideTorque(NamedTuple):
     """A torque on a link that is no dry friction."""
 
@@ -157,7 +178,8 @@ class PortLayout:
         of_links = {one for one in seen if one.word == "speed"}
         self.sensed = tuple(sorted(system.names.index(one.of) for one in of_links))
         """Indices of the links whose speeds formulas see: ports without a torque."""
-        self.ports = self.sensors + len(self.sensed)
+        self.variators = self.sensors + len(self.sensed)
+        self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters
         """Of the pieces on which curves are, the first of a contact; before them converters."""
         angles = {one.link for one in system.outside if one.needs_angle}
@@ -196,6 +218,7 @@ class MotionSystem:
     converters: tuple[Converter, ...]
     settings: Mapping[str, float]
     """Numbers of sequences, as they are."""
+    variators: tuple[MovingVariator, ...] = ()
 
     @property
     def case(self) -> Transmission:
@@ -237,6 +260,7 @@ class MotionSystem:
         rows += [unit(one.pump - 1, links) for one in self.converters]
         rows += [unit(one.turbine - 1, links) for one in self.converters]
         rows += [unit(link, links) for link in self.layout.sensed]
+        rows += [unit(one.first, links) for one in self.variators]
         return self.rows(rows)
 
 
