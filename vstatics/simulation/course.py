@@ -27,6 +27,7 @@ from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
 from vstatics.simulation.system.ports import States
+from vstatics.simulation.system.sight import corners
 from vstatics.simulation.tolerances import (
     AHEAD_OF_STOP,
     BEYOND_ALL,
@@ -69,7 +70,7 @@ class EventRun:
         self.commands = Commands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = system.scenario.duration
-        self.breaks = break_times(system)
+        self.breaks, self.corners = break_times(system), corners(system)
         self.scales = LargeSizes(1.0, 1.0)
         self.latest = 0.0
         self.at_once = 0
@@ -118,14 +119,17 @@ class EventRun:
         """What sticks and slips, with all steps done that are due here."""
         selected = self._selected(at, before, left, met)
         self._tell(at.time, before, selected.margins.equations.states)
-        if not self.sequences.going:
+        if not (self.sequences.going or self.corners):
             return selected
         for _ in range(_MOST_STEPS_AT_ONCE):
             equations, state = selected.margins.equations, selected.state
             judge = Judge(equations, at.time, state)
             due = self.sequences.due(at.time, judge, self.record.events)
             if due is None:
-                selected.margins.follow(self.sequences.awaited(judge))
+                self.record.cuts(self.system, judge.now)
+                selected.margins.follow("awaited", self.sequences.awaited(judge))
+                bends = (judge.judged(one) for one in self.corners)
+                selected.margins.follow("corner", enumerate(bends))
                 return selected
             at = self._done(due, instant_of(equations, at.time, state), judge.now)
             before = equations.states
@@ -149,7 +153,7 @@ class EventRun:
         at = at._replace(values=with_states(self.system.scenario, at.values, values))
         self.system = self.commands.given(self.system, at.time, step, values)
         self.selection = self.selection.of(self.system)
-        self.breaks = break_times(self.system)
+        self.breaks, self.corners = break_times(self.system), corners(self.system)
         self.record.events.append(due.go_on(at.time))
         return at
 
@@ -322,8 +326,7 @@ class EventRun:
         if watch.kind == "split":
             return "what sticks"
         if watch.kind in FOLLOWING:
-            named = self.system.scenario.states if watch.kind == "state" else self.sequences.going
-            return f"the {'state' if watch.kind == 'state' else 'sequence'} {named[watch.of].name}"
+            return self._name_of_value(watch)
         kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
         if kind is not None:
             return self._name_of(kind, watch.of)
@@ -333,6 +336,13 @@ class EventRun:
         if watch.of >= outside:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
+
+    def _name_of_value(self, watch: Watch) -> str:
+        if watch.kind == "corner":
+            return "what a formula compares"
+        if watch.kind == "state":
+            return f"the state {self.system.scenario.states[watch.of].name}"
+        return f"the sequence {self.sequences.going[watch.of].name}"
 
     def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
         sticks = ("stick", "rigid")

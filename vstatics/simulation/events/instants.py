@@ -129,20 +129,17 @@ def seen_at(system: MotionSystem, at: Instant) -> list[float]:
 
 def break_times(system: MotionSystem) -> list[float]:
     """Times at which something bends or jumps, in order [s]."""
+    curves: list[object] = [device.programme.curve for device in system.may_slip]
+    curves += [one.law for one in system.outside]
+    curves += [one.rate for one in system.scenario.states]
+    curves += [one.switch.jump.at for one in system.contacts if one.switch]
+    curves += [one.ratio for one in system.variators]
     times: set[float] = set()
-    for device in system.may_slip:
-        times.update(device.programme.breaks())
-    for one in system.outside:
-        if isinstance(one.law, Points) and one.law.over == "time":
-            times.update(one.law.x)
-        elif isinstance(one.law, Formula):
-            times.update(one.law.breaks)
-    for state in system.scenario.states:
-        if isinstance(state.rate, Formula):
-            times.update(state.rate.knowing(system.settings).breaks)
-    moving = [one.switch.jump.at for one in system.contacts if one.switch]
-    for at in (*moving, *(one.ratio for one in system.variators)):
-        times.update(at.breaks if isinstance(at, Formula) else at.x)
+    for curve in curves:
+        if isinstance(curve, Formula):
+            times.update(curve.knowing(system.settings).breaks)
+        elif isinstance(curve, Points) and curve.over == "time":
+            times.update(curve.x)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from operator import attrgetter
 from typing import Literal, NamedTuple
 
@@ -12,10 +12,11 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.split import least, widest, widest_place
 from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.programme import Look, friction_at
+from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
+from vstatics.simulation.system.sight import Compared
 from vstatics.simulation.tolerances import (
     EQUAL_SIDES,
     EXACT_SIDES,
@@ -27,14 +28,26 @@ from vstatics.simulation.tolerances import (
 )
 
 Watched = Literal[
-    "slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece", "state", "awaited"
+    "slip",
+    "hold",
+    "split",
+    "mesh",
+    "flow",
+    "cone",
+    "limit",
+    "grip",
+    "piece",
+    "state",
+    "awaited",
+    "corner",
 ]
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
 turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
-have a corner; a state may reach its limit, or leave it; what a step waits for may become true."""
+have a corner; a state may reach its limit, or leave it; what a step waits for may become true; a
+formula may bend."""
 
 
-FOLLOWING: tuple[Watched, ...] = ("state", "awaited")
+FOLLOWING: tuple[Watched, ...] = ("state", "awaited", "corner")
 """What follows from the states of what sticks and slips, and decides nothing of them."""
 
 
@@ -77,9 +90,9 @@ class SplitRoom(NamedTuple):
 
 
 class Awaited(NamedTuple):
-    """A comparison that a step waits for: the difference, and on which side of 0 it is."""
+    """A comparison that a step waits for, or at which a formula bends, and its side."""
 
-    look: Look
+    compared: Compared
     side: str
     """`+`, `-`, or `0` where it stays there."""
     size: float
@@ -136,10 +149,10 @@ class Margins:
         self._states()
         self.sequences: list[Awaited] = []
 
-    def follow(self, awaited: Sequence[tuple[int, Awaited]]) -> None:
-        """Watch what steps of sequences wait for, each with the number of its sequence."""
-        for number, one in awaited:
-            self._watch("awaited", number, torque=False)
+    def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
+        """Watch what steps of sequences wait for, or corners of formulas, each with a number."""
+        for number, one in compared:
+            self._watch(kind, number, torque=False)
             self.sequences.append(one)
 
     def _states(self) -> None:
@@ -341,7 +354,8 @@ class Margins:
             else:
                 made.append((side * (limit - values[index])).tolist())
         for one in self.sequences:
-            found = [one.look(*at) for at in zip(times.tolist(), seen, strict=True)]
+            first, second = one.compared
+            found = [first(*at) - second(*at) for at in zip(times.tolist(), seen, strict=True)]
             if one.side == "0":
                 made.append([EQUAL_SIDES * one.size - abs(value) for value in found])
             else:

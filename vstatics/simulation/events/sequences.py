@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.grammar import Applied
 from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.record.motion import Event
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
-from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.sight import looking
+from vstatics.simulation.system.sight import Compared, compared
 from vstatics.simulation.tolerances import EQUAL_SIDES
 
 
@@ -42,20 +40,18 @@ class Judge:
         """A comparison; one that is equal goes by where it moves next."""
         if comparison not in self.known:
             system = self.equations.system
-            look = looking(system, comparison.knowing(system.settings))
-            now, then = look(*self.now), look(*self.ahead)
-            size = max(abs(part(*self.now)) for part in self._operands(comparison))
-            moved = then if abs(now) <= EQUAL_SIDES * size else now
-            side = "-+"[moved > 0] if moved else "0"
-            self.known[comparison] = Awaited(look, side, size)
+            self.known[comparison] = self.judged(compared(system, comparison))
         return self.known[comparison]
 
-    def _operands(self, comparison: Formula) -> Iterator[Look]:
-        """What is compared: a difference is 0 but for rounding of these."""
-        system, difference = self.equations.system, comparison.whole
-        assert isinstance(difference, Applied)  # noqa: S101 - a comparison is one
-        for operand in difference.operands:
-            yield looking(system, comparison._replace(tree=operand).knowing(system.settings))
+    def judged(self, one: Compared) -> Awaited:
+        """What is compared, with its side."""
+        (first, second), (later, other) = (
+            (one.first(*at), one.second(*at)) for at in (self.now, self.ahead)
+        )
+        size = max(abs(first), abs(second))
+        equal = abs(first - second) <= EQUAL_SIDES * size
+        moved = later - other if equal else first - second
+        return Awaited(one, "-+"[moved > 0] if moved else "0", size)
 
 
 class SequenceProgress:
@@ -154,7 +150,7 @@ class SequenceRun:
         return next((one for one in self.going if one.is_due(time, judge, events)), None)
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """What is watched: the number of a sequence, a comparison."""
+        """What steps wait for: the number of a sequence, a comparison."""
         return [
             (number, judge.awaited(comparison))
             for number, one in enumerate(self.going)

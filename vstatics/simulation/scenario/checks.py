@@ -72,6 +72,10 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
     yield from control_problems(scenario)
+    for path, step in placed_steps(scenario):
+        if step.shift is not None:
+            yield from _of_gear(step.shift.to, scenario.case, (*path, "shift", "to"))
+            yield from _of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
     yield from _of_formulas(scenario)
     yield from _of_speeds(scenario.targets, scenario.case, "targets")
 

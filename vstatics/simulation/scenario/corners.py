@@ -28,7 +28,7 @@ MOST_BREAKS = 1000
 
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
-_BENDS = frozenset(("abs", "min", "max"))
+BENDS = frozenset(("abs", "min", "max"))
 
 
 _MOST_DEGREE = 8
@@ -107,7 +107,7 @@ def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
             return Constant(value_at(value, at))
         inside = True
     operands = tuple(_decided(one, name, at, inside=inside) for one in tree.operands)
-    if inside and tree.name in _BENDS:
+    if inside and tree.name in BENDS:
         known = [_polynomial(one, name, at, []) for one in operands]
         if None not in known:
             return _picked(tree, operands, [value_at(one, at) for one in known if one])
@@ -128,13 +128,13 @@ def _polynomial(
         return _of_table(tree.name.table, operands, at, met)
     jumps = tree.name in JUMPS
     met += ((place, bends or (jumps and None in operands)) for place, bends in inner)
-    if jumps or tree.name in _BENDS:
+    if jumps or tree.name in BENDS:
         met += ((place, jumps) for place in _meetings(known, len(operands)))
     if len(known) < len(operands):
         return None
     if jumps or not any(len(one) > 1 for one in known):
         return (_value(tree, [value_at(one, at) for one in known]),)
-    if tree.name in _BENDS:
+    if tree.name in BENDS:
         values = [value_at(one, at) for one in known]
         picked: Polynomial = _picked(tree, known, values, lambda one: tuple(-part for part in one))
         return picked

@@ -36,10 +36,6 @@ class Programme(NamedTuple):
         most = math.inf if self.largest is None else self.largest
         return self.factor * min(max(self.look(time, seen), 0.0), most)
 
-    def breaks(self) -> tuple[float, ...]:
-        """Times at which it may bend or jump [s]."""
-        return self.curve.x if isinstance(self.curve, Points) else self.curve.breaks
-
 
 OPEN = Programme(constant(0.0))
 HOLDS = Programme(constant(math.inf), is_dog=True)

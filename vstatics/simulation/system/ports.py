@@ -111,10 +111,11 @@ class Ports:
             if not one.acts(states.contacts):
                 continue
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            if isinstance(one.law, Formula) and one.law.seen:
-                self._seeing(index, one.link, one.law, place)
+            law = one.law.knowing(system.settings) if isinstance(one.law, Formula) else one.law
+            if isinstance(law, Formula) and law.seen:
+                self._seeing(index, one.link, law, place)
             else:
-                self._outside(index, one.law, states.pieces[index], place, time)
+                self._outside(index, law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
             piece = states.pieces[layout.frictions + index]
             self._contact(layout.contacts + index, contact, states.contacts[index], piece, time)

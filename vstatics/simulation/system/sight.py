@@ -6,9 +6,15 @@ temperatures), then what follows from torques (`derived`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
+from typing import NamedTuple
 
+from vstatics.readers.expressions.grammar import Applied, Tree
+from vstatics.readers.expressions.operands import Constant
+from vstatics.simulation.scenario.algebra import parts, variables
+from vstatics.simulation.scenario.corners import BENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
@@ -67,27 +73,68 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
     return value
 
 
-def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
-    """The system with numbers for what its formulas call so.
+class Compared(NamedTuple):
+    """What is compared."""
 
-    Controls look at it from then on.
-    """
-    contacts = tuple(
+    first: Look
+    second: Look
+
+
+def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
+    """The two sides of a difference, with the numbers that are set."""
+    tree = difference.whole
+    assert isinstance(tree, Applied)  # noqa: S101 - a difference is one
+    first, second = (
+        looking(system, difference._replace(tree=one).knowing(system.settings), rate, angle)
+        for one in tree.operands
+    )
+    return Compared(first, second)
+
+
+def corners(system: MotionSystem) -> list[Compared]:
+    """Where formulas that see something bend or jump: what they compare."""
+    layout, found = system.layout, []
+    for device in system.may_slip:
+        programme = device.programme
+        if programme.look is not None and isinstance(programme.curve, Formula):
+            most = () if programme.largest is None else (programme.largest,)
+            bounds = [(programme.curve.whole, Constant(one)) for one in (0.0, *most)]
+            found += [(programme.curve, pair, 0, -1) for pair in (*bounds, *_met(programme.curve))]
+    for port, one in enumerate(system.outside):
+        if isinstance(one.law, Formula) and one.law.seen:
+            place = layout.angles.index(one.link) if one.link in layout.angles else -1
+            found += [(one.law, pair, port, place) for pair in _met(one.law)]
+    for state in system.scenario.states:
+        if isinstance(state.rate, Formula):
+            found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
+    made = []
+    for formula, pair, rate, angle in found:
+        tree = Applied("-", pair, 0, 0)
+        if variables(tree) - {"t"} - {*system.settings}:
+            made.append(compared(system, formula._replace(tree=tree), rate, angle))
+    return made
+
+
+def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
+    """What is compared in a formula."""
+    for part in parts(formula.whole):
+        if isinstance(part, Applied) and part.name in BENDS | JUMPS:
+            operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
+            yield from combinations(operands, 2)
+
+
+def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
+    """The system with numbers for what its formulas call so; its controls look by them."""
+    contacts = (
         one._replace(programme=_seeing(system, one.programme, settings)) for one in system.contacts
     )
-    springs = tuple(
+    springs = (
         one._replace(programme=_seeing(system, one.programme, settings)) for one in system.springs
     )
-    outside = tuple(
-        one._replace(law=one.law.knowing(settings)) if isinstance(one.law, Formula) else one
-        for one in system.outside
-    )
-    return replace(system, contacts=contacts, springs=springs, outside=outside, settings=settings)
+    return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
 
 
 def _seeing(system: MotionSystem, programme: Programme, settings: Mapping[str, float]) -> Programme:
-    if not isinstance(programme.curve, Formula):
+    if not isinstance(programme.curve, Formula) or not programme.curve.seen:
         return programme
-    curve = programme.curve.knowing(settings)
-    look = looking(system, curve) if curve.seen else None
-    return programme._replace(curve=curve, look=look)
+    return programme._replace(look=looking(system, programme.curve.knowing(settings)))

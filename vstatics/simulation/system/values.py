@@ -98,7 +98,8 @@ class ValueChanges:
         ahead = state + within * equations.derivative(time, state)
         then = self.unheld(later, ahead, *equations.acting(later, ahead))
         for index, side in enumerate(sides):
-            if side and side * (changes[index] or then[index]) < 0:
+            turns = abs(changes[index]) <= abs(then[index] - changes[index])
+            if side and side * (then if turns else changes)[index] < 0:
                 self.held[index] = 0
 
 
