@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
     LEAST_VALUE,
+    MADE_CAPACITY,
     SAME_TIME,
     SAME_VALUES,
     SHARED_TORQUE,
@@ -41,6 +42,8 @@ class Record:
         self.joined: set[int] = set()
         """Contacts that have just joined by an impact."""
         self.messages: list[Message] = []
+        self.cut: set[str] = set()
+        """Elements whose controls were above their capacity."""
         self.pieces: list[Piece] = []
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
@@ -70,6 +73,20 @@ class Record:
             "turns at once to where they balance"
         )
         self.messages.append(Message("W602", text))
+
+    def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
+        """Note controls that are cut at a capacity of the case, each once."""
+        for device in system.may_slip:
+            programme = device.programme
+            if programme.look is None or programme.largest is None or device.name in self.cut:
+                continue
+            if programme.look(*now) > programme.largest * (1 + MADE_CAPACITY):
+                self.cut.add(device.name)
+                text = (
+                    f"at {now[0]:.6g} s the control of {device.name} goes above the capacity in the "
+                    f"case, {programme.largest:g}: it is cut there, then and later"
+                )
+                self.messages.append(Message("N605", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
