@@ -126,7 +126,7 @@ class EventRun:
             judge = Judge(equations, at.time, state)
             due = self.sequences.due(at.time, judge, self.record.events)
             if due is None:
-                self.record.cuts(self.system, judge.now)
+                self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
                 bends = (judge.judged(one) for one in self.corners)
                 selected.margins.follow("corner", enumerate(bends))

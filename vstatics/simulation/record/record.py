@@ -83,7 +83,7 @@ class Record:
             if programme.look(*now) > programme.largest * (1 + MADE_CAPACITY):
                 self.cut.add(device.name)
                 text = (
-                    f"at {now[0]:.6g} s the control of {device.name} goes above the capacity in the "
+                    f"at {now[0]:.6g} s the control of {device.name} is above the capacity in the "
                     f"case, {programme.largest:g}: it is cut there, then and later"
                 )
                 self.messages.append(Message("N605", text))
