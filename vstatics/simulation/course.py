@@ -141,7 +141,7 @@ class EventRun:
             f"at {at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one instant, "
             f"without end: {names}"
         )
-        raise CaseError("E671", message, ("sequences",))
+        raise CaseError("E697", message, ("sequences",))
 
     def _done(
         self, due: SequenceProgress, at: Instant, seen: tuple[float, Sequence[float]]

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.curves import programme_at
@@ -131,7 +131,7 @@ class Finder:
             return first
         if values[-1] >= 0:
             return last
-        if self.margins.watches[index].kind != "split":  # smooth: by a polynomial
+        if self.margins.watches[index].kind not in ("split", *FOLLOWING):  # smooth: a polynomial
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
             def near(part: float) -> float:

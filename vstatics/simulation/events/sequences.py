@@ -104,7 +104,7 @@ class SequenceProgress:
                 f"{step.within:g} s"
             )
             path = ("sequences", self.sequence.name, self.index + 1, "within")
-            raise CaseError("E670", message, path)
+            raise CaseError("E696", message, path)
         return self.true_at is not None and time >= self.true_at + step.wait
 
     def _is_true(self, step: SequenceStep, judge: Judge, events: Sequence[Event]) -> bool:

@@ -91,7 +91,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
         known = given.setdefault(link, speed)
         if abs(known - speed) > STANDING * max(1.0, abs(known)):
             message = f"read {speed:g} rad/s, but `speeds` gives {known:g} rad/s at t = 0"
-            raise CaseError("E691", message, ("start", "speeds", case.link_name(link)))
+            raise CaseError("E674", message, ("start", "speeds", case.link_name(link)))
     if gear is not None and (start.speed or not scenario.speeds):
         given.setdefault(case.gear_input(gear), start.speed)
     values = [0.0] * len(rows)
@@ -126,7 +126,7 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
         if null(system.rows(rows)).shape[1] == before.shape[1]:
             name = system.case.link_name(link)
             message = f"the train ties {name} to other links whose speed is given, or holds it"
-            raise CaseError("E690", f"{message}: expected one of them", ("speeds", name))
+            raise CaseError("E673", f"{message}: expected one of them", ("speeds", name))
 
 
 def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Problem]:

@@ -41,7 +41,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         mechanism = scenario.case.mechanisms[number - 1]
         place: Path = ("speed_ratios", mechanism.name)
         if mechanism.kind != "variator":
-            yield Problem("E692", f"{mechanism.name} is no variator, expected one", place)
+            yield Problem("E678", f"{mechanism.name} is no variator, expected one", place)
         yield from _of_speed(ratio, place)
     for sequence in scenario.sequences:
         if not sequence.steps:

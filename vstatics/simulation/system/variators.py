@@ -61,7 +61,7 @@ class VariatorTorques:
                     f"link {name} has no inertia, but {one.name} moves it as its ratio changes"
                 )
                 raise CaseError(
-                    "E672", f"{message}: give it an inertia", ("case", "inertias", name)
+                    "E699", f"{message}: give it an inertia", ("case", "inertias", name)
                 )
 
     def fill(self, time: float, rates: Floats, torques: Floats) -> None:
