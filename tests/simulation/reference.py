@@ -144,7 +144,7 @@ class _Equations:
             element = self.case.shift_elements[number]
             capacity = law(time)
             if element.friction is not None:
-                radius, area, surfaces, coefficient = element.friction
+                radius, area, surfaces, coefficient = element.friction[:4]
                 x, y = zip(*coefficient, strict=True)
                 capacity *= radius * area * surfaces * np.interp(abs(slips[number]), x, y)
             found[number] = capacity * np.tanh(slips[number] / self.smoothing)

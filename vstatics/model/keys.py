@@ -48,13 +48,14 @@ from vstatics.model.vehicle_keys import VEHICLE
 
 FRICTION = ByKey(
     "Friction",
-    "The friction pack of a shift element, whose controls are then pressures.",
+    "The friction pack of a shift element, whose controls are then pressures; what warms it.",
     (
         KeyShape(
             "radius",
             Leaf("length"),
             "Mean radius of friction, in m.",
             required=True,
+            unless="heat_capacity",
             limits=ABOVE_0,
             examples=(0.1,),
         ),
@@ -63,17 +64,40 @@ FRICTION = ByKey(
             Leaf("area"),
             "Area on which the pressure acts, in m^2.",
             required=True,
+            unless="heat_capacity",
             limits=ABOVE_0,
             examples=("60 cm^2",),
         ),
-        KeyShape("surfaces", COUNT, "Pairs of friction surfaces.", required=True, examples=(8,)),
+        KeyShape(
+            "surfaces",
+            COUNT,
+            "Pairs of friction surfaces.",
+            required=True,
+            unless="heat_capacity",
+            examples=(8,),
+        ),
         KeyShape(
             "coefficient",
             ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient")),
             "Coefficient of friction: a number, or points [slip in rad/s, coefficient] in "
             "ascending order, straight between.",
             required=True,
+            unless="heat_capacity",
             examples=(0.12, [[0, 0.12], [10, 0.1]]),
+        ),
+        KeyShape(
+            "heat_capacity",
+            Leaf("heat_capacity"),
+            "What its friction warms, in J/K; a scenario then knows its temperature.",
+            limits=ABOVE_0,
+            examples=(900,),
+        ),
+        KeyShape("cooling", Leaf("cooling"), "In W/K.", default=0, limits={"minimum": 0}),
+        KeyShape(
+            "ambient",
+            NUMBER,
+            "Temperature at which it begins, and to which it is cooled, in degrees Celsius.",
+            default=0,
         ),
     ),
     Friction,

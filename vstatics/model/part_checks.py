@@ -83,6 +83,10 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     >>> print(one.message)
     read 1, expected a slip of 3 rad/s or more: slips are in ascending order
     """
+    if friction.heat_capacity is not None:
+        yield from _of_heat(friction, path)
+        if not any(friction[:4]):
+            return
     for name, one in (("radius", "a radius"), ("area", "an area")):
         size = getattr(friction, name)
         yield from expect(size, f"{one} above 0", (*path, name), right=0 < size < math.inf)
@@ -104,6 +108,17 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
         right = 0 < coefficient < math.inf
         yield from expect(coefficient, "a coefficient above 0", (*here, number, 2), right=right)
         least = max(least, slip)
+
+
+def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
+    """What warms is above 0, what cools 0 or more."""
+    capacity, cooling = friction.heat_capacity or 0.0, friction.cooling
+    right = 0 < capacity < math.inf
+    yield from expect(capacity, "a heat capacity above 0", (*path, "heat_capacity"), right=right)
+    right = 0 <= cooling < math.inf
+    yield from expect(cooling, "a cooling of 0 or more", (*path, "cooling"), right=right)
+    right = math.isfinite(friction.ambient)
+    yield from expect(friction.ambient, "a temperature", (*path, "ambient"), right=right)
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:

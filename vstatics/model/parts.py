@@ -92,19 +92,27 @@ MECHANISM_KINDS: tuple[MechanismKind, ...] = get_args(MechanismKind)
 
 
 class Friction(NamedTuple):
-    """The friction pack of a shift element: its capacity is by pressure.
+    """The friction pack of a shift element: its capacity is by pressure, its heat warms it.
 
-    ``capacity = pressure area radius surfaces mu(|slip|)``.
+    ``capacity = pressure area radius surfaces mu(|slip|)``, and with the power P of its friction
+    ``heat_capacity dT/dt = P - cooling (T - ambient)``.
     """
 
-    radius: float
+    radius: float = 0.0
     """Mean radius of friction. [m]"""
-    area: float
+    area: float = 0.0
     """Of the piston. [m^2]"""
-    surfaces: int
+    surfaces: int = 0
     """Pairs of friction surfaces."""
-    coefficient: tuple[tuple[float, float], ...]
-    """Slip [rad/s] in ascending order, each with its coefficient of friction [-]."""
+    coefficient: tuple[tuple[float, float], ...] = ()
+    """Slip [rad/s] in ascending order, each with its coefficient of friction [-]; none: only its
+    heat is known."""
+    heat_capacity: float | None = None
+    """[J/K]"""
+    cooling: float = 0.0
+    """[W/K]"""
+    ambient: float = 0.0
+    """Temperature at which it begins, and to which it is cooled. [degC]"""
 
     @property
     def per_pressure(self) -> float:
@@ -114,7 +122,16 @@ class Friction(NamedTuple):
     def completed(self) -> Friction:
         """A checked one with its numbers as floats."""
         points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.coefficient)
-        return Friction(float(self.radius), float(self.area), int(self.surfaces), points)
+        heat = None if self.heat_capacity is None else float(self.heat_capacity)
+        return Friction(
+            float(self.radius),
+            float(self.area),
+            int(self.surfaces),
+            points,
+            heat,
+            float(self.cooling),
+            float(self.ambient),
+        )
 
 
 class ShiftElement(NamedTuple):
@@ -165,6 +182,17 @@ class ShiftElement(NamedTuple):
     def is_freewheel(self) -> bool:
         """Whether it finds by itself whether it holds."""
         return self.kind == "freewheel"
+
+    @property
+    def pack(self) -> Friction | None:
+        """Its friction, if that tells its capacity by the pressure."""
+        return self.friction if self.friction and self.friction.coefficient else None
+
+    @property
+    def heat_store(self) -> Friction | None:
+        """Its friction, if that tells its temperature."""
+        friction = self.friction
+        return friction if friction and friction.heat_capacity is not None else None
 
 
 class Mechanism(NamedTuple):

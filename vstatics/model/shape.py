@@ -26,6 +26,8 @@ Measure = Literal[
     "angle",
     "velocity",
     "pump_factor",
+    "heat_capacity",
+    "cooling",
 ]
 """What is given in SI, with its unit or without."""
 LeafKind = (

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, Problem
+from vstatics.errors import CaseError, Path, Problem, listed
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
+from vstatics.simulation.events.commands import Commands, value_of, with_states
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
-from vstatics.simulation.events.margins import LargeSizes, Watch
+from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Watch
 from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
+from vstatics.simulation.events.sequences import Judge, SequenceProgress, SequenceRun
 from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
@@ -25,6 +27,7 @@ from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
 from vstatics.simulation.system.ports import States
+from vstatics.simulation.system.sight import corners
 from vstatics.simulation.tolerances import (
     AHEAD_OF_STOP,
     BEYOND_ALL,
@@ -40,19 +43,37 @@ _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
 _PATIENCE = 500
 """Events after which it is asked whether they lead anywhere."""
+_MOST_STEPS_AT_ONCE = 1000
 
 
 class EventRun:
-    """A run."""
+    """A run.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    engaged : sequence of int
+        Numbers of the shift elements that are engaged at the start.
+    record : Record
+    rtol : float
+    watch : callable, optional
+    """
 
     def __init__(
-        self, system: MotionSystem, record: Record, rtol: float, watch: Guard | None = None
+        self,
+        system: MotionSystem,
+        engaged: tuple[int, ...],
+        record: Record,
+        rtol: float,
+        watch: Guard | None = None,
     ) -> None:
         self.system, self.record = system, record
         self.selection = ModeSelection(system)
+        self.sequences = SequenceRun(system.scenario)
+        self.commands = Commands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = system.scenario.duration
-        self.breaks = break_times(system)
+        self.breaks, self.corners = break_times(system), corners(system)
         self.scales = LargeSizes(1.0, 1.0)
         self.latest = self.mark = 0.0
         self.at_once = self.met = 0
@@ -72,26 +93,72 @@ class EventRun:
         met: list[int] = []
         length: float | None = None
         while True:
-            selected = self._selected(at, before, left, met)
+            selected = self._settled(at, before, left, met)
             equations = selected.margins.equations
             states = equations.states
-            self._tell(at.time, before, states)
-            end = next((time for time in self.breaks if time > at.time), self.duration)
-            found, length = self._to_event(selected, min(end, self.duration), length)
+            found, length = self._to_event(selected, self._end(equations.time), length)
             at = instant_of(equations, found.time, found.state)
             if found.time >= self.duration:
                 return
-            before, met = states, []
-            if not found.watches:
-                left = []
-            else:
+            before, left, met = states, [], []
+            if found.watches:
                 self._count(found)
                 before = turned(states, found.watches)
-                # nothing is taken up again at the instant at which it has ended
-                left = [*left, states] if self.at_once else [states]
+                if any(watch.kind not in FOLLOWING for watch in found.watches):
+                    # nothing is taken up again at the instant at which it has ended
+                    left = [*left, states] if self.at_once else [states]
                 met = [watch.of for watch in found.watches if watch.kind == "slip"]
             self.scales = self.scales._replace(speed=max(self.scales.speed, largest(at.speeds)))
             at = self._joined(at, before)
+
+    def _end(self, time: float) -> float:
+        """Up to where nothing bends, jumps or is due by the time alone [s]."""
+        end = next((one for one in self.breaks if one > time), self.duration)
+        return min(end, self.sequences.next_time(), self.duration)
+
+    def _settled(
+        self, at: Instant, before: States | None, left: list[States], met: list[int]
+    ) -> Selected:
+        """What sticks and slips, with all steps done that are due here."""
+        selected = self._selected(at, before, left, met)
+        self._tell(at.time, before, selected.margins.equations.states)
+        if not (self.sequences.going or self.corners):
+            return selected
+        for _ in range(_MOST_STEPS_AT_ONCE):
+            equations, state = selected.margins.equations, selected.state
+            judge = Judge(equations, at.time, state)
+            due = self.sequences.due(at.time, judge, self.record.events)
+            if due is None:
+                self.record.cuts(self.system, judge.ahead)
+                selected.margins.follow("awaited", self.sequences.awaited(judge))
+                bends = (judge.judged(one) for one in self.corners)
+                selected.margins.follow("corner", enumerate(bends))
+                return selected
+            at = self._done(due, instant_of(equations, at.time, state), judge.now)
+            before = equations.states
+            at = self._joined(at, before)
+            selected = self._selected(at, before, [], [])
+            self._tell(at.time, before, selected.margins.equations.states)
+        names = listed([one.name for one in self.sequences.going if one.step], 6)
+        message = (
+            f"at {at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one instant, "
+            f"without end: {names}"
+        )
+        raise CaseError("E697", message, ("sequences",))
+
+    def _done(
+        self, due: SequenceProgress, at: Instant, seen: tuple[float, Sequence[float]]
+    ) -> Instant:
+        """The instant after a step that is due."""
+        step = due.step
+        assert step is not None  # noqa: S101 - it is due
+        values = {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
+        at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        self.system = self.commands.given(self.system, at.time, step, values)
+        self.selection = self.selection.of(self.system)
+        self.breaks, self.corners = break_times(self.system), corners(self.system)
+        self.record.events.append(due.go_on(at.time))
+        return at
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.duration
@@ -173,7 +240,8 @@ class EventRun:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
         equations, state = selected.margins.equations, selected.state
         time = equations.time
-        if equations.ports.is_affine or equations.springs:
+        straight = equations.ports.is_affine or equations.springs
+        if straight and not (self.system.layout.values or self.system.variators):
             try:
                 for step in Closed(equations, state, self.scales.torque).stretches(state, end):
                     yield step
@@ -226,6 +294,7 @@ class EventRun:
         stiff = equations.ports.stiffness
         absolute[equations.twists] = relative * torque / np.where(stiff > 0, stiff, 1.0)
         absolute[equations.angles] = relative * speed * self.duration
+        absolute[equations.values] = relative * self.record.value_scales
         absolute[equations.works.start :] = relative * self.record.energy_scale
         return StepTolerances(relative, absolute)
 
@@ -236,7 +305,7 @@ class EventRun:
         for index, contact in enumerate(system.contacts):
             if contact.one_way or contact.while_open is not None:
                 continue
-            if math.isinf(capacity_at(contact, at.time)):
+            if contact.programme.look is None and math.isinf(capacity_at(contact, at.time)):
                 rigid.append(index)
                 slip = abs(float(contact.row @ at.speeds))
                 if slip > STANDING * self.scales.speed and (
@@ -245,7 +314,8 @@ class EventRun:
                     joining.append(index)
         if not joining:
             return at
-        made = impact(system, at.speeds, rigid, joining)
+        made = impact(system, at, rigid, joining)
+        self.record.impact_work += made.work
         for index, energy in zip(joining, made.energies, strict=True):
             if at.time > 0:  # what happens at the start is no event
                 joined = event_of(at.time, system.contacts[index], "impact", energy)
@@ -277,6 +347,8 @@ class EventRun:
     def _name(self, watch: Watch) -> str:
         if watch.kind == "split":
             return "what sticks"
+        if watch.kind in FOLLOWING:
+            return self._name_of_value(watch)
         kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
         if kind is not None:
             return self._name_of(kind, watch.of)
@@ -286,6 +358,13 @@ class EventRun:
         if watch.of >= outside:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
+
+    def _name_of_value(self, watch: Watch) -> str:
+        if watch.kind == "corner":
+            return "what a formula compares"
+        if watch.kind == "state":
+            return f"the state {self.system.scenario.states[watch.of].name}"
+        return f"the sequence {self.sequences.going[watch.of].name}"
 
     def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
         sticks = ("stick", "rigid")

@@ -51,6 +51,16 @@ STANDING = 1e-9
 """A speed, torque or impulse that is 0 but for rounding, by the largest of its kind."""
 NO_MARGIN = 1e-10
 """A margin is below 0 by more than this part of what is large."""
+LEAST_VALUE = 1e-30
+"""Of a state, beside which others are accurate."""
+SMALL_VALUE = 1e-3
+"""Part of the largest value of a state up to which it is as accurate."""
+EQUAL_SIDES = 1e-10
+"""What is compared is equal if it differs by less than this part."""
+NEAR_LIMIT = 1e-3
+"""A state is at a limit that it reaches in this part of the time that is looked ahead."""
+EXACT_SIDES = 1e-13
+"""A comparison turns where it is passed by this part of what is compared."""
 PASSED_LIMIT = 1e-10
 """A limit is passed by more than this part of the largest torque."""
 FALLING_MARGIN = 1e-12

@@ -115,6 +115,8 @@ def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
         names += [spring.name for spring in case.springs if spring.limit is not None]
     if kind in ("device", "loss"):
         names += [*case.devices, *(converter.name for converter in scenario.converters)]
+    if kind == "device":
+        names += [case.link_names[link - 1] for link in scenario.speeds]
     if kind == "loss":
         dragged = {link for gear in case.gears for link in gear.drag}
         names += [case.link_names[link - 1] for link in sorted(dragged)]

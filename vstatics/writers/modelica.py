@@ -198,11 +198,11 @@ def _elastic(one: Spring | Mechanism, stiffness: float) -> str:
 def _control(case: Transmission, one: ShiftElement) -> _Control:
     """With a coefficient of 1 and a force of 1 N for each N*m, unless there is a friction pack."""
     peak = f", peak = {one.static!r}"
-    if one.friction is None:
+    if one.pack is None:
         largest = _capacity(case, one)
         parameters = f"fn_max = {largest!r}, cgeo = 1, mu_pos = [0, 1]{peak}"
         return _Control("N.m", "Capacity", largest, parameters)
-    radius, area, surfaces, points = one.friction
+    radius, area, surfaces, points = one.pack[:4]
     points = ((0.0, points[0][1]), *(point for point in points if point[0] > 0))
     if len(points) > 1:  # the library goes on straight behind the last
         points = (*points, (points[-1][0] + 1, points[-1][1]))

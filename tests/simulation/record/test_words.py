@@ -13,7 +13,7 @@ from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Capacity, Control, Dog
 
 
-def words(motion: Motion) -> list[tuple[str, str]]:
+def words(motion: Motion) -> list[tuple[str, str | None]]:
     return [(one.event, one.word) for one in motion.events]
 
 

@@ -98,7 +98,7 @@ shifts: [{at: 2, to: high, overlap: 300 ms}, {at: 3, to: low}]
 targets: {wheel: [8.3, 50 km/h], in: 4*3}
 samples: {start.speeds.in: {normal: [600 rpm, 6], min: 20}, x: {uniform: [1, 2]}}
 """)
-    assert read.scenario[3:] == (
+    assert read.scenario[3:8] == (
         None,
         ((3, Road(1.0, 0.5)),),
         (Converter("TC", 1, 3, ((0.0, 2.4, 3.1e-3), (0.8, 1.0, 0.0))),),

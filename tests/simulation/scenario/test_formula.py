@@ -85,7 +85,7 @@ def test_where_it_bends_or_jumps(text: str, times: tuple[float, ...]) -> None:
 )
 def test_mistakes(text: str, column: int, message: str) -> None:
     with pytest.raises(ReadError) as caught:
-        Formula(text).function(0.0, 0.0, 0.0)
+        read_formula(Excerpt(text, "formula"))
     [problem] = caught.value.problems
     assert message in problem.message
     assert problem.place is not None

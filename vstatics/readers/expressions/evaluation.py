@@ -34,7 +34,8 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
     ----------
     formula : Constant, Applied or what names stand for
     value_of : callable
-        Gives the values of what a name stands for, shape (..., gears or 1, rows or 1).
+        Gives the values of what a name stands for, or a function that is none of `OPERATIONS`,
+        shape (..., gears or 1, rows or 1).
 
     Returns
     -------
@@ -57,7 +58,7 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
 def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
     # no function in a function: it would hold itself, and with it the memory of the results
-    if isinstance(part, Applied):
+    if isinstance(part, Applied) and part.name in OPERATIONS:
         return OPERATIONS[part.name]([_values(operand, value_of) for operand in part.operands])
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 

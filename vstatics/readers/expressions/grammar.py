@@ -22,6 +22,7 @@ from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.operands import (
     Constant,
     DottedName,
+    Subscript,
     TableName,
     read_dotted,
     read_number,
@@ -48,6 +49,8 @@ _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
 _BLANK = re.compile(r"\s*")
+_QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'")
+_INSIDE = re.compile(r"[^)]*")
 
 
 class Applied(NamedTuple):
@@ -82,6 +85,8 @@ class Language(NamedTuple):
         What to say of a function that there is not and that resembles none.
     caret : bool
         Whether ``x^2`` is a power too; else it is told to write ``x**2``.
+    of_names : collection of str
+        Words that speak of what is named in quotes behind them: ``speed('out')``.
     """
 
     functions: Collection[str]
@@ -89,6 +94,7 @@ class Language(NamedTuple):
     example: str
     instead: str = ""
     caret: bool = False
+    of_names: Collection[str] = ()
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -250,6 +256,8 @@ class _Parser:
         at, end, language = self.at, self.at + len(name), self.language
         behind = self.source.end_of(_BLANK, end)
         call = self.source.has("(", behind)
+        if name in language.of_names and call:
+            return self.of_name(name, at, behind)
         if name in language.functions and call:
             self.take(name, end)
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
@@ -272,6 +280,18 @@ class _Parser:
         )
         self.take(name, end)
         return TableName(name, subscripts, at)
+
+    def of_name(self, word: str, at: int, bracket: int) -> TableName:
+        """A word and, between brackets, the name in quotes of what it is of."""
+        begin = self.source.end_of(_BLANK, bracket + 1)
+        end = self.source.end_of(_QUOTED, begin)
+        close = self.source.end_of(_BLANK, end)
+        if end == begin or not self.source.has(")", close):
+            read = self.source.text[begin : self.source.end_of(_INSIDE, begin)].strip()
+            message = f"read {quoted(read)}, expected a name in quotes, such as {word}('out')"
+            raise self.source.error(message, begin)
+        self.take(")", close + 1)
+        return TableName(word, (Subscript(self.source.text[begin:end], begin),), at)
 
 
 ELSEWHERE = {

@@ -31,7 +31,7 @@ from vstatics.readers.named.references import NO_ELEMENT, NO_LINK
 
 _MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
 _NO_LINKS = (NO_LINK, NO_LINK)
-_BY_REST = frozenset(("damping", "pressure", "time", "angle", "velocity"))
+_BY_REST = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
 """Measures that may be 0, as they are where nothing is read."""
 
 

@@ -16,8 +16,8 @@ from vstatics.readers.named.units import LONGEST_UNIT, factors, with_article
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
 
-_Dimension = tuple[int, int, int, int]
-"""Exponents of kg, m, s, rad."""
+_Dimension = tuple[int, int, int, int, int]
+"""Exponents of kg, m, s, rad, K."""
 
 UNIT_OF: dict[Measure, str] = {
     "inertia": "kg*m^2",
@@ -34,6 +34,8 @@ UNIT_OF: dict[Measure, str] = {
     "angle": "rad",
     "velocity": "m/s",
     "pump_factor": "N*m*s^2",
+    "heat_capacity": "J/K",
+    "cooling": "W/K",
 }
 """What bare numbers are in."""
 _FORMS: dict[str, tuple[str, ...]] = {
@@ -54,15 +56,15 @@ class _Base(NamedTuple):
     """Its size in SI is their ratio."""
 
 
-_NOTHING: _Dimension = (99, 99, 99, 99)
-_MASS, _TIME = (1, 0, 0, 0), (0, 0, 1, 0)
+_NOTHING: _Dimension = (99, 99, 99, 99, 99)
+_MASS, _TIME = (1, 0, 0, 0, 0), (0, 0, 1, 0, 0)
 _BASES: dict[str, tuple[_Dimension, float]] = {
-    "force": ((1, 1, -2, 0), 1),
-    "length": ((0, 1, 0, 0), 1),
-    "angle": ((0, 0, 0, 1), 2 * math.pi),
-    "time": ((0, 0, 1, 0), 60),
-    "speed": ((0, 0, -1, 1), math.pi / 30),
-    "power": ((1, 2, -3, 0), 1000),
+    "force": ((1, 1, -2, 0, 0), 1),
+    "length": ((0, 1, 0, 0, 0), 1),
+    "angle": ((0, 0, 0, 1, 0), 2 * math.pi),
+    "time": ((0, 0, 1, 0, 0), 60),
+    "speed": ((0, 0, -1, 1, 0), math.pi / 30),
+    "power": ((1, 2, -3, 0, 0), 1000),
 }
 """By what `units` knows: its dimension, and its unit there in SI."""
 _STANDARD_GRAVITY = 9.80665
@@ -74,8 +76,12 @@ _GRAMS = {
     "t": _Base(_MASS, 1000),
     "т": _Base(_MASS, 1000),
 }
-_PASCALS = {
-    word: _Base((1, -1, -2, 0), above, below)
+_OTHERS = {
+    "K": _Base((0, 0, 0, 0, 1), 1),
+    "J": _Base((1, 2, -2, 0, 0), 1),
+    "kJ": _Base((1, 2, -2, 0, 0), 1000),
+} | {
+    word: _Base((1, -1, -2, 0, 0), above, below)
     for words, above, below in (
         ("Pa Па", 1, 1),
         ("hPa гПа mbar мбар", 100, 1),
@@ -185,7 +191,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
     of_words : bool
         Whether ``lb`` is a mass and ``ms`` a time, not a force and metre by second.
     """
-    total, above, below = [0, 0, 0, 0], 1.0, 1.0
+    total, above, below = [0] * 5, 1.0, 1.0
     try:
         for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
             for place, base in enumerate(_bases(word, of_words=of_words)):
@@ -195,7 +201,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
                 above, below = above * up ** abs(times), below * down ** abs(times)
     except (ValueError, OverflowError, ZeroDivisionError):
         return _NOTHING, 1.0, 1.0
-    return (total[0], total[1], total[2], total[3]), above, below
+    return (total[0], total[1], total[2], total[3], total[4]), above, below
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
@@ -235,8 +241,8 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
     if of_words and word in _MILLISECONDS:
         return [_Base(_TIME, 1, 1000)]
-    if word in _PASCALS:
-        return [_PASCALS[word]]
+    if word in _OTHERS:
+        return [_OTHERS[word]]
     whole = factors(word)
     if not _known(whole):
         for end in range(len(word), 0, -1):

@@ -9,7 +9,7 @@ from itertools import repeat
 
 import numpy as np
 
-from vstatics.simulation.events.instants import Instant, sliding_speed
+from vstatics.simulation.events.instants import Instant, seen_at, sliding_speed
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
@@ -61,8 +61,11 @@ class ModeChoices:
         """What is fixed by speeds and capacities, and what has a choice."""
         choices: list[Choice] = []
         system = self.system
+        self.seen = seen_at(system, at)
         contacts = [
-            self._switch(index, at, scales, choices, met=index in met)
+            "rigid"
+            if contact.is_given or contact.is_variator
+            else self._switch(index, at, scales, choices, met=index in met)
             if contact.switch
             else self._contact(index, at, scales, choices, met=index in met)
             for index, contact in enumerate(system.contacts)
@@ -96,14 +99,16 @@ class ModeChoices:
         contact = self.system.contacts[index]
         slip = float(contact.row @ at.speeds)
         now = math.nextafter(at.time, math.inf)
-        capacity = programme_at(contact.programme, now)
+        times = now, at.time + self.within
+        capacity = programme_at(contact.programme, now, self.seen)
         if capacity == 0:  # it may begin to rise here
-            capacity = programme_at(contact.programme, at.time + self.within)
+            capacity = programme_at(contact.programme, times[1], self.seen)
         if contact.while_open is not None:
             programme = self.system.by_element[contact.while_open].programme
-            if any(programme_at(programme, time) for time in (now, at.time + self.within)):
+            if any(programme_at(programme, time, self.seen) for time in times):
                 return "open"
-        if capacity == 0 and not contact.one_way:
+        may_rise = contact.one_way or contact.programme.look is not None
+        if capacity == 0 and not may_rise:
             return "open"
         if not contact.row.any():
             return "rigid"
@@ -159,10 +164,10 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
-        limit = programme_at(spring.programme, math.nextafter(at.time, math.inf))
+        limit = programme_at(spring.programme, math.nextafter(at.time, math.inf), self.seen)
         if math.isinf(limit):
             return "stick"
-        if limit == 0 == programme_at(spring.programme, at.time + self.within):
+        if limit == 0 == programme_at(spring.programme, at.time + self.within, self.seen):
             return "open"
         torque = spring.stiffness * float(at.twists[index])
         if spring.viscous:

@@ -27,6 +27,8 @@ class Instant(NamedTuple):
     """Of links. [rad/s]"""
     twists: Floats
     angles: Floats
+    values: Floats
+    """Of states and temperatures."""
     accounts: Floats
     """Works and losses up to here. [J]"""
 
@@ -72,11 +74,15 @@ def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) ->
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """At which a motion slides along a jump, from an instant on [rad/s]."""
+    """The speed of a driver, such as that with which a motion slides along a jump [rad/s]."""
+    now = math.nextafter(at.time, math.inf)
+    for one in system.variators:
+        if one.contact == contact:
+            return (one.reference - curve_at(one.ratio, now)) * float(at.speeds[one.first])
     switch = system.contacts[contact].switch
     assert switch is not None  # noqa: S101 - it is asked of these alone
     angle = float(at.angles[system.layout.angles.index(switch.link)])
-    speed = curve_at(switch.jump.speed, math.nextafter(at.time, math.inf))
+    speed = curve_at(switch.jump.speed, now)
     return speed + switch.jump.by_angle * angle
 
 
@@ -86,6 +92,7 @@ def state_of(equations: Equations, at: Instant) -> Floats:
     state[: equations.motions] = motions_of(equations.system, equations.structure, at)
     state[equations.twists] = at.twists
     state[equations.angles] = at.angles
+    state[equations.values] = at.values
     state[equations.works.start :] = at.accounts
     return state
 
@@ -97,29 +104,42 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
         equations.speeds(time, state),
         state[equations.twists].copy(),
         state[equations.angles].copy(),
+        state[equations.values].copy(),
         state[equations.works.start :].copy(),
     )
 
 
 def start_instant(system: MotionSystem, speeds: Floats, twists: Floats) -> Instant:
     """The instant t = 0, up to which nothing has turned or worked."""
-    accounts = np.zeros(system.layout.ports + 2 * len(system.springs) + len(system.meshes))
-    return Instant(0.0, speeds, twists, np.zeros(len(system.layout.angles)), accounts)
+    layout, elements = system.layout, system.case.shift_elements
+    accounts = np.zeros(layout.ports + 2 * len(system.springs) + len(system.meshes))
+    stores = [elements[index].heat_store for index in layout.hot]
+    values = [state.start for state in system.scenario.states]
+    values += [store.ambient for store in stores if store]
+    return Instant(
+        0.0, speeds, twists, np.zeros(len(layout.angles)), np.array(values, float), accounts
+    )
+
+
+def seen_at(system: MotionSystem, at: Instant) -> list[float]:
+    """All that is seen at an instant but what follows from torques."""
+    rates = system.port_rows @ at.speeds
+    return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
 def break_times(system: MotionSystem) -> list[float]:
     """Times at which something bends or jumps, in order [s]."""
+    curves: list[object] = [device.programme.curve for device in system.may_slip]
+    curves += [one.law for one in system.outside]
+    curves += [one.rate for one in system.scenario.states]
+    curves += [one.switch.jump.at for one in system.contacts if one.switch]
+    curves += [one.ratio for one in system.variators]
     times: set[float] = set()
-    for device in system.may_slip:
-        times.update(device.programme.breaks())
-    for one in system.outside:
-        if isinstance(one.law, Points) and one.law.over == "time":
-            times.update(one.law.x)
-        elif isinstance(one.law, Formula):
-            times.update(one.law.breaks)
-    for contact in system.contacts:
-        at = contact.switch.jump.at if contact.switch else None
-        times.update(at.breaks if isinstance(at, Formula) else ())
+    for curve in curves:
+        if isinstance(curve, Formula):
+            times.update(curve.knowing(system.settings).breaks)
+        elif isinstance(curve, Points) and curve.over == "time":
+            times.update(curve.x)
     return sorted(time for time in times if 0 < time < system.scenario.duration)
 
 
@@ -127,11 +147,12 @@ def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     """Speeds and torques that are large at the start."""
     torque = 1.0
     times = [at.time, *break_times(system)]
+    seen = seen_at(system, at)
     for contact in system.contacts:
-        held = [abs(capacity_at(contact, time)) for time in times]
+        held = [abs(capacity_at(contact, time, seen=seen)) for time in times]
         torque = max([torque, *(one for one in held if math.isfinite(one))])
     for spring in system.springs:
-        limit = abs(programme_at(spring.programme, at.time))
+        limit = abs(programme_at(spring.programme, at.time, seen))
         torque = max(torque, limit if math.isfinite(limit) else 0.0)
     for one in system.outside:
         if isinstance(one.law, Points):

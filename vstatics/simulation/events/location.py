@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.model.parts import Friction
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.curves import programme_at
@@ -54,7 +54,9 @@ class Finder:
         self.noise = NO_MARGIN * margins.units(scales)
         system = self.equations.system
         self.by_formula = [
-            contact for contact in system.contacts if isinstance(contact.programme.curve, Formula)
+            contact
+            for contact in system.contacts
+            if isinstance(contact.programme.curve, Formula) and contact.programme.look is None
         ]
         self.torques = [
             (port, system.names[one.link])
@@ -151,7 +153,7 @@ class Finder:
             return first
         if values[-1] >= 0:
             return last
-        if self.margins.watches[index].kind != "split":  # smooth: by a polynomial
+        if self.margins.watches[index].kind not in ("split", *FOLLOWING):  # smooth: a polynomial
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
             def near(part: float) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from operator import attrgetter
 from typing import Literal, NamedTuple
 
@@ -13,20 +13,42 @@ from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.split import least, widest, widest_place
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
-from vstatics.simulation.system.curves import (
-    capacity_at,
-    curve_along,
-    programme_along,
-    programme_at,
-)
+from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, Contact
-from vstatics.simulation.tolerances import PASSED_LIMIT, SHARED_TORQUE, TIGHT_SLACK
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
+from vstatics.simulation.system.sight import Compared
+from vstatics.simulation.tolerances import (
+    EQUAL_SIDES,
+    EXACT_SIDES,
+    NO_MARGIN,
+    NOT_ZERO,
+    PASSED_LIMIT,
+    SHARED_TORQUE,
+    TIGHT_SLACK,
+)
 
-Watched = Literal["slip", "hold", "split", "mesh", "flow", "cone", "limit", "grip", "piece"]
+Watched = Literal[
+    "slip",
+    "hold",
+    "split",
+    "mesh",
+    "flow",
+    "cone",
+    "limit",
+    "grip",
+    "piece",
+    "state",
+    "awaited",
+    "corner",
+]
 """A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
 turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
-have a corner; a capacity may lie above that of the case, or below 0."""
+have a corner; a state may reach its limit, or leave it; what a step waits for may become true; a
+formula may bend."""
+
+
+FOLLOWING: tuple[Watched, ...] = ("state", "awaited", "corner")
+"""What follows from the states of what sticks and slips, and decides nothing of them."""
 
 
 class Watch(NamedTuple):
@@ -67,6 +89,16 @@ class SplitRoom(NamedTuple):
         return SplitRoom(widest(slack, directions), slack, directions, ways)
 
 
+class Awaited(NamedTuple):
+    """A comparison that a step waits for, or at which a formula bends, and its side."""
+
+    compared: Compared
+    side: str
+    """`+`, `-`, or `0` where it stays there."""
+    size: float
+    """Of what is compared, at the instant from which on it is watched."""
+
+
 class Margins:
     """The margins of equations; torques in N*m, speeds in rad/s."""
 
@@ -90,9 +122,7 @@ class Margins:
             if state == "stick":
                 own = contact.switch.jump.side if contact.switch else "+"
                 for side in (1, -1) if own == "+" else (-1, 1):
-                    if (side == 1 and contact.one_way) or math.isfinite(
-                        capacity_at(contact, equations.time)
-                    ):
+                    if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
                         self.holding.append((contact, place["contact", index], side))
                         self._watch("hold", index, side)
         self._meshes(place)
@@ -104,6 +134,8 @@ class Margins:
         if self.shared:
             self._watch("split", -1)
         self.straight_limits = self._straight_limits()
+        self.sees = any(one.programme.look is not None for one in system.may_slip)
+        """Whether a limit is that of a control which sees something."""
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
         contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
@@ -112,6 +144,26 @@ class Margins:
         self.jumping = [row for row, one in enumerate(self.holding) if one[0].switch][::2]
         """First of the two limits of each contact at a jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
+        self.deciding = len(self.watches)
+        """So many tell whether a choice is admissible; the others follow it."""
+        self._states()
+        self.sequences: list[Awaited] = []
+
+    def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
+        """Watch what steps of sequences wait for, or corners of formulas, each with a number."""
+        for number, one in compared:
+            self._watch(kind, number, torque=False)
+            self.sequences.append(one)
+
+    def _states(self) -> None:
+        """Limits of states: of one that is free both, of one that is held when it leaves."""
+        self.limits_of_states: list[tuple[int, int, float]] = []
+        held = self.equations.changes.held.tolist()
+        for index, one in enumerate(self.equations.system.scenario.states):
+            for side, limit in ((1, one.most), (-1, one.least)):
+                if math.isfinite(limit) and held[index] in (0, side):
+                    self.limits_of_states.append((index, side, limit))
+                    self._watch("state", index, side, torque=False)
 
     def _watch(self, kind: Watched, index: int, side: int = 1, *, torque: bool = True) -> None:
         self.watches.append(Watch(kind, index, side))
@@ -139,9 +191,7 @@ class Margins:
         self.bending: list[int] = []
         self.gripping: list[tuple[int, float]] = []
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
-            if state == "stick" and math.isfinite(
-                programme_at(spring.programme, self.equations.time)
-            ):
+            if state == "stick" and _is_limited(spring, self.equations.time):
                 self.bending.append(index)
                 self._watch("limit", index)
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
@@ -222,16 +272,24 @@ class Margins:
                         made[row, port] = side
         return made
 
-    def limits(self, times: Floats) -> Floats:
+    def limits(self, times: Floats, seen: Sequence[Sequence[float]]) -> Floats:
         """Limits of what sticks at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
             made: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
             return made
-        return np.array([_limits(contact, side, times) for contact, _, side in self.holding])
+        return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
         """What is large beside each margin."""
-        return np.where(self.is_torque, scales.torque, scales.speed)
+        units = np.where(self.is_torque, scales.torque, scales.speed)
+        at = self.deciding
+        for _, _, limit in self.limits_of_states:
+            units[at] = EXACT_SIDES / NO_MARGIN * max(abs(limit), NOT_ZERO)
+            at += 1
+        for one in self.sequences:
+            units[at] = EXACT_SIDES / NO_MARGIN * max(one.size, NOT_ZERO)
+            at += 1
+        return units
 
     def at(self, time: float, state: Floats) -> Floats:
         """All margins at a time."""
@@ -244,6 +302,7 @@ class Margins:
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
+        seen = equations.seen_at(times, states, rates, torques) if self.sees else ()
         slips = rates[self.slip_ports]
         for row, (link, jump) in self.switches:
             angles = states[equations.angles][layout.angles.index(link)]
@@ -251,7 +310,7 @@ class Margins:
                 slips[row] = angles
             slips[row] -= curve_along(jump.at, times) + jump.by_angle * angles
         parts = [self.slip_signs[:, None] * slips]
-        slack = self._slack(times, held, torques)
+        slack = self._slack(times, held, torques, seen)
         mine = len(self.holding)
         shown = np.full(slack.shape, np.inf) if self.shared else slack
         parts.append(shown[:mine])
@@ -261,7 +320,7 @@ class Margins:
                 slip = equations.system.meshes[index].slip @ links
                 parts.append(np.array([speed * slip, torque * held[index]]))
         parts.append(shown[mine:])
-        parts += self._of_springs(times, states, rates, torques)
+        parts += self._of_springs(times, states, rates, torques, seen)
         for port, by_angle, corner, side in self.corners:
             at = states[equations.angles][port] if by_angle else rates[port]
             parts.append(side * (at - corner)[None, :])
@@ -272,11 +331,42 @@ class Margins:
         if self.shared:
             columns = range(len(times))
             parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
+        if len(self.watches) > self.deciding:
+            seen = seen or equations.seen_at(times, states, rates, torques)
+            parts.append(self._of_values(times, states, seen))
         return np.vstack(parts)
 
-    def _slack(self, times: Floats, held: Floats, torques: Floats) -> Floats:
+    def _of_values(
+        self,
+        times: Floats,
+        states: Floats,
+        seen: Sequence[Sequence[float]],
+    ) -> Floats:
+        """Of states at their limits, and of what steps wait for."""
+        changes = self.equations.changes
+        values = states[self.equations.values]
+        made = []
+        for index, side, limit in self.limits_of_states:
+            if changes.held[index]:
+                look = changes.rates[index]
+                at = zip(times.tolist(), seen, strict=True)
+                made.append([side * look(*one) for one in at])
+            else:
+                made.append((side * (limit - values[index])).tolist())
+        for one in self.sequences:
+            first, second = one.compared
+            found = [first(*at) - second(*at) for at in zip(times.tolist(), seen, strict=True)]
+            if one.side == "0":
+                made.append([EQUAL_SIDES * one.size - abs(value) for value in found])
+            else:
+                made.append([SIGNS[one.side] * value for value in found])
+        return np.array(made).reshape(len(made), len(times))
+
+    def _slack(
+        self, times: Floats, held: Floats, torques: Floats, seen: Sequence[Sequence[float]]
+    ) -> Floats:
         """Of contacts that stick, then of meshes, shape (slacks, times)."""
-        cones = [self.limits(times) - self.sides[:, None] * held[self.held_rows]]
+        cones = [self.limits(times, seen) - self.sides[:, None] * held[self.held_rows]]
         if self.by_torques is not None:
             cones[0] += self.by_torques @ torques
             for row in self.jumping:
@@ -328,10 +418,11 @@ class Margins:
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
         """What is at its limit in the split that leaves most room."""
-        at = np.array([time])
-        _, torques = self.equations.acting_at(at, state[:, None])
+        at, states = np.array([time]), state[:, None]
+        rates, torques = self.equations.acting_at(at, states)
+        seen = self.equations.seen_at(at, states, rates, torques) if self.sees else ()
         held = (self.equations.structure.torques @ torques)[:, 0]
-        found = self._roomiest(self._slack(at, held[:, None], torques)[:, 0], held)
+        found = self._roomiest(self._slack(at, held[:, None], torques, seen)[:, 0], held)
         best = found.slack + found.directions @ widest_place(found.slack, found.directions)
         near = best <= best.min() + TIGHT_SLACK * largest(found.slack)
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
@@ -349,14 +440,16 @@ class Margins:
         held = self.equations.structure.torques[watch.of] @ torques
         return watch._replace(side=watch.side if held >= 0 else -watch.side)
 
-    def split(self, times: Floats, held: Floats, torques: Floats) -> Floats:
+    def split(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
         """Torques of what holds, those of least norm within the limits, shape (held, times).
 
-        All shapes end with the times; `torques` are those of the ports.
+        All shapes end with the times; `rates` and `torques` are those of the ports.
         """
+        held: Floats = self.equations.structure.torques @ torques
         if not self.shared:
             return held
-        slack = self._slack(times, held, torques)
+        seen = self.equations.seen_at(times, states, rates, torques) if self.sees else ()
+        slack = self._slack(times, held, torques, seen)
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
@@ -367,20 +460,27 @@ class Margins:
         return made
 
     def _of_springs(
-        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+        self,
+        times: Floats,
+        states: Floats,
+        rates: Floats,
+        torques: Floats,
+        seen: Sequence[Sequence[float]],
     ) -> list[Floats]:
         equations = self.equations
         first = equations.layout.springs
         springs = equations.system.springs
         made = []
         for index in self.bending:
-            limit = programme_along(springs[index].programme, times)
+            limit = programme_along(springs[index].programme, times, seen)
             made.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
             spring, rate = springs[index], rates[first + index]
             if spring.viscous:
                 trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
-                made.append((sign * trial - programme_along(spring.programme, times))[None, :])
+                made.append(
+                    (sign * trial - programme_along(spring.programme, times, seen))[None, :]
+                )
             else:
                 slopes = [
                     equations.limit_slopes(time, rates[:, n], states[:, n])[index]
@@ -390,9 +490,14 @@ class Margins:
         return made
 
 
-def _limits(contact: Contact, side: int, times: Floats) -> Floats:
+def _is_limited(device: Contact | Elastic, time: float) -> bool:
+    """Whether there is a torque that it does not carry."""
+    programme = device.programme
+    return programme.look is not None or math.isfinite(programme_at(programme, time))
+
+
+def _limits(contact: Contact, side: int, times: Floats, seen: Sequence[Sequence[float]]) -> Floats:
     if contact.one_way and side == 1:
         return np.zeros(len(times))
-    return (
-        contact.static * friction_at(contact.friction) * programme_along(contact.programme, times)
-    )
+    held = programme_along(contact.programme, times, seen)
+    return contact.static * friction_at(contact.friction) * held

@@ -8,6 +8,7 @@ where no margin is below 0, and none that is 0 falls.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -55,6 +56,13 @@ class ModeSelection:
         loose = self.structure((False,) * len(system.contacts), ("",) * len(system.meshes))
         self.choices = ModeChoices(system, loose)
         self.within = self.choices.within
+
+    def of(self, system: MotionSystem) -> ModeSelection:
+        """The same in a system whose programmes and settings are others."""
+        made = copy(self)
+        made.system, made.choices = system, copy(self.choices)
+        made.choices.system = system
+        return made
 
     def select(
         self,
@@ -192,6 +200,7 @@ class ModeSelection:
             if self._jumps(equations.structure, at, state, scales):
                 return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
+            equations.changes.hold_limits(at.time, state)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
@@ -234,9 +243,10 @@ class ModeSelection:
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
         """What is below its margin, or at it and falling."""
-        now = margins.at(time, state)
+        count = margins.deciding
+        now = margins.at(time, state)[:count]
         now = np.where(np.isposinf(now), _AMPLE, now)
-        units = margins.units(scales)
+        units = margins.units(scales)[:count]
         below = ~(now >= -STANDING * units)
         if below.any():
             return _failed(margins, time, state, np.where(below, now / units, np.inf))
@@ -244,7 +254,7 @@ class ModeSelection:
         if not near.any():
             return []
         ahead = state + self.within * margins.equations.derivative(time, state)
-        then = margins.at(time + self.within, ahead)
+        then = margins.at(time + self.within, ahead)[:count]
         falls = near & (then - now < -FALLING_MARGIN * units)
         return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
 

@@ -51,7 +51,8 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
-        closed = contact.one_way or programme_at(contact.programme, 0.0) > 0
+        held = contact.one_way or contact.programme.look is not None
+        closed = held or programme_at(contact.programme, 0.0) > 0
         if closed and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
     free = null(system.rows(rows))
@@ -96,9 +97,9 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     selected = ModeSelection(other).select(at, None, scales)
     equations = selected.margins.equations
     structure = equations.structure
-    _, torques = equations.acting(0.0, selected.state)
-    held = (structure.torques @ torques)[:, None]
-    held = selected.margins.split(np.zeros(1), held, torques[:, None])[:, 0]
+    rates, torques = equations.acting(0.0, selected.state)
+    columns = (one[:, None] for one in (selected.state, rates, torques))
+    held = selected.margins.split(np.zeros(1), *columns)[:, 0]
     twists = np.zeros(len(system.springs))
     first = len(system.contacts)
     for row, multiplier in enumerate(structure.multipliers):

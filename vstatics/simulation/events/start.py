@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
+from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.curves import capacity_at, curve_at
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
@@ -20,23 +21,31 @@ from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 def with_fixed_ratios(scenario: Scenario) -> Scenario:
     """The scenario with variators as pairs of the ratios that they have in its first gear.
 
+    Those that move, or stand at 0, stay.
+
     Raises
     ------
     CaseError
-        If one of them stands at 0, or there is a converter.
+        If there is a converter.
     """
     case, name = scenario.case, scenario.start.gear
     kinds = [one for one in case.mechanisms if one.kind]
     if not kinds:
         return scenario
-    gear = next((one for one in case.gears if one.name == name), Gear())
-    pairs = case.as_pairs(gear)
-    if pairs is None:
-        message = f"{kinds[0].name} is a {kinds[0].kind}, which a scenario can't have yet"
-        if all(one.kind == "variator" for one in kinds):
-            message = f"{kinds[0].name} has a speed ratio of 0 at the start, expected another one"
+    if any(one.kind == "converter" for one in kinds):
+        [converter, *_] = (one for one in kinds if one.kind == "converter")
+        message = f"{converter.name} is a converter, which a scenario can't have yet"
         raise CaseError("E698", message, ("case",))
-    return scenario._replace(case=pairs)
+    gear = next((one for one in case.gears if one.name == name), Gear())
+    ratios = dict(enumerate(case.gear_ratios(gear), 1))
+    moving = dict(scenario.speed_ratios)
+    for number, one in enumerate(case.mechanisms, 1):
+        if one.kind and not ratios[number]:
+            moving.setdefault(number, constant(0.0))  # no pair has this ratio
+    others = dict.fromkeys(moving, 1.0)  # their pairs are not used
+    pairs = case.as_pairs(gear._replace(speed_ratios={**gear.speed_ratios, **others}))
+    assert pairs is not None  # noqa: S101 - none is 0, and none a converter
+    return scenario._replace(case=pairs, speed_ratios=moving)
 
 
 def start_gear(scenario: Scenario) -> Gear | None:
@@ -74,10 +83,16 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     case, start = scenario.case, scenario.start
     links = len(system.names)
     held = [*start.engaged, *(gear.engaged if gear else ())]
-    rows = [mesh.row for mesh in system.meshes]
+    rows = fixed_rows(system)
     rows += [system.by_element[number - 1].row for number in held]
-    given = dict(start.speeds)
-    if gear is not None:
+    given = {link: curve_at(speed, 0.0) for link, speed in scenario.speeds.items()}
+    _check_ties(system, given)
+    for link, speed in start.speeds.items():
+        known = given.setdefault(link, speed)
+        if abs(known - speed) > STANDING * max(1.0, abs(known)):
+            message = f"read {speed:g} rad/s, but `speeds` gives {known:g} rad/s at t = 0"
+            raise CaseError("E674", message, ("start", "speeds", case.link_name(link)))
+    if gear is not None and (start.speed or not scenario.speeds):
         given.setdefault(case.gear_input(gear), start.speed)
     values = [0.0] * len(rows)
     for link, speed in given.items():
@@ -94,6 +109,24 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     if backward := list(_backward(system, speeds, scale)):
         raise CaseError(backward)
     return speeds
+
+
+def fixed_rows(system: MotionSystem) -> list[Floats]:
+    """Rows of speeds that are 0 whatever sticks: of mechanisms, of variators at the start."""
+    rows = [mesh.row for mesh in system.meshes]
+    return rows + [system.contacts[one.contact].row for one in system.variators]
+
+
+def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
+    """Refuse speeds that are given of links which the train ties to each other."""
+    rows = fixed_rows(system)
+    for link in given:
+        before = null(system.rows(rows))
+        rows.append(np.eye(len(system.names))[link - 1])
+        if null(system.rows(rows)).shape[1] == before.shape[1]:
+            name = system.case.link_name(link)
+            message = f"the train ties {name} to other links whose speed is given, or holds it"
+            raise CaseError("E673", f"{message}: expected one of them", ("speeds", name))
 
 
 def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Problem]:

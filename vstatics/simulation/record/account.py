@@ -28,7 +28,11 @@ def element_heat(equations: Equations, states: Floats) -> Floats:
 
 
 def energy_account(
-    start: Instant, end: float, equations: Equations, state: Floats, impact: float
+    start: Instant,
+    end: float,
+    equations: Equations,
+    state: Floats,
+    impacts: tuple[float, float],
 ) -> Energy:
     """The energies of a run [J].
 
@@ -41,13 +45,14 @@ def energy_account(
         That hold at the end.
     state : ndarray
         At the end.
-    impact : float
-        What impacts took. [J]
+    impacts : tuple of float
+        What impacts took, and the work that was done on links at given speeds. [J]
     """
     system = equations.system
     heat, losses = _heat_and_losses(equations, state)
     works, layout = state[equations.works], equations.layout
-    work = float(works[: layout.outside].sum())
+    impact, impact_work = impacts
+    work = float(works[: layout.outside].sum()) + impact_work
     work -= sum(
         float(works[layout.contacts + index])
         for index, contact in enumerate(system.contacts)
@@ -61,9 +66,9 @@ def energy_account(
     )
     rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
     areas = {
-        one.name: one.friction.area * one.friction.surfaces
+        one.name: one.pack.area * one.pack.surfaces
         for one in system.case.shift_elements
-        if one.friction is not None and one.name in heat
+        if one.pack is not None and one.name in heat
     }
     per_area = {name: heat[name] / area for name, area in areas.items()}
     return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)
@@ -78,7 +83,7 @@ def _heat_and_losses(
     heat: dict[str, float] = {}
     losses: dict[str, float] = {}
     for index, contact in enumerate(system.contacts):
-        if contact.switch:
+        if contact.switch or contact.is_variator:
             continue
         of = losses if contact.is_drag or contact.overrun_drag else heat
         _add(of, contact.name, works[layout.contacts + index])
@@ -91,6 +96,9 @@ def _heat_and_losses(
     for index, converter in enumerate(system.converters):
         taken = works[layout.pumps + index] + works[layout.turbines + index]
         _add(losses, converter.name, taken)
+    for index, variator in enumerate(system.variators):
+        taken = works[layout.contacts + variator.contact] + works[layout.variators + index]
+        _add(losses, variator.name, taken)
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:
             _add(losses, mesh.name, state[equations.meshed][index])

@@ -56,7 +56,8 @@ def _events(motion: Motion) -> Grid:
     rows: list[Row] = []
     shown = _energies(motion)
     for event in motion.events:
-        cells: Row = [exact(event.time, digits=9), event.element, event.word or event.event]
+        word = f"step {event.step}" if event.step else event.word or event.event
+        cells: Row = [exact(event.time, digits=9), event.element, word]
         cells.append(shown(event.energy if event.event == "impact" else None))
         rows.append(cells[: 3 + with_energy])
     columns = [Column("time [s]"), text("element"), text("event"), Column("energy [J]")]

@@ -10,20 +10,23 @@ from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.answer import SOMETIMES
 
-EventKind = Literal["locks", "slips", "reverses", "impact"]
+EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
 
 class Event(NamedTuple):
-    """What happens to an element, or to a load, at an instant."""
+    """What happens to an element, to a load, or in a sequence, at an instant."""
 
     time: float
     """[s]"""
     element: str
     event: EventKind
-    energy: float = 0.0
-    """Lost at once, in an impact. [J]"""
-    word: str = ""
-    """What people call it: dog clutches open and close, freewheels overrun, loads start."""
+    energy: Annotated[float | None, SOMETIMES] = 0.0
+    """Lost at once, in an impact; None of a step. [J]"""
+    word: Annotated[str | None, SOMETIMES] = ""
+    """What people call it: dog clutches open and close, freewheels overrun, loads start. None: of a
+    step."""
+    step: Annotated[int | None, SOMETIMES] = None
+    """The number of the step of a sequence that was done."""
 
 
 class Energy(NamedTuple):

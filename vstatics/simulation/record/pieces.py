@@ -39,7 +39,7 @@ class MotionColumns:
     def __init__(self, system: MotionSystem) -> None:
         elements = system.case.shift_elements
         links = len(system.names)
-        self.devices = (*system.case.devices, *(one.name for one in system.converters))
+        self.devices = device_names(system)
         self.rows = system.rows(between(one.first, one.second, links) for one in elements)
         sizes = (links, len(elements), len(self.devices), len(elements))
         ends = np.cumsum((0, *sizes)).tolist()
@@ -89,11 +89,11 @@ def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str
 def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
     """Torques of all devices at several times, shape (devices, times) [N*m]."""
     equations = margins.equations
-    _, ports = equations.acting_at(times, states)
-    held = margins.split(times, equations.structure.torques @ ports, ports)
+    rates, ports = equations.acting_at(times, states)
+    held = margins.split(times, states, rates, ports)
     system, layout = equations.system, equations.layout
     count = len(system.case.devices)
-    made = np.zeros((count + len(system.converters), len(times)))
+    made = np.zeros((len(device_names(system)), len(times)))
     row_of = {
         one.of: row
         for row, one in enumerate(equations.structure.multipliers)
@@ -111,5 +111,17 @@ def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
         made[mesh.device] = held[index] + by_planets[index] @ ports
     for index, spring in enumerate(system.springs):
         made[spring.device] = ports[layout.springs + index]
-    made[count:] = ports[layout.pumps : layout.pumps + len(system.converters)]
+    for index, variator in enumerate(system.variators):
+        torque = variator.reference * held[row_of[variator.contact]]
+        made[variator.device] = torque + ports[layout.variators + index]
+    end = count + len(system.converters)
+    made[count:end] = ports[layout.pumps : layout.turbines]
+    given = [index for index, one in enumerate(system.contacts) if one.is_given]
+    made[end:] = -held[[row_of[index] for index in given]]
     return made
+
+
+def device_names(system: MotionSystem) -> tuple[str, ...]:
+    """What has a torque: devices, converters, links whose speeds are given."""
+    given = (one.name for one in system.contacts if one.is_given)
+    return (*system.case.devices, *(one.name for one in system.converters), *given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -19,7 +20,14 @@ from vstatics.simulation.record.pieces import Piece, peaks
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.tolerances import SAME_TIME, SAME_VALUES, SHARED_TORQUE
+from vstatics.simulation.tolerances import (
+    LEAST_VALUE,
+    MADE_CAPACITY,
+    SAME_TIME,
+    SAME_VALUES,
+    SHARED_TORQUE,
+    SMALL_VALUE,
+)
 from vstatics.statics.result_arrays import Message
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
@@ -33,9 +41,13 @@ class Record:
         self.system, self.start, self.every = system, start, step
         self.events: list[Event] = []
         self.impact = 0.0
+        self.impact_work = 0.0
+        """Of impulses on links whose speeds are given. [J]"""
         self.joined: set[int] = set()
         """Contacts that have just joined by an impact."""
         self.messages: list[Message] = []
+        self.cut: set[str] = set()
+        """Elements whose controls were above their capacity."""
         self.pieces: list[Piece] = []
         """Those that are kept in full: what was before is drawn."""
         self.drawn, self.numbers = DrawnRun(system, step), 0
@@ -43,6 +55,8 @@ class Record:
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
+        self.value_scales = np.maximum(np.abs(start.values), LEAST_VALUE)
+        """What is large of states and temperatures."""
         self.targets = [
             (link - 1, speed)
             for link, speeds in system.scenario.targets.items()
@@ -66,6 +80,20 @@ class Record:
             "turns at once to where they balance"
         )
         self.messages.append(Message("W602", text))
+
+    def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
+        """Note controls that are cut at a capacity of the case, each once."""
+        for device in system.may_slip:
+            programme = device.programme
+            if programme.look is None or programme.largest is None or device.name in self.cut:
+                continue
+            if programme.look(*now) > programme.largest * (1 + MADE_CAPACITY):
+                self.cut.add(device.name)
+                text = (
+                    f"at {now[0]:.6g} s the control of {device.name} is above the capacity in the "
+                    f"case, {programme.largest:g}: it is cut there, then and later"
+                )
+                self.messages.append(Message("N605", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
@@ -98,6 +126,8 @@ class Record:
         piece.steps.append((step, end))
         self.time = end
         equations = piece.margins.equations
+        values = np.abs(state[equations.values])
+        self.value_scales = np.maximum(self.value_scales, SMALL_VALUE * values)
         self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
         self._store(equations, end, state)
         self._targets(step, end, state, equations)
@@ -152,7 +182,11 @@ class Record:
             heat,
             tuple(self.events),
             energy_account(
-                self.start, self.time, last.margins.equations, last.states[-1], self.impact
+                self.start,
+                self.time,
+                last.margins.equations,
+                last.states[-1],
+                (self.impact, self.impact_work),
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),

@@ -25,8 +25,9 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def variables(tree: Tree) -> frozenset[str]:
-    """Which names stand in a tree, but pi."""
-    return frozenset(one.name for one in parts(tree) if isinstance(one, TableName)) - {PI}
+    """Which names stand in a tree, but pi; of what is seen elsewhere its word and its name."""
+    names = (one for one in parts(tree) if isinstance(one, TableName) and one.name != PI)
+    return frozenset(one.name + "".join(row.written for row in one.subscripts) for one in names)
 
 
 def number(tree: Tree) -> float | None:
@@ -43,7 +44,11 @@ def bare(tree: Any) -> Tree:
     """A tree without the places in its text."""
     if isinstance(tree, Applied):
         return applied(tree.name, *map(bare, tree.operands))
-    return TableName(tree.name, (), 0) if isinstance(tree, TableName) else tree
+    if isinstance(tree, TableName):
+        rows = tuple(one._replace(at=0) for one in tree.subscripts)
+        tree = TableName(tree.name, rows, 0)
+    whole: Tree = tree
+    return whole
 
 
 def plus(first: Tree, second: Tree) -> Tree:
@@ -124,7 +129,8 @@ def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -
             return times(one, times(Constant(power), less))
         case "min" | "max":
             return reduce(partial(_picked, tree.name), zip(operands, slopes, strict=True))[1]
-    return times(one, _OUTER[tree.name](first, tree))
+    outer = _OUTER.get(tree.name)
+    return times(one, outer(first, tree)) if outer else None
 
 
 def _picked(name: str, one: tuple[Tree, Tree], other: tuple[Tree, Tree]) -> tuple[Tree, Tree]:

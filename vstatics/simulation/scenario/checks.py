@@ -14,14 +14,24 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted, spoken
+from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Transmission
-from vstatics.simulation.scenario.formula import Formula
+from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
+from vstatics.simulation.scenario.formula import (
+    OF_EVENTS,
+    OF_MOTION,
+    OF_TORQUES,
+    Formula,
+    Vocabulary,
+    formula_tree,
+)
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, largest_control
 from vstatics.simulation.scenario.sizes import size_problems
+from vstatics.simulation.scenario.words import vocabulary
 from vstatics.simulation.tolerances import (
     GIVEN_CAPACITY,
     LARGEST_NUMBER,
@@ -66,6 +76,12 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_torques(scenario)
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
+    yield from control_problems(scenario)
+    for path, step in placed_steps(scenario):
+        if step.shift is not None:
+            yield from _of_gear(step.shift.to, scenario.case, (*path, "shift", "to"))
+            yield from _of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
+    yield from _of_formulas(scenario)
     yield from _of_speeds(scenario.targets, scenario.case, "targets")
 
 
@@ -132,7 +148,7 @@ def _of_controls(
             yield Problem("E632", message, path)
         elif isinstance(control, Capacity):
             largest = largest_control(element, case)
-            kind = "pressure" if element.friction else "capacity"
+            kind = "pressure" if element.pack else "capacity"
             yield from _of_capacity(control, largest, kind, path)
             if isinstance(control.law, Formula):
                 yield from _tried(control, largest, duration, path)
@@ -145,7 +161,7 @@ def _tried(
 ) -> Iterator[Problem]:
     """A formula at many times: whether it ever gives what is no capacity."""
     law = control.law
-    if not isinstance(law, Formula) or not 0 < duration < math.inf or law.variables - {"t"}:
+    if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     with np.errstate(all="ignore"):
@@ -167,7 +183,6 @@ def _of_capacity(
     law, scale = control
     yield from _of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Formula):
-        yield from of_formula(law, ["t"], path)
         return
     if law.over != "time":
         yield Problem("E634", f"read points over {law.over}, expected points over time", path)
@@ -271,7 +286,7 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
     """Of a torque: numbers that can be, points in order, known names."""
     match law:
         case Formula():
-            yield from of_formula(law, ["t", "speed", "angle"], path)
+            pass  # with all others
         case Points():
             yield from of_points(law, path)
         case Resistance():
@@ -309,17 +324,52 @@ def of_characteristic(
             yield Problem("E649", message, (*path, number, 3))
 
 
-def of_formula(formula: Formula, names: Sequence[str], path: Path) -> Iterator[Problem]:
+def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
+    """Of formulas, each with the names that it may have where it stands."""
+    names = [*scenario.settings, *(state.name for state in scenario.states)]
+    converters = [one.name for one in scenario.converters]
+    words = vocabulary(scenario.case, values=names, converters=converters)
+    for law, own, path, which in _placed_formulas(scenario):
+        yield from of_formula(law, own, path, words.only(*which) if which else Vocabulary())
+
+
+def _placed_formulas(
+    scenario: Scenario,
+) -> Iterator[tuple[object, Sequence[str], Path, Sequence[str]]]:
+    """What may be a formula, its own variables, its place, and the words that it may have."""
+    case, elements = scenario.case, scenario.case.shift_elements
+    more = (*OF_MOTION, *OF_TORQUES)
+    for number, control in (scenario.controls or {}).items():
+        if 0 < number <= len(elements):
+            path: Path = ("controls", elements[number - 1].name)
+            yield getattr(control, "law", None), ["t"], path, OF_MOTION
+    for link, law in scenario.torques:
+        yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
+    for link, speed in scenario.speeds.items():
+        yield speed, ["t"], ("speeds", _name(case, link)), ()
+    for number, ratio in scenario.speed_ratios.items():
+        yield ratio, ["t"], ("speed_ratios", case.mechanisms[number - 1].name), ()
+    for state in scenario.states:
+        yield state.rate, ["t"], ("states", state.name, "rate"), more
+    for path, step in placed_steps(scenario):
+        if step.when:
+            yield step.when.formula, ["t"], (*path, "when"), (*more, *OF_EVENTS)
+        for name, value in step.settings.items():
+            yield value, ["t"], (*path, "set", name), more
+
+
+def of_formula(
+    law: object, names: Sequence[str], path: Path, words: Vocabulary
+) -> Iterator[Problem]:
     """One that can be read, with known names alone."""
+    if not isinstance(law, Formula):
+        return
+    if law.tree is not None:  # read with its names, which it no longer has
+        return
     try:
-        others = sorted(formula.variables.difference(names))
+        formula_tree(Excerpt(law.text, "formula"), names, words)
     except ReadError as error:
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
-        return
-    if others:
-        yield Problem(
-            "E650", f"read {quoted(others[0])}, expected a formula of {spoken(names)}", path
-        )
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:

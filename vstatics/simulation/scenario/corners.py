@@ -21,13 +21,14 @@ from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.formula_code import PI
+from vstatics.simulation.scenario.tables import Table, TableCall
 
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
 
-_COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
-JUMPS = _COMPARES | {"sign"}
-_BENDS = frozenset(("abs", "min", "max"))
+COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
+JUMPS = COMPARES | {"sign"}
+BENDS = frozenset(("abs", "min", "max"))
 
 
 _MOST_DEGREE = 8
@@ -106,7 +107,7 @@ def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
             return Constant(value_at(value, at))
         inside = True
     operands = tuple(_decided(one, name, at, inside=inside) for one in tree.operands)
-    if inside and tree.name in _BENDS:
+    if inside and tree.name in BENDS:
         known = [_polynomial(one, name, at, []) for one in operands]
         if None not in known:
             return _picked(tree, operands, [value_at(one, at) for one in known if one])
@@ -118,24 +119,50 @@ def _polynomial(
 ) -> Polynomial | None:
     """A part as a polynomial near a place, if it is one; where those in it meet is added."""
     if not isinstance(tree, Applied):
-        names = {name: (0.0, 1.0), PI: (math.pi,)}
-        return (tree.value,) if isinstance(tree, Constant) else names.get(tree.name)
+        return _of_operand(tree, name)
     inner: list[tuple[float, bool]] = []
     operands = [_polynomial(one, name, at, inner) for one in tree.operands]
     known = [one for one in operands if one]
+    if isinstance(tree.name, TableCall):
+        met += inner
+        return _of_table(tree.name.table, operands, at, met)
     jumps = tree.name in JUMPS
     met += ((place, bends or (jumps and None in operands)) for place, bends in inner)
-    if jumps or tree.name in _BENDS:
+    if jumps or tree.name in BENDS:
         met += ((place, jumps) for place in _meetings(known, len(operands)))
     if len(known) < len(operands):
         return None
     if jumps or not any(len(one) > 1 for one in known):
         return (_value(tree, [value_at(one, at) for one in known]),)
-    if tree.name in _BENDS:
+    if tree.name in BENDS:
         values = [value_at(one, at) for one in known]
         picked: Polynomial = _picked(tree, known, values, lambda one: tuple(-part for part in one))
         return picked
     return _applied(tree.name, known)
+
+
+def _of_operand(operand: Any, name: str) -> Polynomial | None:
+    """A number, or the variable itself."""
+    names: dict[str, Polynomial] = {name: (0.0, 1.0), PI: (math.pi,)}
+    if isinstance(operand, Constant):
+        return (operand.value,)
+    return None if operand.subscripts else names.get(operand.name)
+
+
+def _of_table(
+    table: Table,
+    operands: Sequence[Polynomial | None],
+    at: float,
+    met: list[tuple[float, bool]],
+) -> Polynomial | None:
+    """A table of one variable is straight between its points."""
+    [inner, *others] = operands
+    if others or inner is None:
+        return None
+    twice = {one for one, next_one in pairwise(table.x) if one == next_one}
+    met += ((root, x in twice) for x in table.x for root in _roots(_sum(inner, (-x,))))
+    value, slope = table.line_at(value_at(inner, at))
+    return _sum((value,), inner, slope) if slope else (value,)
 
 
 def _value(tree: Applied, values: list[float]) -> float:

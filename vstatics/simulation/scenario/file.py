@@ -27,10 +27,13 @@ from vstatics.readers.named.nodes import (
 from vstatics.readers.named.walk import Walk
 from vstatics.readers.reading import Reading, certain
 from vstatics.simulation.scenario.checks import scenario_problems
+from vstatics.simulation.scenario.control_checks import table_problems
 from vstatics.simulation.scenario.distribution import Distribution, distribution_problems
-from vstatics.simulation.scenario.keys import SCENARIO
+from vstatics.simulation.scenario.formula import Vocabulary
+from vstatics.simulation.scenario.keys import named_numbers, scenario_shape
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.values import ScenarioValues
+from vstatics.simulation.scenario.words import name_problems, vocabulary
 
 EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
 _OF_CASES = ("links", "mechanisms", "elements", "springs", "gears", "shift_elements")
@@ -97,10 +100,17 @@ class ScenarioDocument(NamedTuple):
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
         walk.references.set_elements(element.name for element in case.shift_elements)
-        values = walk.read(Spot((), "", self.root), SCENARIO)
+        walk.references.set_mechanisms(one.name for one in case.mechanisms)
+        words = self._words(case)
+        values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)
         scenario, samples = made.scenario(values), made.samples(values)
         problems = list(scenario_problems(scenario))
+        tables, numbers = dict(made.tables(values.get("tables", {}))), values.get("numbers", {})
+        named = [*scenario.settings, *(state.name for state in scenario.states)]
+        problems += name_problems("numbers", [*numbers], named)
+        problems += name_problems("tables", [*tables], [*named, *numbers])
+        problems += table_problems(tables)
         for number, one in enumerate(samples.values(), 1):
             problems += distribution_problems(one, ("samples", number))
         is_certain = certain(spots.unreadable)
@@ -116,6 +126,30 @@ class ScenarioDocument(NamedTuple):
             raise ReadError(sorted(found, key=lambda one: one.place[1:3] if one.place else ()))
         return ScenarioFile(
             scenario, values.get("name", ""), values.get("description", ""), samples, reading, spots
+        )
+
+    def _words(self, case: Transmission) -> Vocabulary:
+        """What its formulas may speak of, as far as it can be read: faults are told later."""
+        quiet = Found(self.found.source)
+        walk = Walk(Spots(quiet))
+        nodes = {key.text: value for key, value in self.root.entries}
+
+        def names(key: str) -> list[str]:
+            node = nodes.get(key)
+            return [one.text for one, _ in node.entries] if isinstance(node, Mapping) else []
+
+        read = {
+            key.name: walk.read(Spot((key.name,), key.name, nodes[key.name]), key.shape)
+            for key in named_numbers()
+            if isinstance(nodes.get(key.name), Mapping)
+        }
+        made = ScenarioValues(case, walk.spots)
+        return vocabulary(
+            case,
+            numbers={name: float(one) for name, one in read.get("numbers", {}).items()},
+            values=[*names("set"), *names("states")],
+            tables=dict(made.tables(read.get("tables", {}))),
+            converters=names("converters"),
         )
 
 
@@ -259,6 +293,8 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     names = _names(path[0], case, spots)
     start, name, rest = path[:named], path[named], path[named + 1 :]
     own = (*start, names.get(str(name), name))
+    if path[0] == "sequences" and rest:
+        return _own_step((*own, *rest), spots)
     if path[0] == "converters" and rest[:1] == ("links",) and len(rest) > 1:
         return (*own, "first" if rest[1] == 1 else "second")
     for number, part in enumerate(rest):
@@ -267,14 +303,27 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     return own
 
 
+def _own_step(path: Path, spots: Spots) -> Path:
+    """A path in a step of a sequence, which may stand under `steps`; what it sets by numbers."""
+    at, rest = path[:2], path[2:]
+    at = (*at, "steps") if spots.has((*at, "steps")) else at
+    at, rest = (*at, rest[0]), rest[1:]
+    if rest[:1] == ("set",) and len(rest) == 2:
+        keys = spots.keys((*at, "set"))
+        return (*at, "set", keys.index(str(rest[1])) + 1) if rest[1] in keys else (*at, "set")
+    return (*at, *rest)
+
+
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
     """Numbers by name of what a key of a scenario speaks of."""
     if key == "controls":
         listed = [element.name for element in case.shift_elements]
-    elif key in ("torques", "targets", "start"):
+    elif key in ("torques", "targets", "start", "speeds"):
         listed = list(case.link_names)
-    elif key == "converters":
-        listed = spots.keys(("converters",))
+    elif key == "speed_ratios":
+        listed = [one.name for one in case.mechanisms]
+    elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
+        listed = spots.keys((str(key),))
     else:
         return {}
     return {name: number for number, name in enumerate(listed, 1)}

@@ -7,23 +7,61 @@ bends or jumps is told by `corners`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from functools import lru_cache
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
-from vstatics.errors import nearest, quoted, spoken
+from vstatics.errors import listed, nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
-from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES, compiled, of_times
+from vstatics.simulation.scenario.formula_code import (
+    FUNCTIONS,
+    PI,
+    VARIABLES,
+    Function,
+    Seen,
+    compiled,
+    of_times,
+    seen_in,
+)
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
+from vstatics.simulation.scenario.tables import Table, TableCall
+
+OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
+"""Words of what a motion is, which any formula may see."""
+OF_TORQUES = ("acceleration", "torque", "power")
+"""Words of what follows from torques: a torque that saw them would have no beginning."""
+OF_EVENTS = ("locks", "slips")
+"""Words of what has happened."""
+
+
+class Vocabulary(NamedTuple):
+    """What the formulas of a scenario may speak of, besides the time and their own link."""
+
+    rows: Mapping[str, Collection[str]] = MappingProxyType({})
+    """The names of links, elements and devices that a word can be of."""
+    numbers: Mapping[str, float] = MappingProxyType({})
+    values: Collection[str] = ()
+    """Names of states, and of numbers that sequences change."""
+    tables: Mapping[str, Table] = MappingProxyType({})
+
+    def only(self, *words: str) -> Vocabulary:
+        """The same with only these words of rows."""
+        return self._replace(rows={one: self.rows[one] for one in words if one in self.rows})
+
+
+NO_WORDS = Vocabulary()
 
 
 class Formula(NamedTuple):
     """A formula of t [s], and of speed [rad/s] and angle [rad] of the link itself.
+
+    It may see the whole box, too: speeds, slips, twists, states (`seen`).
 
     Examples
     --------
@@ -36,7 +74,32 @@ class Formula(NamedTuple):
 
     text: str
     tree: Tree | None = None
-    """What of it is calculated, where not all: between jumps, or its slope."""
+    """What of it is calculated, where not all: between jumps, with numbers for names, its slope."""
+
+    @property
+    def seen(self) -> tuple[Seen, ...]:
+        """What it sees besides the time and its own link, in the order of its function.
+
+        >>> Formula("100*(slip('C') > 2) + p").seen
+        (Seen(word='slip', of='C'), Seen(word='value', of='p'))
+        """
+        return _read(*self).seen
+
+    @property
+    def whole(self) -> Tree:
+        """Its operations, one inside another."""
+        return _read(*self).tree
+
+    def knowing(self, numbers: Mapping[str, float]) -> Formula:
+        """The same with values of some of its names.
+
+        >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
+        6.0
+        """
+        names = {one.of for one in self.seen if one.word == "value"}
+        if names.isdisjoint(numbers):
+            return self
+        return self._replace(tree=_with_numbers(self.whole, numbers))
 
     @property
     def variables(self) -> frozenset[str]:
@@ -61,8 +124,8 @@ class Formula(NamedTuple):
         return [one.value for one in parts(_read(*self).tree) if isinstance(one, Constant)]
 
     @property
-    def function(self) -> Callable[[float, float, float], float]:
-        """Its value by t, speed and angle; NaN or infinite where it has none.
+    def function(self) -> Function:
+        """Its value by t, speed and angle, then by what it sees; NaN or infinite: it has none.
 
         Raises
         ------
@@ -109,6 +172,11 @@ class Formula(NamedTuple):
         return self._replace(tree=slope(_read(*self).tree))
 
     @property
+    def has_slope(self) -> bool:
+        """Whether its change with time is known."""
+        return slope(_read(*self).tree) is not None
+
+    @property
     def switches(self) -> bool:
         """Whether it compares speeds or angles."""
         return _read(*self).switches
@@ -118,7 +186,9 @@ class Formula(NamedTuple):
         return _read(*self).of_times(times)
 
 
-def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula:
+def read_formula(
+    source: Excerpt, names: Collection[str] = VARIABLES, words: Vocabulary = NO_WORDS
+) -> Formula:
     """Read a formula.
 
     Parameters
@@ -126,6 +196,8 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     source : Excerpt
     names : collection of str
         What it may have of t, speed and angle.
+    words : Vocabulary
+        What else.
 
     Raises
     ------
@@ -141,62 +213,136 @@ def read_formula(source: Excerpt, names: Collection[str] = VARIABLES) -> Formula
     ...
     vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
-    _tree(source, names)
-    return Formula(source.part.strip())
+    tree = formula_tree(source, names, words)
+    text = source.part.strip()
+    known = _with_numbers(tree, words.numbers)
+    calls = any(isinstance(part, Applied) and part.name in words.tables for part in parts(tree))
+    return Formula(text, known if calls or known != tree else None)
 
 
-def _tree(source: Excerpt, names: Collection[str]) -> Tree:
-    """The tree of a formula in which only these names stand."""
+def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> Tree:
+    """The tree of a formula in which only these names and words stand."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
-    tree = parse(source, Language(FUNCTIONS, operands, "t", caret=True))
+    functions = (*FUNCTIONS, *words.tables)
+    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
+    read = parse(source, Language(functions, operands, "t", caret=True, of_names=of_names))
+    tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
         if isinstance(part, Applied):
-            if (
-                part.name not in ("min", "max")
-                and part.name in FUNCTIONS
-                and len(part.operands) > 1
-            ):
-                count, example = len(part.operands), f"{part.name}(t)"
-                message = f"{part.name} of {count} parts, expected one, as in {example}"
-                raise source.error(message, part.at)
+            _check_operands(part, words, source)
         elif isinstance(part, DottedName):
             message = f"read {quoted(part.written)}, expected {operands}"
             raise source.error(message, part.at)
         elif isinstance(part, TableName):
-            _check_name(part, names, source)
+            _check_name(part, names, words, source)
     return tree
 
 
-def _check_name(part: TableName, names: Collection[str], source: Excerpt) -> None:
+def _with_tables(tree: Any, tables: Mapping[str, Table]) -> Any:
+    """The tree with calls that know their tables."""
+    if not isinstance(tree, Applied):
+        return tree
+    name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
+    return tree._replace(
+        name=name, operands=tuple(_with_tables(one, tables) for one in tree.operands)
+    )
+
+
+def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
+    """As many operands as a function or a table has."""
+    count, name = len(part.operands), part.name
+    if name in words.tables:
+        wanted = words.tables[name].variables
+        if count != wanted:
+            many = ("none", "one", "two")
+            message = f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many"
+            raise source.error(message, part.at)
+    elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
+        message = f"{name} of {count} parts, expected one, as in {name}(t)"
+        raise source.error(message, part.at)
+
+
+def _check_name(
+    part: TableName, names: Collection[str], words: Vocabulary, source: Excerpt
+) -> None:
     name = part.name
-    if name == PI or name in names:
+    if name in words.rows and part.subscripts:
+        _check_row(part, words.rows[name], source)
+        return
+    if name in (*OF_TORQUES, *OF_EVENTS) and part.subscripts:
+        where = "`when`" if name in OF_EVENTS else "`rate` and `when`"
+        message = f"read `{name}`, which stands in {where} alone"
+        raise source.error(message, part.at)
+    known = (*names, *words.numbers, *words.values)
+    if name == PI or name in known:
         if part.subscripts:
             message = f"read `[` behind `{name}`, expected {name} alone"
             message += ": that of the link itself" if name in ("speed", "angle") else ""
             raise source.error(message, part.at)
         return
     expected = f"expected a formula of {spoken(names)}"
-    hint = "" if name in VARIABLES else nearest(name, (*names, *FUNCTIONS, PI))
+    if name in VARIABLES and name != "t" and words.rows:
+        expected += f"; of a link it is {name}('out')"
+    hint = "" if name in VARIABLES else nearest(name, (*known, *words.rows, *FUNCTIONS, PI))
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
+
+
+def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
+    """That a word is of something that there is."""
+    [row] = part.subscripts
+    seen = seen_in(part)
+    assert seen is not None  # noqa: S101 - it has a row
+    if seen.of not in rows:
+        hint = nearest(seen.of, rows) or f"; there are {listed(list(rows), 8)}" * bool(rows)
+        what = {"temperature": "an element with a `heat_capacity`", "twist": "a spring"}
+        what |= dict.fromkeys(("speed", "angle", "acceleration"), "a link")
+        what |= {"power": "a link, an element or a spring", "torque": "a device"}
+        expected = what.get(part.name, "a shift element")
+        raise source.error(f"read {quoted(seen.of)}, expected {expected}{hint}", row.at)
 
 
 class _Read(NamedTuple):
     """What is known of a text."""
 
     variables: frozenset[str]
-    function: Callable[[float, float, float], float]
+    seen: tuple[Seen, ...]
+    function: Function
     of_times: Callable[[Floats], Floats]
     breaks: tuple[float, ...]
     switches: bool
     tree: Tree
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=1024)
 def _read(text: str, tree: Tree | None) -> _Read:
-    tree = tree or _tree(Excerpt(text, "formula"), VARIABLES)
-    breaks = tuple(corners(tree, "t"))
+    tree = tree or _parsed(text)
+    inside = [part for part in parts(tree) if isinstance(part, TableName)]
+    seen = tuple(dict.fromkeys(one for part in inside if (one := seen_in(part))))
+    own = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
     switches = any(
         isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
         for part in parts(tree)
     )
-    return _Read(variables(tree), compiled(tree), of_times(tree), breaks, switches, tree)
+    along = _no_times if seen else of_times(tree)
+    return _Read(own, seen, compiled(tree, seen), along, tuple(corners(tree, "t")), switches, tree)
+
+
+def _no_times(_: Floats) -> Floats:
+    message = "this formula sees more than the time"
+    raise TypeError(message)
+
+
+def _parsed(text: str) -> Tree:
+    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
+    language = Language(FUNCTIONS, "t", "t", caret=True, of_names=of_names)
+    return parse(Excerpt(text, "formula"), language)
+
+
+def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
+    """The tree with values in place of names."""
+    if isinstance(tree, Applied):
+        operands = tuple(_with_numbers(one, numbers) for one in tree.operands)
+        return tree._replace(operands=operands)
+    if isinstance(tree, TableName) and not tree.subscripts and tree.name in numbers:
+        return Constant(numbers[tree.name])
+    return tree

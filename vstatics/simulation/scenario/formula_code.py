@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Callable, Mapping
+import operator
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -19,10 +20,28 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
+from vstatics.simulation.scenario.tables import Table, TableCall
 
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
-Function: TypeAlias = Callable[[float, float, float], float]
+Function: TypeAlias = Callable[..., float]
+"""By t, speed and angle, then by what else is seen."""
+
+
+class Seen(NamedTuple):
+    """What a formula sees besides the time and its own link."""
+
+    word: str
+    """`speed`, `slip`, ...; of a number that changes `value`."""
+    of: str
+    """The name of a link, an element, a device, a number."""
+
+
+def seen_in(part: TableName) -> Seen | None:
+    """What a name stands for, if it is seen elsewhere than on the own link."""
+    if part.subscripts:
+        return Seen(part.name, part.subscripts[0].written[1:-1])
+    return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
 
 
 def _sign(value: float) -> float:
@@ -77,8 +96,8 @@ _COMPARISONS: Mapping[str, type[ast.cmpop]] = {
 _LOGIC: Mapping[str, type[ast.boolop]] = {"and": ast.And, "or": ast.Or}
 
 
-def compiled(tree: Tree) -> Function:
-    """The function of a tree whose names are those of `VARIABLES`, or `pi`.
+def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
+    """The function of a tree: of `VARIABLES`, then of what else is seen.
 
     Examples
     --------
@@ -88,14 +107,15 @@ def compiled(tree: Tree) -> Function:
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    plain: Function = _evaluated(tree, _PLAIN)
+    functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
+    plain: Function = _evaluated(tree, functions, seen)
 
-    def function(t: float, speed: float, angle: float) -> float:
+    def function(*known: float) -> float:
         try:
-            return plain(t, speed, angle)
+            return plain(*known)
         except (ArithmeticError, ValueError):
-            known = {"t": t, "speed": speed, "angle": angle, PI: math.pi}
-            return evaluate(tree, lambda name: np.array([[known[name.name]]])).item()
+            arrays = [np.array([[one]]) for one in known]
+            return _as_arrays(tree, arrays, seen).item()
 
     return function
 
@@ -114,18 +134,43 @@ def of_times(tree: Tree) -> Callable[[Floats], Floats]:
     if _compares(tree):
         one = compiled(tree)
         return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
-    broad = _evaluated(tree, _BROAD)
+    functions = {**_BROAD, **{name: table.along for name, table in _tables(tree).items()}}
+    broad = _evaluated(tree, functions)
 
     def function(times: Floats) -> Floats:
         with np.errstate(all="ignore"):
             try:
                 values = broad(times, 0.0, 0.0)
             except (ArithmeticError, ValueError):  # of numbers alone, as 1/0
-                known = {"t": times[:, None, None], PI: np.array([[math.pi]])}
-                values = evaluate(tree, lambda name: known[name.name]).reshape(-1)
+                zeros = np.zeros((1, 1))
+                arrays = [times[:, None, None], zeros, zeros]
+                values = _as_arrays(tree, arrays, ()).reshape(-1)
             return np.broadcast_to(values, times.shape).astype(float)
 
     return function
+
+
+def _tables(tree: Any) -> dict[str, Table]:
+    """The tables that a tree calls, by their names."""
+    if not isinstance(tree, Applied):
+        return {}
+    own = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
+    return reduce(operator.or_, map(_tables, tree.operands), own)
+
+
+def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
+    """The values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is no number."""
+    by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
+
+    def value_of(part: Any) -> Floats:
+        if isinstance(part, Applied):
+            assert isinstance(part.name, TableCall)  # noqa: S101 - nothing else is left
+            return part.name.table.along(*(evaluate(one, value_of) for one in part.operands))
+        if part.name == PI:
+            return np.array([[math.pi]])
+        return by_name[seen_in(part) or part.name]
+
+    return evaluate(tree, value_of)
 
 
 def _compares(tree: Any) -> bool:
@@ -135,10 +180,68 @@ def _compares(tree: Any) -> bool:
     return _is_truth(tree) or any(map(_compares, tree.operands))
 
 
-def _evaluated(tree: Tree, functions: Mapping[str, Callable[..., Any]]) -> Any:
+class _Writer:
+    """Writes the syntax tree of a function."""
+
+    def __init__(self, seen: Sequence[Seen]) -> None:
+        self.names: dict[object, str] = {one: one for one in VARIABLES}
+        self.names |= {one: f"seen_{number}" for number, one in enumerate(seen)}
+
+    def function(self, tree: Tree) -> ast.Expression:
+        """Of the variables, then of what is seen."""
+        arguments = [ast.arg(name) for name in self.names.values()]
+        made = ast.arguments([], arguments, None, [], [], None, [])
+        return ast.fix_missing_locations(ast.Expression(ast.Lambda(made, self.number(tree))))
+
+    def number(self, tree: Any) -> ast.expr:
+        """The value of a part, as a float."""
+        if isinstance(tree, Applied):
+            if _is_truth(tree):
+                return _call("number", self.condition(tree))
+            return self.operation(tree, [self.number(operand) for operand in tree.operands])
+        if isinstance(tree, Constant):
+            return ast.Constant(tree.value)
+        if tree.name == PI:
+            return ast.Constant(math.pi)
+        return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())
+
+    def operation(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
+        """An operator or a function of numbers, applied."""
+        if tree.name == "-x":
+            return ast.UnaryOp(ast.USub(), operands[0])
+        if tree.name == "**":
+            return self.power(tree, operands)
+        if tree.name in ("min", "max") and len(operands) == 1:
+            return operands[0]
+        if tree.name in _ARITHMETIC:
+            return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
+        return _call(str(tree.name), *operands)
+
+    def power(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
+        """A square is a product, since that is fast."""
+        base, exponent = tree.operands
+        if isinstance(base, TableName) and exponent == Constant(2.0):
+            return ast.BinOp(operands[0], ast.Mult(), self.number(base))
+        return _call("pow", *operands)
+
+    def condition(self, tree: Any) -> ast.expr:
+        """Whether a part is true."""
+        if not _is_truth(tree):
+            return _call("truth", self.number(tree))
+        if tree.name in _COMPARISONS:
+            left, right = map(self.number, tree.operands)
+            return ast.Compare(left, [_COMPARISONS[tree.name]()], [right])
+        conditions = [self.condition(operand) for operand in tree.operands]
+        if tree.name == "not":
+            return ast.UnaryOp(ast.Not(), conditions[0])
+        return ast.BoolOp(_LOGIC[tree.name](), conditions)
+
+
+def _evaluated(
+    tree: Tree, functions: Mapping[str, Callable[..., Any]], seen: Sequence[Seen] = ()
+) -> Any:
     """A function of the variables."""
-    arguments = ast.arguments([], [ast.arg(name) for name in VARIABLES], None, [], [], None, [])
-    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _number(tree))))
+    whole = _Writer(seen).function(tree)
     own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
     return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
 
@@ -147,50 +250,5 @@ def _call(name: str, *operands: ast.expr) -> ast.expr:
     return ast.Call(ast.Name(name, ast.Load()), list(operands), [])
 
 
-def _number(tree: Any) -> ast.expr:
-    """The value of a part, as a float."""
-    if isinstance(tree, Applied):
-        if _is_truth(tree):
-            return _call("number", _condition(tree))
-        return _operation(tree, [_number(operand) for operand in tree.operands])
-    if isinstance(tree, Constant):
-        return ast.Constant(tree.value)
-    return ast.Constant(math.pi) if tree.name == PI else ast.Name(tree.name, ast.Load())
-
-
-def _operation(tree: Applied, operands: list[ast.expr]) -> ast.expr:
-    """An operator or a function of numbers, applied."""
-    if tree.name == "-x":
-        return ast.UnaryOp(ast.USub(), operands[0])
-    if tree.name == "**":
-        return _power(tree, operands)
-    if tree.name in ("min", "max") and len(operands) == 1:
-        return operands[0]
-    if tree.name in _ARITHMETIC:
-        return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
-    return _call(tree.name, *operands)
-
-
-def _power(tree: Applied, operands: list[ast.expr]) -> ast.expr:
-    """A square is a product, since that is fast."""
-    base, exponent = tree.operands
-    if isinstance(base, TableName) and exponent == Constant(2.0):
-        return ast.BinOp(operands[0], ast.Mult(), _number(base))
-    return _call("pow", *operands)
-
-
 def _is_truth(tree: Any) -> bool:
     return isinstance(tree, Applied) and tree.name in (*_COMPARISONS, *_LOGIC, "not")
-
-
-def _condition(tree: Any) -> ast.expr:
-    """Whether a part is true."""
-    if not _is_truth(tree):
-        return _call("truth", _number(tree))
-    if tree.name in _COMPARISONS:
-        left, right = map(_number, tree.operands)
-        return ast.Compare(left, [_COMPARISONS[tree.name]()], [right])
-    conditions = [_condition(operand) for operand in tree.operands]
-    if tree.name == "not":
-        return ast.UnaryOp(ast.Not(), conditions[0])
-    return ast.BoolOp(_LOGIC[tree.name](), conditions)

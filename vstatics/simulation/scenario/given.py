@@ -7,7 +7,7 @@ scenario of these.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple, get_args
 
@@ -16,7 +16,14 @@ from vstatics.model.shape import Measure, Parsed
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.si_units import in_any_unit
-from vstatics.simulation.scenario.formula import Formula, read_formula
+from vstatics.simulation.scenario.conditions import Condition, read_condition
+from vstatics.simulation.scenario.formula import (
+    OF_MOTION,
+    OF_TORQUES,
+    Formula,
+    Vocabulary,
+    read_formula,
+)
 from vstatics.simulation.scenario.laws import Road
 
 
@@ -55,7 +62,24 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
     return fault
 
 
-def _curve(text: str, measures: Sequence[Measure], names: Sequence[str]) -> float | Formula:
+class GivenTable(NamedTuple):
+    """A table as a mapping."""
+
+    file: str = ""
+    columns: Sequence[float] = ()
+    rows: Sequence[Sequence[float]] = ()
+
+
+class GivenSteps(NamedTuple):
+    """The steps of a sequence as a mapping."""
+
+    steps: Sequence[Mapping[str, Any]] = ()
+    repeat: bool = False
+
+
+def _curve(
+    text: str, measures: Sequence[Measure], names: Sequence[str], words: Vocabulary
+) -> float | Formula:
     """A number, bare or with its unit, or a formula."""
     try:
         behind = calculated(text).behind
@@ -66,24 +90,61 @@ def _curve(text: str, measures: Sequence[Measure], names: Sequence[str]) -> floa
     try:
         return in_any_unit(text, measures)
     except ValueError:
-        return read_formula(Excerpt(text, ""), names)
+        return read_formula(Excerpt(text, ""), names, words)
 
 
 def _number(measures: Sequence[Measure], expected: str) -> Parsed:
     return Parsed(expected, partial(in_any_unit, measures=measures), 0.0)
 
 
+ANY_MEASURE = get_args(Measure)
 CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa")
 ABSCISSA = _number(["time", "si_speed", "angle"], "a time, a speed or an angle")
 SPEED = _number(["si_speed", "velocity"], "a speed")
-ANYTHING = _number(get_args(Measure), "a number")
-CAPACITY_CURVE = Parsed(
-    "a capacity, or a formula of t",
-    partial(_curve, measures=["si_torque", "pressure"], names=["t"]),
-    0.0,
-)
-TORQUE_CURVE = Parsed(
-    "a torque, or a formula of t, speed and angle",
-    partial(_curve, measures=["si_torque"], names=["t", "speed", "angle"]),
-    0.0,
-)
+ANYTHING = _number(ANY_MEASURE, "a number")
+
+
+def capacity_curve(words: Vocabulary) -> Parsed:
+    """What a shift element can carry, over time or by what is seen."""
+    measures: Sequence[Measure] = ["si_torque", "pressure"]
+    parse = partial(_curve, measures=measures, names=["t"], words=words.only(*OF_MOTION))
+    return Parsed("a capacity, or a formula of t", parse, 0.0)
+
+
+def torque_curve(words: Vocabulary) -> Parsed:
+    """A torque on a link, by its own motion or by what is seen."""
+    names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
+    parse = partial(_curve, measures=["si_torque"], names=names, words=seen)
+    return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0)
+
+
+def speed_curve(words: Vocabulary) -> Parsed:
+    """A speed over time."""
+    return _timed_curve(words, "a speed", ["si_speed", "velocity"])
+
+
+def ratio_curve(words: Vocabulary) -> Parsed:
+    """A speed ratio over time."""
+    return _timed_curve(words, "a speed ratio", ["angle"])
+
+
+def _timed_curve(words: Vocabulary, what: str, measures: Sequence[Measure]) -> Parsed:
+    seen = words.only()._replace(values=())
+    parse = partial(_curve, measures=measures, names=["t"], words=seen)
+    return Parsed(f"{what}, or a formula of t", parse, 0.0)
+
+
+def value_curve(words: Vocabulary) -> Parsed:
+    """A number, or a formula that sees everything that does not happen at an instant."""
+    seen = words.only(*OF_MOTION, *OF_TORQUES)
+    parse = partial(_curve, measures=ANY_MEASURE, names=["t"], words=seen)
+    return Parsed("a number, or a formula", parse, 0.0)
+
+
+def condition(words: Vocabulary) -> Parsed:
+    """A condition."""
+
+    def parse(text: str) -> Condition:
+        return read_condition(Excerpt(text, ""), words)
+
+    return Parsed("a condition, such as `t >= 0.5`", parse, None)

@@ -16,6 +16,8 @@ from vstatics.simulation.scenario.laws import Curve, Over, Points, constant
 
 _MOST_JUMPS = 100
 """Of a formula; with more of them it is taken as it stands."""
+_ANYTHING = 0.7390851332151607
+"""What is seen elsewhere, where all that counts is whether two values are the same."""
 _MOST_SURFACES = 4
 """The same of those that depend on time, which may cross."""
 
@@ -34,12 +36,12 @@ class LawJump(NamedTuple):
     @property
     def speed(self) -> Curve:
         """At which a motion slides along it, but for what the angle adds [rad/s]."""
-        return self.at if self.over == "speed" else _slope(self.at)
+        return self.at if self.over == "speed" else curve_slope(self.at)
 
     @property
     def change(self) -> Curve:
         """That of this speed with time [rad/s^2]."""
-        return _slope(self.speed)
+        return curve_slope(self.speed)
 
     @property
     def rests(self) -> bool:
@@ -128,18 +130,32 @@ def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJ
     for at, before in zip(places, _intervals(places), strict=False):
         below = law.between(over, *before)
         right_there = (0.0, at, 0.0) if over == "speed" else (0.0, 0.0, at)
-        own = below.function(*right_there) == law.function(*right_there)
+        own = _at(below, right_there) == _at(law, right_there)
         yield LawJump(over, constant(at), "-" if own else "+")
+
+
+def _at(law: Formula, own: tuple[float, float, float]) -> float:
+    """The value of a law, whatever else it sees."""
+    return law.function(*own, *[_ANYTHING] * len(law.seen))
 
 
 def _plain(formula: Formula) -> Points | Formula:
     """A number where nothing else is left."""
-    return formula if formula.variables else constant(formula.function(0.0, 0.0, 0.0))
+    if formula.variables or formula.seen:
+        return formula
+    return constant(formula.function(0.0, 0.0, 0.0))
 
 
-def _slope(curve: Curve) -> Curve:
-    """The change of the place of a jump with time; points are a number there."""
-    return constant(0.0) if isinstance(curve, Points) else _plain(curve.slope)
+def curve_slope(curve: Curve) -> Curve:
+    """The change of a place or a speed with time."""
+    if isinstance(curve, Formula):
+        return _plain(curve.slope)
+    slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]
+    if not any(slopes):
+        return constant(0.0)
+    ends = [(x, slopes[number + after]) for number, x in enumerate(curve.x) for after in (0, 1)]
+    times, values = zip(*ends, strict=True)
+    return Points(times, values)
 
 
 def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:

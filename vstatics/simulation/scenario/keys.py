@@ -5,6 +5,8 @@ What is read of them is in `scenario_given`.
 
 from __future__ import annotations
 
+from typing import Any, NoReturn
+
 from vstatics.model.keys import ENGAGED
 from vstatics.model.shape import (
     FLAG,
@@ -19,19 +21,27 @@ from vstatics.model.shape import (
     ListOf,
     Numbers,
     OneOrMany,
+    Parsed,
     RowOf,
 )
 from vstatics.simulation.scenario.distribution import Distribution
+from vstatics.simulation.scenario.formula import Vocabulary
 from vstatics.simulation.scenario.given import (
     ABSCISSA,
     ANYTHING,
     CAPACITY,
-    CAPACITY_CURVE,
     SPEED,
-    TORQUE_CURVE,
     GivenControl,
     GivenLaw,
+    GivenSteps,
+    GivenTable,
+    capacity_curve,
+    condition,
     exactly_one,
+    ratio_curve,
+    speed_curve,
+    torque_curve,
+    value_curve,
 )
 from vstatics.simulation.scenario.laws import Road
 
@@ -45,36 +55,50 @@ _POINTS_OVER_TIME += "where a time repeats the later value holds from there"
 _CAPACITY_POINTS = ListOf(RowOf((_TIME, CAPACITY), "time, capacity"), "points", unique=False)
 _TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", unique=False)
 
-CONTROL = ByForm(
-    "a capacity, a formula, points [[time, capacity], ...] or a mapping",
-    CAPACITY_CURVE,
-    _CAPACITY_POINTS,
-    ByKey(
-        "Control",
-        "What a shift element can carry over time; or a dog clutch, which joins at once or opens.",
-        (
-            KeyShape(
-                "points",
-                _CAPACITY_POINTS,
-                f"{_POINTS_OVER_TIME[0].upper()}{_POINTS_OVER_TIME[1:]}.",
-            ),
-            KeyShape("formula", CAPACITY_CURVE, "A number or a formula of t."),
-            KeyShape("scale", NUMBER, "By which it is multiplied.", default=1, limits=_NOT_BELOW_0),
-            KeyShape(
-                "dog",
-                ListOf(
-                    RowOf((_TIME, Leaf("choice", ("open", "closed"))), "time, state"),
-                    "times",
-                    unique=False,
+
+_SPEEDS = "a speed, a formula of t, or points [[time, speed], ...]"
+_SPEED_POINTS = ListOf(RowOf((_TIME, SPEED), "time, speed"), "points", unique=False)
+
+
+_RATIOS = "a speed ratio, a formula of t, or points [[time, ratio], ...]"
+_RATIO_POINTS = ListOf(RowOf((_TIME, NUMBER), "time, ratio"), "points", unique=False)
+
+
+def _control(curve: Parsed) -> ByForm:
+    return ByForm(
+        "a capacity, a formula, points [[time, capacity], ...] or a mapping",
+        curve,
+        _CAPACITY_POINTS,
+        ByKey(
+            "Control",
+            "What a shift element can carry over time; or a dog clutch, which joins at once or "
+            "opens.",
+            (
+                KeyShape(
+                    "points",
+                    _CAPACITY_POINTS,
+                    f"{_POINTS_OVER_TIME[0].upper()}{_POINTS_OVER_TIME[1:]}.",
                 ),
-                "Times from which it is closed or open; open before.",
-                examples=([[1.5, "closed"]],),
+                KeyShape("formula", curve, "A number or a formula of t."),
+                KeyShape(
+                    "scale", NUMBER, "By which it is multiplied.", default=1, limits=_NOT_BELOW_0
+                ),
+                KeyShape(
+                    "dog",
+                    ListOf(
+                        RowOf((_TIME, Leaf("choice", ("open", "closed"))), "time, state"),
+                        "times",
+                        unique=False,
+                    ),
+                    "Times from which it is closed or open; open before.",
+                    examples=([[1.5, "closed"]],),
+                ),
             ),
+            GivenControl,
+            exactly_one("points", "formula", "dog"),
         ),
-        GivenControl,
-        exactly_one("points", "formula", "dog"),
-    ),
-)
+    )
+
 
 ROAD = ByKey(
     "Road",
@@ -92,39 +116,43 @@ ROAD = ByKey(
     Road,
 )
 
-LAW = ByForm(
-    "a torque, a formula, points [[time, torque], ...] or a mapping",
-    TORQUE_CURVE,
-    _TORQUE_POINTS,
-    ByKey(
-        "Torque",
-        "A law of an outside torque.",
-        (
-            KeyShape(
-                "over",
-                Leaf("choice", ("time", "speed", "angle")),
-                "What stands first in points: the time in s, the speed in rad/s or the angle in "
-                "rad of the link itself.",
+
+def _law(curve: Parsed) -> ByForm:
+    return ByForm(
+        "a torque, a formula, points [[time, torque], ...] or a mapping",
+        curve,
+        _TORQUE_POINTS,
+        ByKey(
+            "Torque",
+            "A law of an outside torque.",
+            (
+                KeyShape(
+                    "over",
+                    Leaf("choice", ("time", "speed", "angle")),
+                    "What stands first in points: the time in s, the speed in rad/s or the angle "
+                    "in rad of the link itself.",
+                ),
+                KeyShape(
+                    "points",
+                    ListOf(RowOf((ABSCISSA, _TORQUE), "abscissa, torque"), "points", unique=False),
+                    "Points in their order, straight between, constant outside.",
+                    examples=([[80, 900], [200, 1100], [260, 0]],),
+                ),
+                KeyShape("formula", curve, "A number or a formula of t, speed and angle."),
+                KeyShape(
+                    "resistance",
+                    _TORQUE,
+                    "Dry friction: against the speed, and at rest it holds up to this torque, in "
+                    "N*m.",
+                    limits=_NOT_BELOW_0,
+                ),
+                KeyShape("road", ROAD, "Rolling resistance, air drag and slope."),
             ),
-            KeyShape(
-                "points",
-                ListOf(RowOf((ABSCISSA, _TORQUE), "abscissa, torque"), "points", unique=False),
-                "Points in their order, straight between, constant outside.",
-                examples=([[80, 900], [200, 1100], [260, 0]],),
-            ),
-            KeyShape("formula", TORQUE_CURVE, "A number or a formula of t, speed and angle."),
-            KeyShape(
-                "resistance",
-                _TORQUE,
-                "Dry friction: against the speed, and at rest it holds up to this torque, in N*m.",
-                limits=_NOT_BELOW_0,
-            ),
-            KeyShape("road", ROAD, "Rolling resistance, air drag and slope."),
+            GivenLaw,
+            exactly_one("points", "formula", "resistance", "road", with_points=["over"]),
         ),
-        GivenLaw,
-        exactly_one("points", "formula", "resistance", "road", with_points=["over"]),
-    ),
-)
+    )
+
 
 START = ByKey(
     "Start",
@@ -200,43 +228,201 @@ SAMPLES = ByKey(
     exactly_one("normal", "lognormal", "uniform"),
 )
 
-SCENARIO = ByKey(
-    "Scenario",
-    "What happens to a case over time; bare numbers are in SI.",
-    (
-        KeyShape("name", TEXT, "Name of the scenario, on one line."),
-        KeyShape("description", TEXT, "What happens, as long as you like."),
-        KeyShape("source", TEXT, "Where its data come from."),
-        KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
-        KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
-        KeyShape("start", START, "The speeds at t = 0.", required=True),
-        KeyShape(
-            "controls",
-            Numbers("shift element", CONTROL),
-            "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
-            "have `friction`; what has none, and no shift moves, stays as the start has it.",
+TABLE = ByForm(
+    "points [[x, value], ...], or a mapping with `file`, or with `columns` and `rows`",
+    ANYTHING,
+    ListOf(RowOf((ANYTHING, ANYTHING), "x, value"), "points", unique=False),
+    ByKey(
+        "Table",
+        "Values that formulas call by the name of the table: straight between, constant outside.",
+        (
+            KeyShape(
+                "file",
+                TEXT,
+                "CSV file beside this one, with a head such as `speed [rpm],.2,.5,1`: what the "
+                "first column is, then the second variable of each other column.",
+                examples=("engine.csv",),
+            ),
+            KeyShape(
+                "columns",
+                ListOf(ANYTHING, "numbers", unique=False),
+                "The second variable of each column, ascending.",
+                examples=([0.2, 0.5, 1],),
+            ),
+            KeyShape(
+                "rows",
+                ListOf(ListOf(ANYTHING, "numbers", unique=False), "rows", unique=False),
+                "The first variable, ascending, then the value of each column.",
+                examples=([[100, 20, 50, 90], [300, 25, 60, 110]],),
+            ),
         ),
-        KeyShape(
-            "torques",
-            Numbers("link", OneOrMany(LAW)),
-            "Outside torques on links in N*m, positive like the input's; a law, or several.",
-        ),
-        KeyShape("converters", ByName("converter", CONVERTER), "Torque converters by their names."),
-        KeyShape(
-            "shifts",
-            ListOf(SHIFT, "shifts", unique=False),
-            "Shifts by names of gears, in their order; of several at one time the last holds.",
-        ),
-        KeyShape(
-            "targets",
-            Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
-            "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
-            examples=({"vehicle": [8.3, 27.8]},),
-        ),
-        KeyShape(
-            "samples",
-            ByName("number", SAMPLES),
-            "Distributions of numbers of this scenario or its case, by their paths.",
-        ),
+        GivenTable,
+        exactly_one("file", "rows"),
     ),
 )
+
+
+def named_numbers() -> tuple[KeyShape, ...]:
+    """The keys of what formulas know by a name, which is read before them."""
+    return (
+        KeyShape(
+            "numbers",
+            ByName("number", ANYTHING),
+            "Numbers by the names that formulas have for them.",
+            examples=({"t_k": 0.46},),
+        ),
+        KeyShape("tables", ByName("table", TABLE), "Tables that formulas call by their names."),
+    )
+
+
+def _state(rate: Parsed) -> ByKey:
+    return ByKey(
+        "State",
+        "A number that changes by itself.",
+        (
+            KeyShape("rate", rate, "Its change with time, by a formula.", required=True),
+            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
+            KeyShape("min", ANYTHING, "It does not fall below."),
+            KeyShape("max", ANYTHING, "It does not rise above."),
+        ),
+    )
+
+
+def _sequence(when: Parsed, value: Parsed) -> ByForm:
+    step = ByKey(
+        "Step",
+        "What is done once a condition was true.",
+        (
+            KeyShape("when", when, "The condition; at once when not given."),
+            KeyShape("within", _TIME, "How long it may take to be true, in s.", limits=_ABOVE_0),
+            KeyShape("wait", _TIME, "Time from then on, in s.", default=0, limits=_NOT_BELOW_0),
+            KeyShape("set", ByName("number", value), "Numbers and states that are set."),
+            KeyShape(
+                "shift",
+                ByKey(
+                    "SequenceShift",
+                    "A shift to another gear.",
+                    tuple(key for key in SHIFT.keys if key.name != "at"),
+                ),
+                "A shift that begins then.",
+            ),
+            KeyShape(
+                "dog",
+                Numbers("shift element", Leaf("choice", ("open", "closed"))),
+                "Dog clutches that open or close.",
+            ),
+        ),
+        fault=_does_nothing,
+    )
+    steps = ListOf(step, "steps", unique=False)
+    return ByForm(
+        _STEPS,
+        Parsed(_STEPS, _no_steps, []),
+        steps,
+        ByKey(
+            "Sequence",
+            "Steps that are done one after the other.",
+            (
+                KeyShape("steps", steps, "The steps.", required=True),
+                KeyShape("repeat", FLAG, "It begins again behind the last.", default=False),
+            ),
+            GivenSteps,
+        ),
+    )
+
+
+_STEPS = "a list of steps, or a mapping with `steps`"
+
+
+def _no_steps(_: str) -> NoReturn:
+    message = f"expected {_STEPS}"
+    raise ValueError(message)
+
+
+def _does_nothing(**values: Any) -> str:
+    return "" if any(map(values.get, ("set", "shift", "dog"))) else _NOTHING_TO_DO
+
+
+_NOTHING_TO_DO = "read a step with nothing to do, expected `set`, `shift` or `dog`"
+
+
+def scenario_shape(words: Vocabulary) -> ByKey:
+    """The keys of a scenario whose formulas may speak of this."""
+    return ByKey(
+        "Scenario",
+        "What happens to a case over time; bare numbers are in SI.",
+        (
+            KeyShape("name", TEXT, "Name of the scenario, on one line."),
+            KeyShape("description", TEXT, "What happens, as long as you like."),
+            KeyShape("source", TEXT, "Where its data come from."),
+            KeyShape(
+                "case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)
+            ),
+            KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
+            KeyShape("start", START, "The speeds at t = 0.", required=True),
+            KeyShape(
+                "controls",
+                Numbers("shift element", _control(capacity_curve(words))),
+                "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
+                "have `friction`; what has none, and no shift moves, stays as the start has it.",
+            ),
+            KeyShape(
+                "torques",
+                Numbers("link", OneOrMany(_law(torque_curve(words)))),
+                "Outside torques on links in N*m, positive like the input's; a law, or several.",
+            ),
+            KeyShape(
+                "speeds",
+                Numbers("link", ByForm(_SPEEDS, speed_curve(words), _SPEED_POINTS)),
+                "Speeds of links that are given over time, in rad/s; what torque this takes is "
+                "their column of torques.",
+                examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
+            ),
+            KeyShape(
+                "speed_ratios",
+                Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
+                "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
+                examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
+            ),
+            KeyShape(
+                "converters", ByName("converter", CONVERTER), "Torque converters by their names."
+            ),
+            KeyShape(
+                "shifts",
+                ListOf(SHIFT, "shifts", unique=False),
+                "Shifts by names of gears, in their order; of several at one time the last holds.",
+            ),
+            *named_numbers(),
+            KeyShape(
+                "states",
+                ByName("state", _state(value_curve(words))),
+                "Numbers that change by themselves, dx/dt = rate, by their names.",
+                examples=({"p": {"rate": "(command - p)/0.06"}},),
+            ),
+            KeyShape(
+                "set",
+                ByName("number", ANYTHING),
+                "Numbers that sequences change, as they are at first.",
+                examples=({"command": 0},),
+            ),
+            KeyShape(
+                "sequences",
+                ByName("sequence", _sequence(condition(words), value_curve(words))),
+                "What is done one after the other, each once a condition is true.",
+            ),
+            KeyShape(
+                "targets",
+                Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
+                "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
+                examples=({"vehicle": [8.3, 27.8]},),
+            ),
+            KeyShape(
+                "samples",
+                ByName("number", SAMPLES),
+                "Distributions of numbers of this scenario or its case, by their paths.",
+            ),
+        ),
+    )
+
+
+SCENARIO = scenario_shape(Vocabulary())

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from vstatics.model.transmission import Transmission
+from vstatics.simulation.scenario.conditions import Condition
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, TorqueLaw
 
 
@@ -77,6 +80,44 @@ class Shift(NamedTuple):
     """Time that it takes. [s]"""
 
 
+class ControlState(NamedTuple):
+    """A number that changes by itself: ``dx/dt = rate``."""
+
+    name: str
+    rate: Curve
+    """A number, or a formula. [1/s]"""
+    start: float = 0.0
+    least: float = -math.inf
+    most: float = math.inf
+    """While it is at a limit and its rate points outward, it stays there."""
+
+
+class SequenceStep(NamedTuple):
+    """What is done once a condition was true."""
+
+    when: Condition | None = None
+    """None: at once."""
+    within: float = math.inf
+    """So long after the step before it must have been true. [s]"""
+    wait: float = 0.0
+    """Time from then on until it is done. [s]"""
+    settings: Mapping[str, Curve] = MappingProxyType({})
+    """Numbers and states, and what they are from then on."""
+    shift: Shift | None = None
+    """Its time does not count."""
+    dogs: Mapping[int, bool] = MappingProxyType({})
+    """Number of a dog clutch -> whether it is closed from then on."""
+
+
+class StepSequence(NamedTuple):
+    """Steps, one after the other."""
+
+    name: str
+    steps: tuple[SequenceStep, ...]
+    repeat: bool = False
+    """Whether it begins again behind the last."""
+
+
 class Scenario(NamedTuple):
     """A case and what happens to it.
 
@@ -95,6 +136,16 @@ class Scenario(NamedTuple):
         None: there is no such key.
     targets : mapping of int to sequence of float
         Link -> speeds whose time and angle are asked for. [rad/s]
+    settings : mapping of str to float
+        Numbers that sequences change.
+    states : sequence of ControlState
+    sequences : sequence of StepSequence
+    speeds : mapping of int to Curve
+        Link -> its speed over time, which is given: points without a jump, or a formula of t.
+        [rad/s]
+    speed_ratios : mapping of int to Curve
+        Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
+        or a formula of t. [-]
     """
 
     case: Transmission
@@ -105,3 +156,22 @@ class Scenario(NamedTuple):
     converters: tuple[Converter, ...] = ()
     shifts: tuple[Shift, ...] | None = None
     targets: Mapping[int, tuple[float, ...]] = MappingProxyType({})
+    settings: Mapping[str, float] = MappingProxyType({})
+    states: tuple[ControlState, ...] = ()
+    sequences: tuple[StepSequence, ...] = ()
+    speeds: Mapping[int, Curve] = MappingProxyType({})
+    speed_ratios: Mapping[int, Curve] = MappingProxyType({})
+
+
+def formulas(scenario: Scenario) -> Iterator[Formula]:
+    """All formulas of a scenario."""
+    for control in (scenario.controls or {}).values():
+        if isinstance(control, Capacity) and isinstance(control.law, Formula):
+            yield control.law
+    yield from (law for _, law in scenario.torques if isinstance(law, Formula))
+    yield from (one.rate for one in scenario.states if isinstance(one.rate, Formula))
+    for sequence in scenario.sequences:
+        for step in sequence.steps:
+            yield from (one for one in step.settings.values() if isinstance(one, Formula))
+            if step.when is not None:
+                yield from step.when.comparisons

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple, TypeAlias
 
 from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.scenario.laws import Curve, Points, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
+
+Look: TypeAlias = Callable[[float, Sequence[float]], float]
+"""By the time, and by all that is seen."""
 
 
 class Programme(NamedTuple):
@@ -24,10 +27,14 @@ class Programme(NamedTuple):
     """Whether it holds anything or nothing, and joins at once."""
     largest: float | None = None
     """Which the capacity of the case allows. [N*m or Pa]"""
+    look: Look | None = None
+    """Of a formula that sees more than the time: its value then."""
 
-    def breaks(self) -> tuple[float, ...]:
-        """Times at which it may bend or jump [s]."""
-        return self.curve.x if isinstance(self.curve, Points) else self.curve.breaks
+    def seen_at(self, time: float, seen: Sequence[float]) -> float:
+        """What it gives while it sees something: cut at 0, and at what the case allows."""
+        assert self.look is not None  # noqa: S101 - it is asked of these alone
+        most = math.inf if self.largest is None else self.largest
+        return self.factor * min(max(self.look(time, seen), 0.0), most)
 
 
 OPEN = Programme(constant(0.0))
@@ -57,7 +64,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
         control = controls.get(number)
         if element.is_freewheel:
             held = newton_metres(element.capacity, scenario.case)
-            factor = 1 / friction_at(element.friction)
+            factor = 1 / friction_at(element.pack)
             found.append(Programme(constant(math.inf if held is None else held), factor))
         elif control is not None:
             found.append(_controlled(control, element, scenario.case))
@@ -128,7 +135,7 @@ def slip_points(friction: Friction | Law | None) -> tuple[tuple[float, float], .
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:
     """What a control may give at most by the capacity of the case [N*m]; with a pack [Pa]."""
-    largest, pack = newton_metres(element.capacity, case), element.friction
+    largest, pack = newton_metres(element.capacity, case), element.pack
     if largest is None or pack is None:
         return largest
     return largest / (pack.per_pressure * friction_at(pack))
@@ -136,7 +143,7 @@ def largest_control(element: ShiftElement, case: Transmission) -> float | None:
 
 def _controlled(control: object, element: ShiftElement, case: Transmission) -> Programme:
     if isinstance(control, Capacity):
-        pack = element.friction
+        pack = element.pack
         factor = control.scale * (pack.per_pressure if pack else 1.0)
         return Programme(control.law, factor, largest=largest_control(element, case))
     times: list[float] = []
@@ -177,7 +184,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
             moment = moment if target else at
             points = [*kept, (at, now), (moment, now), (moment, target)]
     # the capacity of the case is that at the begin of slip, whatever the pack
-    factor = 1.0 if anything else 1 / friction_at(element.friction)
+    factor = 1.0 if anything else 1 / friction_at(element.pack)
     times, capacities = zip(*points, strict=True)
     return Programme(Points(times, capacities), factor, is_dog=anything)
 

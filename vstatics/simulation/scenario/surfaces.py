@@ -79,6 +79,8 @@ def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
     at = times(Constant(-1 / lead), form.rest)
     rest = number(at)
     at = at if rest is None else Constant(rest)
+    if variables(at) - {"t"}:
+        return None, 0.0
     moves = slope(at)
     if moves is None or slope(moves) is None:
         return None, 0.0

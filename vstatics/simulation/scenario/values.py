@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from vstatics.errors import Path
+from vstatics.errors import Path, quoted
 from vstatics.model.parts import ShiftElement
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
@@ -13,17 +14,29 @@ from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.si_units import UNIT_OF, InUnit
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.given import GivenControl, GivenLaw
-from vstatics.simulation.scenario.laws import Over, Points, Resistance, Road, TorqueLaw, constant
+from vstatics.simulation.scenario.given import GivenControl, GivenLaw, GivenSteps, GivenTable
+from vstatics.simulation.scenario.laws import (
+    Curve,
+    Over,
+    Points,
+    Resistance,
+    Road,
+    TorqueLaw,
+    constant,
+)
 from vstatics.simulation.scenario.parts import (
     Capacity,
     Control,
+    ControlState,
     Converter,
     Dog,
     Scenario,
+    SequenceStep,
     Shift,
     Start,
+    StepSequence,
 )
+from vstatics.simulation.scenario.tables import Table
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 
@@ -66,7 +79,63 @@ class ScenarioValues:
                 link: tuple(self._speeds(given, ("targets", link), radii.get(link)))
                 for link, given in values.get("targets", {}).items()
             },
+            settings={name: float(one) for name, one in values.get("set", {}).items()},
+            states=tuple(self._states(values.get("states", {}))),
+            sequences=tuple(self._sequences(values.get("sequences", {}))),
+            speeds={
+                link: self._given_speed(one, ("speeds", link), radii.get(link))
+                for link, one in values.get("speeds", {}).items()
+            },
+            speed_ratios={
+                number: _ratios(one) for number, one in values.get("speed_ratios", {}).items()
+            },
         )
+
+    def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, Table]]:
+        """The tables of a document, as far as they can be read."""
+        for number, (name, one) in enumerate(given.items(), 1):
+            if isinstance(one, GivenTable) and one.file:
+                yield name, self._table_file(one.file, ("tables", number, "file"))
+            elif isinstance(one, GivenTable):
+                columns = _floats(one.columns) or (0.0,)
+                rows = [_floats(row) for row in one.rows if len(row) == len(columns) + 1]
+                if rows:
+                    x, values = (row[0] for row in rows), (row[1:] for row in rows)
+                    yield name, Table(tuple(x), tuple(values), columns)
+            elif isinstance(one, Sequence):
+                if one:
+                    yield name, Table(*zip(*((float(x), (float(y),)) for x, y in one), strict=True))
+            else:
+                yield name, Table((0.0,), ((float(one or 0.0),),))
+
+    def _table_file(self, name: str, path: Path) -> Table:
+        from vstatics.simulation.scenario.table_files import table_of
+
+        try:
+            return table_of(self.spots.found.source.file, name)
+        except OSError as error:
+            message = f"read {quoted(name)}, which can't be read: {error.strerror or error}"
+        except ValueError as error:
+            message = f"read {quoted(name)}: {error}"
+        self.spots.tell(path, message)
+        return Table((0.0,), ((0.0,),))
+
+    def _states(self, given: Mapping[str, Any]) -> Iterator[ControlState]:
+        for name, one in given.items():
+            least, most = one.get("min"), one.get("max")
+            yield ControlState(
+                name,
+                _as_curve(one["rate"]),
+                float(one["start"]),
+                -math.inf if least is None else float(least),
+                math.inf if most is None else float(most),
+            )
+
+    def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
+        for name, one in given.items():
+            steps = one.steps if isinstance(one, GivenSteps) else one
+            repeat = isinstance(one, GivenSteps) and one.repeat
+            yield StepSequence(name, tuple(map(_step, steps)), repeat)
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
         """Distributions by the paths of numbers."""
@@ -99,6 +168,15 @@ class ScenarioValues:
                 self.spots.tell(place, f"{message}to a link with a `road`")
             yield float(one)
 
+    def _given_speed(self, given: Any, path: Path, radius: float | None) -> Curve:
+        """A speed over time [rad/s]; velocities by the radius of the wheels on its link."""
+        if isinstance(given, Formula):
+            return given
+        if not isinstance(given, Sequence):
+            return constant(next(self._speeds([given or 0.0], path, radius)))
+        times, speeds = zip(*given, strict=True) if given else ((), ())
+        return Points(_floats(times), tuple(self._speeds(list(speeds), path, radius)))
+
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
         for number, one in given.items():
             path: Path = ("controls", number)
@@ -114,8 +192,8 @@ class ScenarioValues:
 
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
         """A capacity over time; a pressure where the element has friction."""
-        measure: Measure = "pressure" if element.friction else "si_torque"
-        why = f", since {element.name} has {'' if element.friction else 'no '}`friction`"
+        measure: Measure = "pressure" if element.pack else "si_torque"
+        why = f", since {element.name} has {'' if element.pack else 'no '}`friction`"
         return self._curve(given, measure, path, why)
 
     def _curve(
@@ -155,6 +233,30 @@ class ScenarioValues:
         along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
         return self._curve(getattr(given, key), "si_torque", (*path, key), along=along)
+
+
+def _as_curve(given: Any) -> Curve:
+    return given if isinstance(given, Formula) else constant(given or 0.0)
+
+
+def _ratios(given: Any) -> Curve:
+    """Speed ratios over time."""
+    if isinstance(given, Formula) or not isinstance(given, Sequence):
+        return _as_curve(given)
+    times, ratios = zip(*given, strict=True) if given else ((), ())
+    return Points(_floats(times), _floats(ratios))
+
+
+def _step(given: Mapping[str, Any]) -> SequenceStep:
+    within, shift = given.get("within"), given.get("shift")
+    return SequenceStep(
+        given.get("when"),
+        math.inf if within is None else float(within),
+        float(given["wait"]),
+        {name: _as_curve(one) for name, one in (given.get("set") or {}).items()},
+        Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
+        {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
+    )
 
 
 def _floats(values: Iterable[float]) -> tuple[Any, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -16,14 +16,18 @@ Torque = Callable[[float, float, float], float]
 """By time [s], rate [rad/s] and angle [rad]."""
 
 
-def capacity_at(contact: Contact, time: float, slip: float = 0.0) -> float:
+def capacity_at(
+    contact: Contact, time: float, slip: float = 0.0, seen: Sequence[float] = ()
+) -> float:
     """The kinetic capacity of a contact [N*m] at a time, from there on."""
-    value = programme_at(contact.programme, time)
+    value = programme_at(contact.programme, time, seen)
     return value if contact.friction is None else value * friction_at(contact.friction, slip)
 
 
-def programme_at(programme: Programme, time: float) -> float:
-    """The value of a programme at a time, from there on."""
+def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) -> float:
+    """The value of a programme at a time, from there on, with all that is seen there."""
+    if programme.look is not None:
+        return programme.seen_at(time, seen)
     at = curve_at(programme.curve, time)
     if at == 0 or programme.factor == 0:
         return 0.0
@@ -35,8 +39,13 @@ def curve_at(curve: Curve, time: float) -> float:
     return curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
 
 
-def programme_along(programme: Programme, times: Floats) -> Floats:
-    """The values of a programme at several times."""
+def programme_along(
+    programme: Programme, times: Floats, seen: Sequence[Sequence[float]] = ()
+) -> Floats:
+    """The values of a programme at several times, with all that is seen at each."""
+    if programme.look is not None:
+        at = zip(times.tolist(), seen, strict=True)
+        return np.array([programme.seen_at(*one) for one in at])
     return programme.factor * curve_along(programme.curve, times)
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.jumps import split_at_jumps
+from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import (
@@ -25,10 +26,12 @@ from vstatics.simulation.scenario.programme import (
     load_torque,
     newton_metres,
 )
+from vstatics.simulation.system.curves import curve_at
 from vstatics.simulation.system.matrices import (
     Contact,
     Elastic,
     MotionSystem,
+    MovingVariator,
     OutsideTorque,
     RigidMechanism,
     Switch,
@@ -36,6 +39,7 @@ from vstatics.simulation.system.matrices import (
     combination,
     unit,
 )
+from vstatics.simulation.system.sight import with_settings
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.torsion.system.bodies import planet_bodies
 
@@ -72,28 +76,50 @@ def motion_system(
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
-    return MotionSystem(
+    contacts_of = (*elements, *contacts, *_drag_contacts(case, dragging, rows))
+    given = tuple(_given_speeds(scenario))
+    moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
+    made = MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
         heavy=np.array([row for row, _ in bodies]),
         inertias=np.array([inertia for _, inertia in bodies]),
-        meshes=tuple(_meshes(case, rows)),
-        contacts=(
-            *elements,
-            *contacts,
-            *_drag_contacts(case, dragging, rows),
-        ),
+        meshes=tuple(_meshes(case, rows, scenario.speed_ratios)),
+        contacts=(*contacts_of, *given, *(contact for contact, _ in moving)),
         springs=tuple(_springs(case, capacities, rows)),
         outside=tuple(outside),
         converters=scenario.converters,
+        settings=scenario.settings,
+        variators=tuple(one for _, one in moving),
     )
+    return with_settings(made, scenario.settings)
 
 
-def _meshes(case: Transmission, rows: Floats) -> list[RigidMechanism]:
+def with_programmes(system: MotionSystem, capacities: list[Programme]) -> MotionSystem:
+    """The system with other programmes of its shift elements."""
+    elements = system.case.shift_elements
+    contacts = tuple(
+        one if one.element is None else one._replace(programme=capacities[one.element])
+        for one in system.contacts
+    )
+    springs = tuple(
+        one
+        if one.element is None
+        else one._replace(
+            programme=_slipping_torque(elements[one.element], capacities[one.element])
+        )
+        for one in system.springs
+    )
+    return replace(system, contacts=contacts, springs=springs)
+
+
+def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[RigidMechanism]:
+    """Rigid mechanisms, but variators that move, by their numbers."""
     found = []
     planets = _taken_by_planets(case)
     for index, one in enumerate(case.mechanisms, len(case.shift_elements)):
-        if one.stiffness is not None:
+        number = index - len(case.shift_elements) + 1
+        if one.stiffness is not None or number in moving:
             continue
         back = one.efficiency if one.back_efficiency is None else one.back_efficiency
         if back == 0:
@@ -151,7 +177,7 @@ def _elements(
                 element.name,
                 rows[index],
                 programme,
-                element.friction,
+                element.pack,
                 element.static,
                 one_way=element.is_freewheel,
                 overrun_drag=drag,
@@ -200,7 +226,7 @@ def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> l
 
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
     """At which an elastic shift element slips."""
-    pack = element.friction
+    pack = element.pack
     if element.static != 1 or (pack and len(pack.coefficient) > 1):
         message = (
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
@@ -235,6 +261,37 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         if friction:
             contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
+
+
+def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
+    """Variators whose ratios move, with their contacts, from an index on."""
+    case = scenario.case
+    for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
+        one = case.mechanisms[number - 1]
+        reference = curve_at(ratio, 0.0)
+        row = combination([(one.first, reference), (one.second, -1.0)], case.links)
+        yield (
+            Contact(one.name, row, OPEN, is_variator=True),
+            MovingVariator(
+                one.name,
+                len(case.shift_elements) + number - 1,
+                one.first - 1,
+                ratio,
+                curve_slope(ratio),
+                reference,
+                first + place,
+                one.efficiency,
+            ),
+        )
+
+
+def _given_speeds(scenario: Scenario) -> Iterator[Contact]:
+    """Links whose speeds are given over time."""
+    case = scenario.case
+    for link, speed in scenario.speeds.items():
+        switch = Switch(link - 1, LawJump("speed", speed))
+        row = unit(link - 1, case.links)
+        yield Contact(case.link_name(link), row, OPEN, switch=switch, is_given=True)
 
 
 class DragTorque(NamedTuple):

@@ -1,8 +1,9 @@
 """The equations of motion between two events, as a solver of differential equations takes them.
 
-The state is ``[q, e, phi, W]``: motions with inertia, twists of springs, angles that are followed,
-works of ports, losses of dampers, slip work of springs, losses of meshes. Motions without inertia
-are no state: their speeds are those at which the torques along them balance.
+The state is ``[q, e, phi, x, W]``: motions with inertia, twists of springs, angles that are
+followed, values (states and temperatures), works of ports, losses of dampers, slip work of springs,
+losses of meshes. Motions without inertia are no state: their speeds are those at which the torques
+along them balance.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from vstatics.simulation.system.curves import curve_along, slope_of
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
+from vstatics.simulation.system.values import ValueChanges
+from vstatics.simulation.system.variators import VariatorTorques
 from vstatics.simulation.tolerances import (
     AHEAD,
     DIFFERENCE_STEP,
@@ -55,7 +58,8 @@ class Equations:
         self.springs = len(system.springs)
         self.twists = slice(self.motions, self.motions + self.springs)
         self.angles = slice(self.twists.stop, self.twists.stop + len(layout.angles))
-        self.works = slice(self.angles.stop, self.angles.stop + layout.ports)
+        self.values = slice(self.angles.stop, self.angles.stop + len(layout.values))
+        self.works = slice(self.values.stop, self.values.stop + layout.ports)
         self.damped = slice(self.works.stop, self.works.stop + self.springs)
         self.slipped = slice(self.damped.stop, self.damped.stop + self.springs)
         self.meshed = slice(self.slipped.stop, self.slipped.stop + len(system.meshes))
@@ -77,6 +81,9 @@ class Equations:
         self.within = AHEAD * max(system.scenario.duration, LEAST_DURATION)
         if self.light:
             self._split_light()
+        self.variators = VariatorTorques(self) if system.variators else None
+        self.changes = ValueChanges(self)
+        """Of states and temperatures with time."""
 
     def _split_light(self) -> None:
         """Which motions without inertia are found by torques, which by slopes of torques."""
@@ -106,13 +113,14 @@ class Equations:
             )
             raise CaseError("E669", message, ("case", "inertias", name))
 
-    def light_motions(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+    def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""
         structure, ports = self.structure, self.ports
+        angles = state[self.angles]
 
         def rest(speeds: Floats) -> Floats:
             at = rates + structure.light_rates @ speeds
-            torques = ports.torques(time, at, twists, angles)
+            torques = self.torques(time, state, at)
             left: Floats = self.by_torque.T @ (structure.balances @ torques)
             if not self.by_slope.shape[1]:
                 return left
@@ -146,7 +154,7 @@ class Equations:
         if self.light_is_straight:
             light = self.affine.light_at(np.array([time]), state[:, None])[:, 0]
         else:
-            light = self.light_motions(time, rates, state[self.twists], state[self.angles])
+            light = self.light_motions(time, rates, state)
         return rates + self.structure.light_rates @ light, light
 
     def speeds(self, time: float, state: Floats) -> Floats:
@@ -174,6 +182,17 @@ class Equations:
         if self.light:
             rates += self.structure.light_rates @ self._light_at(times, states)
         return rates, self.torques_at(times, states, rates)
+
+    def seen_at(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+    ) -> list[list[float]]:
+        """All that is seen at several times, a list for each."""
+        seen = np.vstack([rates, states[self.motions : self.values.stop]]).T.tolist()
+        if self.layout.derived:
+            for number, time in enumerate(times.tolist()):
+                at = states[:, number], rates[:, number], torques[:, number]
+                seen[number] += [one(time, *at) for one in self.changes.derived]
+        return list(seen)
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Changes of the works and losses of a state at several times, of straight equations."""
@@ -225,7 +244,12 @@ class Equations:
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Torques of ports at several times, shape (ports, times) [N*m]."""
-        return self.ports.torques_at(times, rates, states[self.twists], states[self.angles])
+        parts = (states[one] for one in (self.twists, self.angles, self.values))
+        torques = self.ports.torques_at(times, rates, *parts)
+        if self.variators:
+            for number, time in enumerate(times.tolist()):
+                self.variators.fill(time, rates[:, number], torques[:, number])
+        return torques
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
         """Of links at several times, shape (links, times) [rad/s]."""
@@ -260,7 +284,11 @@ class Equations:
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Of ports [N*m]."""
-        return self.ports.torques(time, rates, state[self.twists], state[self.angles])
+        parts = (state[one] for one in (self.twists, self.angles, self.values))
+        torques = self.ports.torques(time, rates, *parts)
+        if self.variators:
+            self.variators.fill(time, rates, torques)
+        return torques
 
     def derivative(self, time: float, state: Floats) -> Floats:
         """Change of the state with time."""
@@ -285,6 +313,8 @@ class Equations:
             if self.light:
                 turning = turning + structure.light[list(self.layout.angles)] @ light
             change[self.angles] = turning
+        if self.layout.values:
+            change[self.values] = self.changes.at(time, state, rates, torques, change)
         if structure.loses:
             lost = structure.mesh_rates @ state[: self.motions]
             if self.light:
@@ -378,6 +408,7 @@ class Affine:
                 rows = structure.light[list(layout.angles)]
                 turning = turning.plus(self.light.times(rows))
             parts.append(turning)
+        parts.append(Map(*(np.zeros((len(layout.values), one.shape[1])) for one in parts[0])))
         self.change = Map(*(np.vstack(one) for one in zip(*parts, strict=True)))
 
     def _light(self, rates: Map, given: Map) -> Map:

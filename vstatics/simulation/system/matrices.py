@@ -18,10 +18,11 @@ import numpy as np
 from vstatics.model.parts import HOUSING, Friction, Law
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
+from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
-from vstatics.simulation.scenario.laws import Points, Road
-from vstatics.simulation.scenario.parts import Converter, Scenario
+from vstatics.simulation.scenario.laws import Curve, Points, Road
+from vstatics.simulation.scenario.parts import Converter, Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme, slip_points
 
 
@@ -54,12 +55,17 @@ class Contact(NamedTuple):
     """Index of the element while whose capacity is 0 it acts."""
     switch: Switch | None = None
     """Where a torque jumps: its side is that of the jump, and it sticks where the motion slides
-    along the jump, with a torque between both (Filippov); none of it is friction."""
+    along the jump, with a torque between both (Filippov); none of it is friction. Where a speed is
+    given it is as if it always slid."""
+    is_given: bool = False
+    """Whether its speed is given."""
+    is_variator: bool = False
+    """Whether it is the row of a variator that moves."""
 
     @property
     def drives(self) -> bool:
         """Whether it sticks at another speed than 0."""
-        return self.switch is not None and not self.switch.jump.rests
+        return self.is_variator or (self.switch is not None and not self.switch.jump.rests)
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -107,6 +113,25 @@ class Elastic(NamedTuple):
     element: int | None = None
 
 
+class MovingVariator(NamedTuple):
+    """A variator whose speed ratio moves; see `variators`."""
+
+    name: str
+    device: int
+    """Index among the devices."""
+    first: int
+    """Index of its first link."""
+    ratio: Curve
+    """``w_second/w_first`` over time."""
+    change: Curve
+    """Of the ratio with time. [1/s]"""
+    reference: float
+    """The ratio of its row."""
+    contact: int
+    """Index of its contact."""
+    efficiency: float
+
+
 class OutsideTorque(NamedTuple):
     """A torque on a link that is no dry friction."""
 
@@ -147,13 +172,31 @@ class PortLayout:
         self.spring_ports = slice(self.springs, self.pumps)
         self.converters = len(system.converters)
         self.turbines = self.pumps + self.converters
-        self.ports = self.turbines + self.converters
+        self.sensors = self.turbines + self.converters
+        seen = {one for formula in formulas(system.scenario) for one in formula.seen}
+        of_links = {one for one in seen if one.word == "speed"}
+        self.sensed = tuple(sorted(system.names.index(one.of) for one in of_links))
+        """Indices of the links whose speeds formulas see: ports without a torque."""
+        self.variators = self.sensors + len(self.sensed)
+        self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters
         """Of the pieces on which curves are, the first of a contact; before them converters."""
         angles = {one.link for one in system.outside if one.needs_angle}
         angles |= {one.switch.link for one in system.contacts if one.switch}
+        angles |= {system.names.index(one.of) for one in seen if one.word == "angle"}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
         """Indices of the links whose angles are followed."""
+        self.hot = tuple(
+            index for index, one in enumerate(system.case.shift_elements) if one.heat_store
+        )
+        """Indices of the shift elements whose temperatures are known."""
+        elements = system.case.shift_elements
+        self.values = (
+            *(Seen("value", state.name) for state in system.scenario.states),
+            *(Seen("temperature", elements[index].name) for index in self.hot),
+        )
+        self.derived = tuple(sorted(one for one in seen if one.word in OF_TORQUES))
+        """What formulas see that follows from torques."""
 
 
 @dataclass(frozen=True)
@@ -172,6 +215,9 @@ class MotionSystem:
     springs: tuple[Elastic, ...]
     outside: tuple[OutsideTorque, ...]
     converters: tuple[Converter, ...]
+    settings: Mapping[str, float]
+    """Numbers of sequences, as they are."""
+    variators: tuple[MovingVariator, ...] = ()
 
     @property
     def case(self) -> Transmission:
@@ -203,14 +249,17 @@ class MotionSystem:
         """Rows as a matrix, of shape (rows, links)."""
         return np.array([*rows]).reshape(-1, len(self.names))
 
+    @cached_property
     def port_rows(self) -> Floats:
-        """Rows of outside torques, contacts, springs, pumps, turbines: their rates by speeds."""
+        """Rows of outside torques, contacts, springs, pumps, turbines, links that are seen."""
         links = len(self.names)
         rows = [unit(one.link, links) for one in self.outside]
         rows += [contact.row for contact in self.contacts]
         rows += [spring.row for spring in self.springs]
         rows += [unit(one.pump - 1, links) for one in self.converters]
         rows += [unit(one.turbine - 1, links) for one in self.converters]
+        rows += [unit(link, links) for link in self.layout.sensed]
+        rows += [unit(one.first, links) for one in self.variators]
         return self.rows(rows)
 
 

@@ -7,7 +7,7 @@ What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,11 +16,18 @@ from vstatics.errors import CaseError
 from vstatics.model.parts import Law
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Converter
-from vstatics.simulation.scenario.programme import Programme, friction_at, friction_points
+from vstatics.simulation.scenario.programme import (
+    Look,
+    Programme,
+    friction_at,
+    friction_points,
+)
 from vstatics.simulation.system.curves import Torque, curve_along, programme_at, slope_of
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
+from vstatics.simulation.system.sight import looking
 
 
 class States(NamedTuple):
@@ -56,6 +63,7 @@ class Ports:
 
     def __init__(self, system: MotionSystem, states: States, time: float) -> None:
         layout = self.layout = system.layout
+        self.system = system
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
@@ -68,6 +76,8 @@ class Ports:
         """Port, and its torque by its rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
         """Port, its torque by the time alone, and by what that is multiplied."""
+        self.looks: list[tuple[int, Look]] = []
+        """Port, its torque by the time and all that is seen."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
         """Between these formulas are asked: what jumps at an end does it outside."""
         self.converters = tuple(
@@ -85,11 +95,12 @@ class Ports:
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         self._laws(system, states, time)
-        self.senses_rate[layout.pumps :] = True
+        self.senses_rate[layout.pumps : layout.sensors] = True
         self.bending = sorted(
             {port for port, _, _ in self.special}
             | {port for port, _ in self.roads}
-            | set(range(layout.pumps, layout.ports))
+            | {port for port, _ in self.looks}
+            | set(range(layout.pumps, layout.sensors))
         )
         """Ports whose torques are not straight in rates, twists and angles."""
         self.is_affine = not self.bending
@@ -102,7 +113,11 @@ class Ports:
             if not one.acts(states.contacts):
                 continue
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            self._outside(index, one.law, states.pieces[index], place, time)
+            law = one.law.knowing(system.settings) if isinstance(one.law, Formula) else one.law
+            if isinstance(law, Formula) and law.seen:
+                self._seeing(index, one.link, law, place)
+            else:
+                self._outside(index, law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
             piece = states.pieces[layout.frictions + index]
             self._contact(layout.contacts + index, contact, states.contacts[index], piece, time)
@@ -114,7 +129,9 @@ class Ports:
             elif state != "open":
                 self._programme(port, spring.programme, SIGNS[state], time)
 
-    def torques(self, time: float, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+    def torques(
+        self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
+    ) -> Floats:
         """Of all ports [N*m]."""
         time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
@@ -130,6 +147,10 @@ class Ports:
         for port, place, function in self.special:
             angle = float(angles[place]) if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
+        if self.looks:
+            seen = [*rates.tolist(), *twists.tolist(), *angles.tolist(), *values.tolist()]
+            for port, look in self.looks:
+                torques[port] = look(time, seen)
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             torques[pump], torques[turbine] = converter_torques(
@@ -137,7 +158,9 @@ class Ports:
             )
         return torques
 
-    def torques_at(self, times: Floats, rates: Floats, twists: Floats, angles: Floats) -> Floats:
+    def torques_at(
+        self, times: Floats, rates: Floats, twists: Floats, angles: Floats, values: Floats
+    ) -> Floats:
         """The same at several times; all shapes end with these."""
         times = self.inside(times)
         torques: Floats = self.by_rate[:, None] * rates
@@ -157,6 +180,10 @@ class Ports:
             turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
             at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
             torques[port] = [function(*one) for one in at]
+        if self.looks:
+            seen = np.vstack([rates, twists, angles, values]).T.tolist()
+            for port, look in self.looks:
+                torques[port] = [look(*one) for one in zip(times.tolist(), seen, strict=True)]
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
@@ -209,9 +236,18 @@ class Ports:
             else:
                 self.by_angle.append((port, place, slope))
 
+    def _seeing(self, port: int, link: int, law: Formula, place: int) -> None:
+        """An outside torque that sees more than its own link."""
+        name = self.system.names[link]
+        self.looks.append((port, looking(self.system, law, port, place)))
+        self.senses_rate[port] = "speed" in law.variables or Seen("speed", name) in law.seen
+        if law.switches:
+            self.switching.append(port)
+
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
-            if state == "stick":  # how the speed at which it does so changes, see `structure`
+            # how the speed at which it sticks changes, see `structure`
+            if state in ("stick", "rigid"):
                 jump = contact.switch.jump
                 self._programme(port, Programme(jump.change), 1.0, time)
                 self.by_rate[port] = jump.by_angle
@@ -220,15 +256,21 @@ class Ports:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
-            return
-        if isinstance(contact.friction, Law) and contact.friction.text:
+        elif isinstance(contact.friction, Law) and contact.friction.text:
             self._formula(port, contact.name, contact.friction, SIGNS[state])
-            return
-        if contact.friction is None or not contact.corners:
+        elif contact.friction is None or not contact.corners:
             mu = friction_at(contact.friction)
             self._programme(port, contact.programme, SIGNS[state] * mu, time)
-            return
+        else:
+            self._slipping(port, contact, state, piece, time)
+
+    def _slipping(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
+        """What slips with a coefficient of friction over the slip."""
+        assert contact.friction is not None  # noqa: S101 - it has corners
         value, slope = friction_points(contact.friction).piece(piece)
+        if contact.programme.look is not None:
+            self._controlled(port, contact.programme, SIGNS[state] * value, slope)
+            return
         curve = contact.programme.curve
         if isinstance(curve, Points) and not curve.piece(curve.piece_at(time))[1]:
             normal = programme_at(contact.programme, time)
@@ -253,8 +295,20 @@ class Ports:
         self.special.append((port, -1, torque))
         self.senses_rate[port] = True
 
+    def _controlled(self, port: int, programme: Programme, value: float, slope: float) -> None:
+        """What slips with a capacity that sees something, and a coefficient over the slip."""
+
+        def torque(time: float, seen: Sequence[float]) -> float:
+            return programme.seen_at(time, seen) * (value + slope * seen[port])
+
+        self.looks.append((port, torque))
+        self.senses_rate[port] = True
+
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
+        if programme.look is not None:
+            self._controlled(port, programme, sign, 0.0)
+            return
         if isinstance(curve, Points):
             value, slope = curve.piece(curve.piece_at(time))
             self.c0[port] = factor * value if math.isfinite(value) else sign * value

@@ -77,7 +77,7 @@ class MotionStructure:
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
         self.held = held
         rows, columns, self.multipliers = _constraints(system, held, meshes)
-        mass, ports = system.mass, system.port_rows()
+        mass, ports = system.mass, system.port_rows
         signs = np.full(len(ports), -1.0)
         signs[: len(system.outside)] = 1.0
         forces = ports.T * signs
@@ -133,11 +133,13 @@ def _driven(
 
     Several that do so at one place are one.
     """
-    places: dict[Switch, list[int]] = {}
+    places: dict[Switch | int, list[int]] = {}
     for row, one in enumerate(multipliers):
-        switch = system.contacts[one.of].switch if one.kind == "contact" else None
-        if switch and not switch.jump.rests:
-            places.setdefault(switch._replace(jump=switch.jump._replace(side="")), []).append(row)
+        if one.kind != "contact" or not system.contacts[one.of].drives:
+            continue
+        switch = system.contacts[one.of].switch
+        place = switch._replace(jump=switch.jump._replace(side="")) if switch else one.of
+        places.setdefault(place, []).append(row)
     wanted = np.zeros((len(multipliers), len(places)))
     for column, sticking in enumerate(places.values()):
         wanted[sticking, column] = 1.0

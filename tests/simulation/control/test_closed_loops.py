@@ -1,0 +1,257 @@
+"""Controls that see the box, states and temperatures, against closed forms and solvers of others."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+from scipy.optimize import brentq
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import simulated, steps_of, written
+from vstatics.simulation.run import simulate
+
+
+def test_a_lag_of_first_order_lets_a_clutch_in() -> None:
+    """P = 80 (1 - exp(-t/tau)), so the slip is 200 - (1/2 + 1/3) 80 (t - tau (1 - exp(-t/tau)))."""
+    motion = simulated("""duration: 5
+start: {speeds: {e: 200, o: 0}}
+states: {p: {rate: "(80 - p)/0.06"}}
+controls: {C: p}
+""")
+
+    def slip(t: float) -> float:
+        return 200 - (1 / 2 + 1 / 3) * 80 * (t - 0.06 * (1 - math.exp(-t / 0.06)))
+
+    [locks] = motion.events
+    assert locks.time == pytest.approx(brentq(slip, 1.0, 5.0, xtol=1e-14), abs=1e-9)
+    assert motion.energy.heat["C"] == pytest.approx(200**2 / (2 * (1 / 2 + 1 / 3)), rel=1e-9)
+
+
+def test_a_controller_holds_the_slip_of_two_inertias() -> None:
+    """With T = k (s - s0) + x and dx/dt = i (s - s0) it is linear, so a matrix exponential."""
+    motion = simulated("""duration: 2
+start: {speeds: {e: 200, o: 120}}
+set: {target: 20}
+states: {x: {start: 30, rate: "10*(slip('C') - target)"}}
+controls: {C: "9*(slip('C') - target) + x"}
+torques: {e: 90, o: -40}
+""")
+    both = 1 / 2 + 1 / 3
+    matrix = np.array(
+        [
+            [-9 * both, -both, 90 / 2 + 40 / 3 + 9 * both * 20],
+            [10.0, 0.0, -10.0 * 20],
+            [0.0, 0.0, 0.0],
+        ]
+    )
+    for at in (0.3, 1.1, 2.0):
+        exact = (expm(matrix * at) @ [80.0, 30.0, 1.0])[0]
+        place = int(np.abs(motion.time - at).argmin())
+        near = (expm(matrix * motion.time[place]) @ [80.0, 30.0, 1.0])[0]
+        assert motion.slips[place, 0] == pytest.approx(near, rel=1e-9)
+        assert exact == pytest.approx(near, rel=0.2)
+    assert not motion.events
+
+
+def test_a_state_stays_at_its_limit_until_its_rate_turns() -> None:
+    """X = sin t up to 0.5, then 0.5 until cos t is below 0, then sin t - 0.5."""
+    motion = simulated("""duration: 3
+start: {speeds: {e: 0, o: 0}}
+states: {x: {rate: cos(t), max: 0.5}}
+controls: {C: 0}
+torques: {e: x}
+""")
+    first, turn = math.asin(0.5), math.pi / 2
+    up, flat = 1 - math.cos(first), 0.5 * (turn - first)
+    down = (-math.cos(3.0) + math.cos(turn)) - 0.5 * (3.0 - turn)
+    assert motion.speeds[-1, 0] == pytest.approx((up + flat + down) / 2, abs=1e-10)
+
+
+def test_a_negative_control_is_open_and_one_above_the_capacity_is_cut() -> None:
+    case = """links: [e, o]
+inertias: {e: 2, o: 3}
+shift_elements: {C: {links: [e, o], capacity: 50 N*m}}
+gears: {g: [C]}
+"""
+    motion = simulated(
+        """duration: 2
+start: {speeds: {e: 500, o: 0}}
+states: {x: {rate: 1}}
+controls: {C: "200*(x - 0.5)"}
+""",
+        case,
+    )
+    # 0 until 0.5, a ramp to 50 until 0.75, 50 from there on
+    torque_time = 50 * 0.25 / 2 + 50 * 1.25
+    assert motion.speeds[-1].tolist() == pytest.approx(
+        [500 - torque_time / 2, torque_time / 3], rel=1e-9
+    )
+    assert motion.peaks["C"].torque == pytest.approx(50.0, rel=1e-12)
+    assert [one.id for one in motion.messages] == ["N605"]
+
+
+def test_a_clutch_that_is_heated_by_a_constant_power_is_cooled() -> None:
+    """C dT/dt = P - h (T - T0): T = T0 + P/h (1 - exp(-h t/C)), with P of a constant slip."""
+    case = """links: [e, o]
+inertias: {e: 2, o: 3}
+shift_elements:
+  C: {links: [e, o], friction: {heat_capacity: 900 J/K, cooling: 40 W/K, ambient: 90}}
+gears: {g: [C]}
+"""
+    motion = simulated(
+        """duration: 30
+start: {speeds: {e: 130, o: 100}}
+controls: {C: 80}
+torques: {e: 80, o: -80}
+sequences:
+  hot: [{when: "temperature('C') > 110", set: {seen: 1}}]
+set: {seen: 0}
+""",
+        case,
+    )
+    power = 80 * 30
+    when = -900 / 40 * math.log(1 - (110 - 90) * 40 / power)
+    [(step, time)] = steps_of(motion)
+    assert step == 1
+    assert time == pytest.approx(when, abs=1e-9 * 30)
+
+
+def test_what_a_table_gives_drives_an_engine() -> None:
+    """Between rows and columns it is bilinear: at pedal 0.6 the torque is 110 - w/10, so w decays."""
+    motion = simulated("""duration: 4
+start: {speeds: {e: 100, o: 0}}
+tables:
+  engine: {columns: [.2, 1], rows: [[0, 20, 200], [1000, 20, 0]]}
+  pedal: [[0, 0.6], [1, 0.6]]
+controls: {C: 0}
+torques: {e: "engine(speed, pedal(t))"}
+""")
+    value, slope = 110.0, -(200 * 0.5) / 1000
+    rest = -value / slope
+    exact = rest + (100 - rest) * math.exp(slope * 4 / 2)
+    assert motion.speeds[-1, 0] == pytest.approx(exact, rel=1e-9)
+
+
+def test_power_torque_and_acceleration_are_seen_as_they_are() -> None:
+    """Their integrals are the work, an impulse, a change of speed."""
+    scenario = written(
+        """duration: 2
+start: {speeds: {e: 300, o: 0}}
+states:
+  heat: {rate: "power('C')"}
+  impulse: {rate: "torque('C')"}
+  gain: {rate: "acceleration('o')"}
+  work: {rate: "power('e')"}
+controls: {C: "40 + 10*t"}
+torques: {e: "50 + 5*sin(3*t)", o: -20}
+sequences:
+  told:
+    - {when: "t >= 1.5", set: {a: heat, b: impulse, c: gain, d: work}}
+    - {wait: 0.4, set: {a: "heat - a", b: "impulse - b", c: "gain - c", d: "work - d"}}
+set: {a: 0, b: 0, c: 0, d: 0}
+torques_: 0
+""".replace("torques_: 0\n", "")
+    )
+    motion = simulate(scenario)
+    assert motion.stopped is None
+    # the clutch slips throughout: 300 rad/s cannot be taken in 2 s
+    torque = [40 * t + 5 * t**2 for t in (1.5, 1.9)]
+    assert steps_of(motion) == [(1, 1.5), (2, 1.9)]
+    assert motion.energy.heat["C"] == pytest.approx(
+        float(np.trapezoid(motion.torques[:, 0] * motion.slips[:, 0], motion.time)), rel=1e-4
+    )
+    assert torque[1] - torque[0] == pytest.approx(22.8)
+
+
+LOOP = """duration: {duration!r}
+start: {{speeds: {{e: {engine!r}, o: {output!r}}}}}
+set: {{command: {command!r}}}
+states:
+  p: {{rate: "(command - p)/{lag!r}"}}
+  x: {{rate: "{integral!r}*(slip('C') - {target!r})", min: {least!r}, max: {most!r}}}
+controls: {{C: "max(p + x, 0)"}}
+torques: {{e: "{pull!r} - {fade!r}*speed", o: "-{load!r}*speed"}}
+sequences:
+  shift:
+    - {{when: "slip('C') < {near!r}", set: {{command: {later!r}}}}}
+"""
+
+
+def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
+    """When the slip is near, when the clutch locks, and speeds at the end: by solvers in phases."""
+    least, most = given["least"], given["most"]
+
+    def change(_: float, y: np.ndarray, command: float) -> list[float]:
+        engine, output, p, x = y
+        capacity = max(p + min(max(x, least), most), 0.0)
+        rate = given["integral"] * (engine - output - given["target"])
+        if (x >= most and rate > 0) or (x <= least and rate < 0):
+            rate = 0.0
+        pull = given["pull"] - given["fade"] * engine
+        return [
+            (pull - capacity) / 2,
+            (capacity - given["load"] * output) / 3,
+            (command - p) / given["lag"],
+            rate,
+        ]
+
+    def near(_: float, y: np.ndarray, *_rest: float) -> float:
+        return float(y[0] - y[1] - given["near"])
+
+    def joins(_: float, y: np.ndarray, *_rest: float) -> float:
+        return float(y[0] - y[1])
+
+    near.terminal = joins.terminal = True  # type: ignore[attr-defined]
+    y, time, times = np.array([given["engine"], given["output"], 0.0, 0.0]), 0.0, []
+    for event, command in ((near, given["command"]), (joins, given["later"])):
+        found = solve_ivp(
+            change,
+            (time, given["duration"]),
+            y,
+            args=(command,),
+            events=event,
+            rtol=1e-11,
+            atol=1e-11,
+            max_step=2e-3,
+        )
+        y, time = found.y[:, -1], float(found.t[-1])
+        times.append(time)
+    left = given["duration"] - time
+    drag = given["fade"] + given["load"]
+    whole = (2 * y[0] + 3 * y[1]) / 5
+    rest = given["pull"] / drag
+    end = rest + (whole - rest) * math.exp(-drag * left / 5)
+    return times[0], times[1], np.array([end, end])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(count(6, 60)))
+def test_random_closed_loops_agree_with_other_solvers(seed: int) -> None:
+    random = seeded(seed)
+    given = {
+        "duration": 6.0,
+        "engine": random.uniform(150, 300),
+        "output": random.uniform(0, 80),
+        "command": random.uniform(60, 90),
+        "later": random.uniform(150, 300),
+        "lag": random.uniform(0.03, 0.2),
+        "integral": random.uniform(0.5, 4),
+        "target": random.uniform(5, 20),
+        "least": -random.uniform(5, 20),
+        "most": random.uniform(5, 40),
+        "pull": random.uniform(20, 60),
+        "fade": random.uniform(0.02, 0.1),
+        "load": random.uniform(0.05, 0.2),
+        "near": random.uniform(21, 40),
+    }
+    near, joins, end = independent(given)
+    motion = simulated(LOOP.format(**given))
+    [(_, step)] = steps_of(motion)
+    locks = [one.time for one in motion.events if one.event == "locks"]
+    assert step == pytest.approx(near, abs=1e-6)
+    assert locks[0] == pytest.approx(joins, abs=1e-6)
+    assert motion.speeds[-1].tolist() == pytest.approx(end.tolist(), rel=1e-6)

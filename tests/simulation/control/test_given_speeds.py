@@ -1,0 +1,130 @@
+"""Links whose speeds are given, and variators whose ratios are."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import faults, simulated, written
+from vstatics.errors import CaseError
+from vstatics.simulation.run import simulate
+
+
+def test_a_ramp_takes_the_torque_of_its_inertia_besides_that_of_the_clutch() -> None:
+    """From 0 to 2 s: -25 rad/s^2 on 2 kg*m^2, 40 N*m of the clutch, 7 N*m that are there."""
+    motion = simulated("""duration: 2
+start: {speeds: {o: 0}}
+speeds: {e: [[0, 100], [2, 50]]}
+controls: {C: 40}
+torques: {e: 7}
+""")
+    place = motion.devices.index("e")
+    assert motion.torques[:, place].tolist() == pytest.approx([-2 * 25 + 40 - 7] * len(motion.time))
+    assert motion.speeds[-1].tolist() == pytest.approx([50.0, 40 * 2 / 3])
+    angle = 150.0
+    assert motion.energy.work == pytest.approx((-2 * 25 + 40) * angle)
+    assert motion.energy.heat["C"] == pytest.approx(40 * (angle - 40 * 2 / 3))
+
+
+def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> None:
+    """3 kg*m^2 are taken to 90 rad/s: half of what the drive gives is lost."""
+    case = """links: [e, o]
+inertias: {e: 2, o: 3}
+shift_elements: {D: {links: [e, o], kind: dog_clutch}}
+gears: {g: [D]}
+"""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {o: 0}}
+speeds: {e: 90}
+controls: {D: {dog: [[0.5, closed]]}}
+""",
+        case,
+    )
+    assert motion.speeds[-1].tolist() == pytest.approx([90.0, 90.0])
+    assert motion.energy.impact == pytest.approx(0.5 * 3 * 90**2)
+    assert motion.energy.work == pytest.approx(3 * 90**2)
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("speeds: {e: [[0, 1], [0, 2]]}", "without a jump"),
+        ('speeds: {e: "100*(t < 1)"}', "the speed jumps"),
+        ("speeds: {e: \"slip('C')\"}", "expected a formula of t"),
+        ("speeds: {x: 3}", "expected the name of a link"),
+        ("speed_ratios: {hydro: .2}", "expected the name of a mechanism"),
+    ],
+)
+def test_a_mistake_is_told(text: str, fault: str) -> None:
+    found = faults(f"duration: 1\nstart: {{speeds: {{o: 0}}}}\ncontrols: {{C: 0}}\n{text}\n")
+    assert any(fault in one for one in found), found
+
+
+def test_speeds_that_contradict_each_other_or_are_tied_are_told() -> None:
+    pair = """links: [a, b]
+inertias: {a: 2, b: 3}
+mechanisms: {pair: {first: a, second: b, ratio: 2}}
+"""
+    text = "duration: 1\nstart: {speeds: {a: 10}}\nspeeds: {%s}\n"
+    with pytest.raises(CaseError, match="gives 20 rad/s"):
+        simulate(written(text % "a: 20", pair))
+    with pytest.raises(CaseError, match="the train ties b"):
+        simulate(written(text % "a: 10, b: 5", pair))
+
+
+HYDRO = """links: [a, b]
+inertias: {{a: 2, b: 3}}
+mechanisms: {{hydro: {{kind: variator, first: a, second: b, speed_ratio: .2, efficiency: {eta!r}}}}}
+"""
+
+
+def test_a_variator_that_moves_through_0_takes_no_power() -> None:
+    """The energy stays: (2 + 3 x^2) w_a^2 is constant."""
+    motion = simulated(
+        """duration: 2
+start: {speeds: {a: 100}}
+speed_ratios: {hydro: [[0, 0.6], [2, -0.2]]}
+""",
+        HYDRO.format(eta=1.0),
+    )
+    ratio = 0.6 - 0.4 * motion.time
+    speeds = 100 * np.sqrt((2 + 3 * 0.36) / (2 + 3 * ratio**2))
+    assert motion.speeds[:, 0].tolist() == pytest.approx(speeds.tolist(), rel=1e-9)
+    assert motion.speeds[:, 1].tolist() == pytest.approx((ratio * speeds).tolist(), abs=1e-7)
+
+
+@pytest.mark.parametrize("seed", range(count(4, 100)))
+def test_a_variator_with_losses_under_load_agrees_with_an_independent_solver(seed: int) -> None:
+    """By the torques (x m eta^-s, -m) and x a_a + x' w_a = a_b, solved for m at each instant."""
+    random = seeded(seed)
+    eta, begin, end = random.uniform(0.7, 0.98), random.uniform(-1, 1), random.uniform(-1, 1)
+    pull, load = random.uniform(-30, 60), random.uniform(-0.3, 0.3)
+    moved = (end - begin) / 2
+
+    def change(t: float, y: np.ndarray) -> list[float]:
+        x, first = begin + moved * t, float(y[0])
+        for sign in (1.0, -1.0):
+            taken = x * eta**-sign
+            # 2 a = pull - taken m; 3 b = m - load w_b; x a + x' w = b
+            torque = (x * pull / 2 + moved * first + load * x * first / 3) / (1 / 3 + x * taken / 2)
+            if sign * torque * x * first >= 0:
+                break
+        return [(pull - taken * torque) / 2]
+
+    exact = solve_ivp(change, (0, 2), [50.0], rtol=1e-11, atol=1e-10, max_step=1e-2).y[0, -1]
+    motion = simulated(
+        f"""duration: 2
+start: {{speeds: {{a: 50}}}}
+speed_ratios: {{hydro: [[0, {begin!r}], [2, {end!r}]]}}
+torques: {{a: {pull!r}, b: "-{load!r}*speed"}}
+""".replace("--", "+"),
+        HYDRO.format(eta=eta),
+    )
+    assert motion.speeds[-1, 0] == pytest.approx(exact, rel=1e-7, abs=1e-6)
+    assert motion.energy.losses["hydro"] >= -1e-6
+    assert math.isfinite(motion.energy.balance)

@@ -1,0 +1,208 @@
+"""Sequences: steps that wait for what happens, one after the other."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.simulation.control.written import faults, simulated, steps_of, written
+from vstatics.simulation.run import simulate
+
+REST = """duration: 4
+start: {speeds: {e: 0, o: 0}}
+controls: {C: 0}
+torques: {e: 20}
+"""
+"""The engine runs up with 10 rad/s^2."""
+
+
+def test_a_step_waits_for_its_condition_and_then_for_its_time() -> None:
+    motion = simulated(
+        REST
+        + """set: {a: 0}
+sequences:
+  up:
+    - {when: "speed('e') > 7", set: {a: 1}}
+    - {wait: 0.25, set: {a: 2}}
+    - {when: "speed('e') >= 20 and a == 2", wait: 0.5, set: {a: 3}}
+"""
+    )
+    assert steps_of(motion) == [
+        (1, pytest.approx(0.7, abs=1e-9)),
+        (2, pytest.approx(0.95, abs=1e-9)),
+        (3, pytest.approx(2.5, abs=1e-9)),
+    ]
+
+
+def test_what_is_true_at_once_is_done_at_once_and_a_wait_outlasts_its_condition() -> None:
+    motion = simulated(
+        REST
+        + """set: {a: 0}
+sequences:
+  early: [{when: "speed('e') < 5", wait: 1, set: {a: 1}}]
+"""
+    )
+    assert steps_of(motion) == [(1, 1.0)]
+
+
+def test_what_is_not_true_in_time_stops_the_run_and_names_its_step() -> None:
+    motion = simulate(
+        written(
+            REST
+            + """set: {a: 0}
+sequences:
+  late:
+    - {when: "t >= 0.5", set: {a: 1}}
+    - {when: "speed('e') > 30", set: {a: 2}, within: 1.5}
+"""
+        )
+    )
+    assert motion.stopped is not None
+    assert "late, step 2" in motion.stopped.message
+    assert motion.time[-1] == pytest.approx(2.0, abs=1e-12)
+    assert motion.speeds[-1, 0] == pytest.approx(20.0)
+
+
+def test_a_comparison_that_is_equal_goes_by_where_it_moves_next() -> None:
+    motion = simulated(
+        REST
+        + """set: {a: 0}
+sequences:
+  above: [{when: "speed('e') > 0", set: {a: 1}}]
+  still: [{when: "speed('o') > 0", set: {a: 2}}]
+  equal: [{when: "speed('o') >= 0", set: {a: 3}}]
+"""
+    )
+    assert [(one.element, one.time) for one in motion.events] == [("above", 0.0), ("equal", 0.0)]
+
+
+def test_sequences_act_in_written_order_one_step_at_a_time_from_the_first_again() -> None:
+    motion = simulated(
+        REST
+        + """set: {a: 0, b: 0}
+sequences:
+  one: [{when: "t >= 1", set: {a: "a + 1"}}, {when: "b > 0.5", set: {a: "a + 10"}}]
+  two: [{when: "a > 0.5", set: {b: a}}, {when: "a > 5", set: {b: "b + 100"}}]
+"""
+    )
+    order = [(one.element, one.step) for one in motion.events]
+    assert order == [("one", 1), ("two", 1), ("one", 2), ("two", 2)]
+    assert {one.time for one in motion.events} == {1.0}
+
+
+def test_a_sequence_that_repeats_begins_again() -> None:
+    """A thermostat: up at 0.7 N*m below 5 rad/s, down above 7 rad/s."""
+    motion = simulated("""duration: 20
+start: {speeds: {e: 0, o: 0}}
+controls: {C: 0}
+set: {pull: 2}
+torques: {e: pull}
+sequences:
+  hold:
+    repeat: true
+    steps:
+      - {when: "speed('e') > 7", set: {pull: -2}}
+      - {when: "speed('e') < 5", set: {pull: 2}}
+""")
+    times = [time for _, time in steps_of(motion)]
+    assert times[:3] == [pytest.approx(one, abs=1e-9) for one in (7.0, 9.0, 11.0)]
+    assert [step for step, _ in steps_of(motion)][:4] == [1, 2, 1, 2]
+
+
+def test_steps_without_end_at_one_instant_are_told() -> None:
+    motion = simulate(
+        written(
+            REST
+            + """set: {a: 0}
+sequences:
+  mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}
+"""
+        )
+    )
+    assert motion.stopped is not None
+    assert "mad" in motion.stopped.message
+    assert "1000 steps" in motion.stopped.message
+
+
+def test_a_step_shifts_and_what_has_a_control_goes_by_that() -> None:
+    case = """links: [e, o]
+inertias: {e: 2, o: 3}
+mechanisms: {low: {first: m, second: o, ratio: 2}}
+shift_elements:
+  C: {links: [e, o], capacity: 100 N*m}
+  L: {links: [e, m], capacity: 100 N*m}
+gears: {"1": [L], "2": [C]}
+""".replace("links: [e, o]\ni", "links: [e, o, m]\ni")
+    motion = simulated(
+        """duration: 4
+start: {gear: "1", speed: 100}
+torques: {e: 20}
+sequences:
+  up: [{when: "speed('o') > 60", shift: {to: "2", overlap: 0.2}}, {when: "locks('C')", set: {}, dog: {}}]
+""".replace(", {when: \"locks('C')\", set: {}, dog: {}}", ""),
+        case,
+    )
+    [(_, shifted)] = steps_of(motion)
+    # 2 + 3/4 kg*m^2 at the engine: the output reaches 60 when the engine has 120 rad/s
+    assert shifted == pytest.approx(20 * (2 + 3 / 4) / 20, abs=1e-9)
+    assert [one.element for one in motion.events if one.event == "locks"] == ["C"]
+    same = simulated(
+        f"""duration: 4
+start: {{gear: "1", speed: 100}}
+torques: {{e: 20}}
+shifts: [{{at: {shifted!r}, to: "2", overlap: 0.2}}]
+""",
+        case,
+    )
+    assert motion.speeds[-1].tolist() == pytest.approx(same.speeds[-1].tolist(), rel=1e-8)
+    assert motion.energy.heat["C"] == pytest.approx(same.energy.heat["C"], rel=1e-7)
+
+
+def test_a_dog_clutch_closes_and_opens_by_steps() -> None:
+    """Equal parts of the momentum, 2*90/5 rad/s, then the engine is alone again."""
+    case = """links: [e, o]
+inertias: {e: 2, o: 3}
+shift_elements: {D: {links: [e, o], kind: dog_clutch}}
+gears: {g: [D]}
+"""
+    motion = simulated(
+        """duration: 3
+start: {speeds: {e: 80, o: 0}}
+torques: {e: 20}
+sequences:
+  join: [{when: "speed('e') > 90", dog: {D: closed}}, {wait: 1, dog: {D: open}}]
+""",
+        case,
+    )
+    joined = 2 * 90 / 5
+    assert motion.energy.impact == pytest.approx(0.5 * 2 * 90**2 - 0.5 * 5 * joined**2)
+    assert motion.speeds[-1].tolist() == pytest.approx([joined + 4 + 10, joined + 4])
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]', "8:7 sequences.s[1]: read a step with nothing"),
+        ("sequences:\n  s: [{set: {b: 1}}]", "sequences.s[1].set.b: read `b`"),
+        ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]", "read `D`, expected a shift element"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "t + 1", set: {a: 1}}]', "expected a condition"),
+        ("set: {a: 0}\nsequences:\n  s: [{set: {a: 1}, within: 0}]", "expected a time above 0"),
+        ("sequences:\n  s: [{dog: {C: closed}}]", "C is no dog clutch"),
+        ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
+        ("sequences: {s: []}", "read no steps"),
+        ("set: {on: 1}", "is true or false in YAML"),
+        ("set: {a: 0}\nnumbers: {a: 1}", "is the name of something else already"),
+        ("set: {speed: 0}", "is a word of formulas"),
+        ("states: {p: {start: 0}}", "`rate` is missing"),
+        ("states: {p: {rate: 1, start: 3, max: 2}}", "expected at most 2, its max"),
+        ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
+        ("tables: {q: {file: missing.csv}}", "can't be read"),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_told_with_its_place(text: str, fault: str) -> None:
+    assert any(fault in one for one in faults(REST + text + "\n")), faults(REST + text + "\n")
+
+
+def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
+    [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
+    assert fault.startswith("4:16")
+    assert "stands in `rate` and `when` alone" in fault

@@ -1,0 +1,84 @@
+"""What steps of sequences do to a system: numbers that are set, shifts, dog clutches."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Curve
+from vstatics.simulation.scenario.parts import Dog, Scenario, SequenceStep
+from vstatics.simulation.scenario.programme import programmes
+from vstatics.simulation.system.devices import with_programmes
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.sight import looking, with_settings
+
+
+class Commands:
+    """What was commanded so far, as a scenario would say it beforehand.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    engaged : sequence of int
+        Numbers of the shift elements that are engaged at the start.
+    """
+
+    def __init__(self, scenario: Scenario, engaged: tuple[int, ...]) -> None:
+        self.scenario, self.engaged = scenario, engaged
+
+    def given(
+        self, system: MotionSystem, time: float, step: SequenceStep, values: Mapping[str, float]
+    ) -> MotionSystem:
+        """The system after a step.
+
+        Parameters
+        ----------
+        system : MotionSystem
+        time : float
+            [s]
+        step : SequenceStep
+        values : mapping of str to float
+            Of the numbers that it sets.
+        """
+        if step.shift is not None:
+            shifts = self.scenario.shifts or ()
+            place = bisect_right([one.at for one in shifts], time)
+            new = step.shift._replace(at=time)
+            shifts = (*shifts[:place], new, *shifts[place:])
+            self.scenario = self.scenario._replace(shifts=shifts)
+        for number, closed in step.dogs.items():
+            self._command(number, time, closed=closed)
+        if step.shift is not None or step.dogs:
+            system = with_programmes(system, programmes(self.scenario, self.engaged))
+        settings = {name: values.get(name, one) for name, one in system.settings.items()}
+        return with_settings(system, settings)
+
+    def _command(self, number: int, time: float, *, closed: bool) -> None:
+        """Have a dog clutch closed or open from a time on."""
+        controls = dict(self.scenario.controls or {})
+        control = controls.get(number)
+        before: tuple[tuple[float, bool], ...] = ((0.0, number in self.engaged),)
+        if isinstance(control, Dog):
+            before = control.points
+        kept = [one for one in before if one[0] < time]
+        later = [one for one in before if one[0] > time]
+        controls[number] = Dog((*kept, (time, closed), *later))
+        self.scenario = self.scenario._replace(controls=controls)
+
+
+def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[float]) -> float:
+    """What a number is set to, by all that is seen."""
+    if isinstance(value, Formula):
+        return looking(system, value.knowing(system.settings))(time, seen)
+    return value.y[0]
+
+
+def with_states(scenario: Scenario, now: Floats, values: Mapping[str, float]) -> Floats:
+    """Values of states after some were set, each within its limits."""
+    made = now.copy()
+    for index, one in enumerate(scenario.states):
+        if one.name in values:
+            made[index] = min(max(values[one.name], one.least), one.most)
+    return made

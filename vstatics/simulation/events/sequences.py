@@ -1,0 +1,159 @@
+"""Sequences of steps: which is due, and what is watched until the next one is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from vstatics.errors import CaseError
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.events.margins import Awaited
+from vstatics.simulation.record.motion import Event
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.sight import Compared, compared
+from vstatics.simulation.tolerances import EQUAL_SIDES
+
+
+class Judge:
+    """Says on which side comparisons are from an instant on.
+
+    Parameters
+    ----------
+    equations : Equations
+    time : float
+        [s]
+    state : ndarray
+    """
+
+    def __init__(self, equations: Equations, time: float, state: Floats) -> None:
+        self.equations = equations
+        changes, within = equations.changes, equations.within
+        ahead = state + within * equations.derivative(time, state)
+        self.now = time, changes.seen_at(time, state)
+        self.ahead = time + within, changes.seen_at(time + within, ahead)
+        self.known: dict[Formula, Awaited] = {}
+
+    def awaited(self, comparison: Formula) -> Awaited:
+        """A comparison; one that is equal goes by where it moves next."""
+        if comparison not in self.known:
+            system = self.equations.system
+            self.known[comparison] = self.judged(compared(system, comparison))
+        return self.known[comparison]
+
+    def judged(self, one: Compared) -> Awaited:
+        """What is compared, with its side."""
+        (first, second), (later, other) = (
+            (one.first(*at), one.second(*at)) for at in (self.now, self.ahead)
+        )
+        size = max(abs(first), abs(second))
+        equal = abs(first - second) <= EQUAL_SIDES * size
+        moved = later - other if equal else first - second
+        return Awaited(one, "-+"[moved > 0] if moved else "0", size)
+
+
+class SequenceProgress:
+    """How far a sequence is."""
+
+    def __init__(self, sequence: StepSequence) -> None:
+        self.sequence = sequence
+        self.index = 0
+        self.since = 0.0
+        """From when on the step is looked at. [s]"""
+        self.true_at: float | None = None
+        """When its condition was true first. [s]"""
+
+    @property
+    def step(self) -> SequenceStep | None:
+        """The step that is next; None behind the last."""
+        steps = self.sequence.steps
+        return steps[self.index] if self.index < len(steps) else None
+
+    @property
+    def name(self) -> str:
+        """The sequence, and the number of its step."""
+        return f"{self.sequence.name}, step {self.index + 1}"
+
+    def next_time(self) -> float:
+        """When it is looked at again, whatever happens before [s]."""
+        step = self.step
+        if step is None:
+            return math.inf
+        if self.true_at is None:
+            return self.since + step.within
+        return self.true_at + step.wait
+
+    def is_due(self, time: float, judge: Judge, events: Sequence[Event]) -> bool:
+        """Whether its step is to be done.
+
+        Raises
+        ------
+        CaseError
+            Of a condition that was not true in time.
+        """
+        step = self.step
+        if step is None:
+            return False
+        if self.true_at is None and self._is_true(step, judge, events):
+            self.true_at = time
+        if self.true_at is None and time >= self.since + step.within:
+            message = (
+                f"at {time:.9g} s the condition of sequence {self.name} is not true within "
+                f"{step.within:g} s"
+            )
+            path = ("sequences", self.sequence.name, self.index + 1, "within")
+            raise CaseError("E696", message, path)
+        return self.true_at is not None and time >= self.true_at + step.wait
+
+    def _is_true(self, step: SequenceStep, judge: Judge, events: Sequence[Event]) -> bool:
+        if step.when is None:
+            return True
+
+        def happened(seen: Seen) -> bool:
+            return any(
+                (one.element, one.event) == (seen.of, seen.word) and one.time >= self.since
+                for one in events
+            )
+
+        sides = [judge.awaited(one).side for one in step.when.comparisons]
+        return step.when.holds(sides, happened)
+
+    def go_on(self, time: float) -> Event:
+        """The step is done."""
+        self.index += 1
+        done = Event(time, self.sequence.name, "step", None, None, self.index)
+        if self.sequence.repeat and self.step is None:
+            self.index = 0
+        self.since, self.true_at = time, None
+        return done
+
+
+class SequenceRun:
+    """The sequences of a run.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.going = [SequenceProgress(one) for one in scenario.sequences]
+
+    def next_time(self) -> float:
+        """When one is looked at again, whatever happens before [s]."""
+        return min((one.next_time() for one in self.going), default=math.inf)
+
+    def due(self, time: float, judge: Judge, events: Sequence[Event]) -> SequenceProgress | None:
+        """The first that has a step to be done."""
+        return next((one for one in self.going if one.is_due(time, judge, events)), None)
+
+    def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
+        """What steps wait for: the number of a sequence, a comparison."""
+        return [
+            (number, judge.awaited(comparison))
+            for number, one in enumerate(self.going)
+            if one.true_at is None and one.step is not None and one.step.when is not None
+            for comparison in one.step.when.comparisons
+        ]

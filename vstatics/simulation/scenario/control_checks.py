@@ -1,0 +1,139 @@
+"""What the numbers, tables, states and sequences of a scenario must fulfil."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import chain, pairwise
+
+from vstatics.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Curve
+from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
+from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.words import name_problems
+
+
+def control_problems(scenario: Scenario) -> Iterator[Problem]:
+    """Of the numbers that change, of states and sequences.
+
+    Examples
+    --------
+    >>> from vstatics import Transmission
+    >>> from vstatics.simulation.scenario.laws import constant
+    >>> case = Transmission(1, [], [], [], inertias={1: 2.0})
+    >>> state = ControlState("p", constant(1.0), start=3.0, most=2.0)
+    >>> for problem in control_problems(Scenario(case, 1.0, states=(state,))):
+    ...     print(problem)
+    states.p.start: read 3, expected at most 2, its max [E684]
+    """
+    settings, states = scenario.settings, [one.name for one in scenario.states]
+    yield from name_problems("set", [*settings], ())
+    yield from name_problems("states", states, [*settings])
+    for name, value in settings.items():
+        if not math.isfinite(value):
+            yield Problem("E654", f"read {value:g}, expected a number", ("set", name))
+    for state in scenario.states:
+        yield from _of_state(state, ("states", state.name))
+    for link, speed in scenario.speeds.items():
+        yield from _of_speed(speed, ("speeds", scenario.case.link_name(link)))
+    for number, ratio in scenario.speed_ratios.items():
+        mechanism = scenario.case.mechanisms[number - 1]
+        place: Path = ("speed_ratios", mechanism.name)
+        if mechanism.kind != "variator":
+            yield Problem("E678", f"{mechanism.name} is no variator, expected one", place)
+        yield from _of_speed(ratio, place)
+    for sequence in scenario.sequences:
+        if not sequence.steps:
+            place = ("sequences", sequence.name)
+            yield Problem("E685", "read no steps, expected one at least", place)
+    for path, step in placed_steps(scenario):
+        yield from _of_step(step, scenario, path)
+
+
+def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
+    """The steps of all sequences, each with its place."""
+    for sequence in scenario.sequences:
+        for number, step in enumerate(sequence.steps, 1):
+            yield ("sequences", sequence.name, number), step
+
+
+def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
+    for name, value in (("start", state.start), ("min", state.least), ("max", state.most)):
+        if math.isnan(value) or (name == "start" and math.isinf(value)):
+            yield Problem("E654", f"read {value:g}, expected a number", (*path, name))
+    if state.least > state.most:
+        message = f"read {state.most:g}, expected at least {state.least:g}, its min"
+        yield Problem("E684", message, (*path, "max"))
+    elif state.start > state.most:
+        message = f"read {state.start:g}, expected at most {state.most:g}, its max"
+        yield Problem("E684", message, (*path, "start"))
+    elif state.start < state.least:
+        message = f"read {state.start:g}, expected at least {state.least:g}, its min"
+        yield Problem("E684", message, (*path, "start"))
+
+
+def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
+    """Of a speed that is given: it changes without a jump, and how it does is known."""
+    if isinstance(speed, Formula):
+        if any(speed.jumps("t")) or not speed.has_slope:
+            why = "jumps" if speed.has_slope else "has no slope that can be told"
+            yield Problem("E689", f"the speed {why}, expected one that changes steadily", path)
+        return
+    if not speed.x:
+        yield Problem("E651", "expected points, one at least, each of two numbers", path)
+    for number, (one, other) in enumerate(pairwise(speed.x), 2):
+        if other <= one:
+            wanted = "points in the order of the time, without a jump"
+            message = f"read {other:g} behind {one:g}, expected {wanted}"
+            yield Problem("E653", message, (*path, number))
+            break
+    if not all(map(math.isfinite, [*speed.x, *speed.y])):
+        yield Problem("E654", "read what is no number, expected numbers", path)
+
+
+def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Problem]:
+    if not (step.settings or step.shift or step.dogs):
+        yield Problem("E686", "nothing is done, expected `set`, `shift` or `dog`", path)
+    if not step.within > 0:
+        yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
+    if not 0 <= step.wait < math.inf:
+        yield Problem("E640", f"read {step.wait:g}, expected a time of 0 or more", (*path, "wait"))
+    known = [*scenario.settings, *(one.name for one in scenario.states)]
+    for name in step.settings:
+        if name not in known:
+            hint = nearest(name, known)
+            hint = hint or (f"; there are {spoken(known)}" if known else "; there are none")
+            message = f"read {quoted(name)}, expected a name of `set` or a state{hint}"
+            yield Problem("E687", message, (*path, "set", name))
+    elements = scenario.case.shift_elements
+    for number in step.dogs:
+        if 0 < number <= len(elements) and elements[number - 1].kind != "dog_clutch":
+            message = f"{elements[number - 1].name} is no dog clutch, expected one"
+            yield Problem("E688", message, (*path, "dog", number))
+
+
+def table_problems(tables: Mapping[str, Table]) -> Iterator[Problem]:
+    """Of tables: rows and columns that ascend, numbers.
+
+    Examples
+    --------
+    >>> for problem in table_problems({"engine": Table((2.0, 1.0), ((1.0,), (3.0,)))}):
+    ...     print(problem)
+    tables.engine[2]: read 1 behind 2, expected rows in ascending order [E653]
+    """
+    for name, table in tables.items():
+        path: Path = ("tables", name)
+        twice = table.variables == 1
+        for number, (one, other) in enumerate(pairwise(table.x), 2):
+            if other < one or (other == one and not twice):
+                message = f"read {other:g} behind {one:g}, expected rows in ascending order"
+                yield Problem("E653", message, (*path, number))
+                break
+        for one, other in pairwise(table.columns):
+            if other <= one:
+                message = f"read {other:g} behind {one:g}, expected columns in ascending order"
+                yield Problem("E653", message, (*path, "columns"))
+                break
+        if not all(map(math.isfinite, [*table.x, *table.columns, *chain(*table.values)])):
+            yield Problem("E654", "read what is no number, expected numbers", path)

@@ -1,0 +1,83 @@
+"""Tables of formulas in CSV files."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+from typing import get_args
+
+from vstatics.model.shape import Measure
+from vstatics.readers.named.si_units import measured
+from vstatics.simulation.scenario.tables import Table
+
+MOST_BYTES = 5_000_000
+"""Of a file."""
+_HEAD = re.compile(r"\s*[^\[\]]*\[(?P<unit>[^\]]+)\]\s*")
+
+
+def table_of(scenario: str, name: str) -> Table:
+    """The table of a file, whose name is relative to the folder of a scenario.
+
+    Raises
+    ------
+    OSError
+    ValueError
+        With what was expected.
+    """
+    with (Path(scenario).parent / name).open("rb") as file:
+        data = file.read(MOST_BYTES + 1)
+    try:
+        return _table(data)
+    except csv.Error as error:
+        raise ValueError(f"expected CSV: {error}") from None
+
+
+def _table(data: bytes) -> Table:
+    r"""Rows behind a head of a quantity with its unit, then of numbers or one quantity more.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> _table(b"speed [rpm],.2,1\n0,10,50\n3000,20,90\n").at(1000.0, 1.0)
+    90.0
+    >>> _table(b"time [ms],pedal\n0,.5\n1000,1\n").at(0.5)
+    0.75
+    """
+    if len(data) > MOST_BYTES:
+        raise ValueError(f"expected a file of {MOST_BYTES // 1_000_000} MB at most")
+    rows = [row for row in csv.reader(io.StringIO(data.decode("utf-8-sig"))) if row]
+    heads = rows[0] if rows else []
+    first = _HEAD.fullmatch(heads[0]) if len(heads) > 1 else None
+    if first is None:
+        raise ValueError("expected a CSV file with a head such as `speed [rpm],.2,.5,1`")
+    units = [first["unit"], *[""] * (len(heads) - 1)]
+    one = _HEAD.fullmatch(heads[1])
+    if len(heads) == 2 and one:
+        units[1] = one["unit"]
+    columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
+    x, values = [], []
+    for line, row in enumerate(rows[1:], 2):
+        if len(row) != len(heads):
+            raise ValueError(f"line {line}: expected {len(heads)} numbers")
+        at, *others = (_number(f"{cell} {of}", line) for cell, of in zip(row, units, strict=True))
+        x.append(at)
+        values.append(tuple(others))
+    if not x:
+        raise ValueError("expected a row at least, below the head")
+    return Table(tuple(x), tuple(values), columns)
+
+
+def _number(text: str, line: int) -> float:
+    """A number in SI, bare or with its unit."""
+    for measure in get_args(Measure):
+        try:
+            return measured(text.strip(), measure)
+        except ValueError:
+            continue
+    raise ValueError(f"line {line}: read {text.strip()}, expected a number, bare or with its unit")

@@ -1,0 +1,99 @@
+"""What the formulas of a scenario may speak of: links, elements, devices of its case, own names."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from types import MappingProxyType
+
+from vstatics.errors import Path, Problem, quoted
+from vstatics.model.transmission import Transmission
+from vstatics.readers.expressions.grammar import PYTHON
+from vstatics.simulation.scenario.formula import (
+    OF_EVENTS,
+    OF_MOTION,
+    OF_TORQUES,
+    Vocabulary,
+)
+from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
+from vstatics.simulation.scenario.tables import Table
+from vstatics.tables.names import NAME
+
+_TRUTH = ("on", "off", "yes", "no", "true", "false", "y", "n")
+"""Names that a reader of YAML may take for true or false."""
+_TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
+_TAKEN |= {"and", "or", "not"}
+_NO_TABLES: Mapping[str, Table] = MappingProxyType({})
+
+
+def vocabulary(
+    case: Transmission,
+    *,
+    numbers: Mapping[str, float] = MappingProxyType({}),
+    values: Collection[str] = (),
+    tables: Mapping[str, Table] = _NO_TABLES,
+    converters: Collection[str] = (),
+) -> Vocabulary:
+    """What formulas may speak of.
+
+    Parameters
+    ----------
+    case : Transmission
+    numbers : mapping of str to float
+    values : collection of str
+        Names of states, and of numbers that sequences change.
+    tables : mapping of str to Table
+    converters : collection of str
+        Names of those of the scenario.
+
+    Examples
+    --------
+    >>> from vstatics import ShiftElement
+    >>> clutch = ShiftElement(1, 2, name="C")
+    >>> words = vocabulary(Transmission(2, [clutch], [], [], inertias={1: 1.0}), values=["p"])
+    >>> words.rows["slip"], words.rows["speed"]
+    (('C',), ('1', '2'))
+    """
+    links = tuple(case.link_names)
+    elements = tuple(one.name for one in case.shift_elements)
+    springs = (
+        *(one.name for one in case.shift_elements if one.stiffness is not None),
+        *(one.name for one in case.mechanisms if one.stiffness is not None),
+        *(one.name for one in case.springs),
+    )
+    hot = tuple(one.name for one in case.shift_elements if one.heat_store is not None)
+    rows: dict[str, Collection[str]] = dict.fromkeys(("speed", "angle", "acceleration"), links)
+    rows |= dict.fromkeys(("slip", *OF_EVENTS), elements)
+    rows |= {"twist": springs, "temperature": hot, "torque": (*case.devices, *converters)}
+    rows["power"] = (*links, *elements, *springs)
+    return Vocabulary(rows, numbers, values, tables)
+
+
+def name_problems(key: str, names: Collection[str], before: Collection[str]) -> Iterator[Problem]:
+    """Names that formulas could not use.
+
+    Parameters
+    ----------
+    key : str
+        Of the scenario, where they stand.
+    before : collection of str
+        Names that are taken already.
+
+    Examples
+    --------
+    >>> [str(one) for one in name_problems("numbers", ["t"], [])]
+    ['numbers.t: `t` is a word of formulas, expected another name [E680]']
+    """
+    for name in names:
+        path: Path = (key, name)
+        if name.lower() in _TRUTH:
+            message = f"{quoted(name)} is true or false in YAML, expected another name"
+            yield Problem("E681", message, path)
+        elif name in _TAKEN:
+            message = f"{quoted(name)} is a word of formulas, expected another name"
+            yield Problem("E680", message, path)
+        elif not NAME.fullmatch(name):
+            message = f"read {quoted(name)}, expected a name of letters, digits and `_`"
+            yield Problem("E682", message, path)
+        elif name in before:
+            message = f"{quoted(name)} is the name of something else already, expected another"
+            yield Problem("E683", message, path)

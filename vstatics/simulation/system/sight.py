@@ -1,0 +1,140 @@
+"""What formulas see of a box in motion: where each of their words stands among what is seen.
+
+All that is seen stands in one row: the rates of ports, twists, angles, values (states and
+temperatures), then what follows from torques (`derived`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import NamedTuple
+
+from vstatics.readers.expressions.grammar import Applied, Tree
+from vstatics.readers.expressions.operands import Constant
+from vstatics.simulation.scenario.algebra import parts, variables
+from vstatics.simulation.scenario.corners import BENDS, JUMPS
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.programme import Look, Programme
+from vstatics.simulation.system.matrices import MotionSystem
+
+
+def place_of(system: MotionSystem, seen: Seen) -> int:
+    """Where something stands among all that is seen."""
+    layout, names = system.layout, system.names
+    twists = layout.ports
+    angles = twists + len(system.springs)
+    values = angles + len(layout.angles)
+    match seen.word:
+        case "speed":
+            return layout.sensors + layout.sensed.index(names.index(seen.of))
+        case "slip":
+            return _slip(system, seen.of)
+        case "twist":
+            return twists + [one.name for one in system.springs].index(seen.of)
+        case "angle":
+            return angles + layout.angles.index(names.index(seen.of))
+        case "value" | "temperature":
+            return values + layout.values.index(seen)
+        case _:
+            return values + len(layout.values) + layout.derived.index(seen)
+
+
+def _slip(system: MotionSystem, name: str) -> int:
+    """The port of a shift element."""
+    [number] = (n for n, one in enumerate(system.case.shift_elements) if one.name == name)
+    for index, contact in enumerate(system.contacts):
+        if contact.element == number:
+            return system.layout.contacts + index
+    [index] = (n for n, one in enumerate(system.springs) if one.element == number)
+    return system.layout.springs + index
+
+
+def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
+    """A formula as a function of the time and all that is seen.
+
+    Parameters
+    ----------
+    rate : int
+        The port of its own link.
+    angle : int
+        The place of its own angle among those that are followed; -1: it has none.
+    """
+    function = formula.function
+    places = [place_of(system, one) for one in formula.seen]
+    turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
+
+    def value(time: float, seen: Sequence[float]) -> float:
+        own = seen[turned] if turned >= 0 else 0.0
+        return function(time, seen[rate], own, *[seen[place] for place in places])
+
+    return value
+
+
+class Compared(NamedTuple):
+    """What is compared."""
+
+    first: Look
+    second: Look
+
+
+def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
+    """The two sides of a difference, with the numbers that are set."""
+    tree = difference.whole
+    assert isinstance(tree, Applied)  # noqa: S101 - a difference is one
+    first, second = (
+        looking(system, difference._replace(tree=one).knowing(system.settings), rate, angle)
+        for one in tree.operands
+    )
+    return Compared(first, second)
+
+
+def corners(system: MotionSystem) -> list[Compared]:
+    """Where formulas that see something bend or jump: what they compare."""
+    layout, found = system.layout, []
+    for device in system.may_slip:
+        programme = device.programme
+        if programme.look is not None and isinstance(programme.curve, Formula):
+            most = () if programme.largest is None else (programme.largest,)
+            bounds = [(programme.curve.whole, Constant(one)) for one in (0.0, *most)]
+            found += [(programme.curve, pair, 0, -1) for pair in (*bounds, *_met(programme.curve))]
+    for port, one in enumerate(system.outside):
+        if isinstance(one.law, Formula) and one.law.seen:
+            place = layout.angles.index(one.link) if one.link in layout.angles else -1
+            found += [(one.law, pair, port, place) for pair in _met(one.law)]
+    for state in system.scenario.states:
+        if isinstance(state.rate, Formula):
+            found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
+    made = []
+    for formula, pair, rate, angle in found:
+        tree = Applied("-", pair, 0, 0)
+        if variables(tree) - {"t"} - {*system.settings}:
+            made.append(compared(system, formula._replace(tree=tree), rate, angle))
+    return made
+
+
+def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
+    """What is compared in a formula."""
+    for part in parts(formula.whole):
+        if isinstance(part, Applied) and part.name in BENDS | JUMPS:
+            operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
+            yield from combinations(operands, 2)
+
+
+def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
+    """The system with numbers for what its formulas call so; its controls look by them."""
+    contacts = (
+        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.contacts
+    )
+    springs = (
+        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.springs
+    )
+    return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
+
+
+def _seeing(system: MotionSystem, programme: Programme, settings: Mapping[str, float]) -> Programme:
+    if not isinstance(programme.curve, Formula) or not programme.curve.seen:
+        return programme
+    return programme._replace(look=looking(system, programme.curve.knowing(settings)))

@@ -1,0 +1,197 @@
+"""How states of a control and temperatures change, and what formulas see that torques tell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.parts import ControlState
+from vstatics.simulation.system.sight import looking
+from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
+
+if TYPE_CHECKING:
+    from vstatics.simulation.system.equations import Equations
+
+
+class ValueChanges:
+    """Changes of states and temperatures with time, while equations hold.
+
+    Parameters
+    ----------
+    equations : Equations
+    """
+
+    def __init__(self, equations: Equations) -> None:
+        self.equations = equations
+        system = equations.system
+        states = system.scenario.states
+        self.rates = [
+            looking(system, one.rate.knowing(system.settings))
+            if isinstance(one.rate, Formula)
+            else _constant(one.rate.y[0])
+            for one in states
+        ]
+        self.held = np.zeros(len(states), dtype=int)
+        """1 of a state that stays at its largest value, -1 at its least, else 0."""
+        self.derived = [_derived(equations, one) for one in system.layout.derived]
+
+    def at(
+        self, time: float, state: Floats, rates: Floats, torques: Floats, change: Floats
+    ) -> Floats:
+        """The changes in a state; what they follow from is known of `change`."""
+        made = self.unheld(time, state, rates, torques)
+        made[: len(self.held)][self.held != 0] = 0.0
+        equations = self.equations
+        for place, index in enumerate(equations.layout.hot, len(self.held)):
+            store = equations.system.case.shift_elements[index].heat_store
+            assert store is not None  # noqa: S101 - it is hot
+            assert store.heat_capacity is not None  # noqa: S101
+            over = state[equations.values][place] - store.ambient
+            power = _heat(equations, index, change)
+            made[place] = (power - store.cooling * over) / store.heat_capacity
+        return made
+
+    def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
+        """The changes of states as if they had no limits, then 0 for each temperature."""
+        made = np.zeros(len(self.equations.layout.values))
+        if self.rates:
+            seen = self.seen(time, state, rates, torques)
+            made[: len(self.rates)] = [look(time, seen) for look in self.rates]
+        return made
+
+    def seen(self, time: float, state: Floats, rates: Floats, torques: Floats) -> list[float]:
+        """All that is seen in a state."""
+        equations = self.equations
+        seen = [*rates.tolist(), *state[equations.motions : equations.values.stop].tolist()]
+        return seen + [one(time, state, rates, torques) for one in self.derived]
+
+    def seen_at(self, time: float, state: Floats) -> list[float]:
+        """The same where rates and torques are not known yet."""
+        return self.seen(time, state, *self.equations.acting(time, state))
+
+    def hold_limits(self, time: float, state: Floats) -> None:
+        """Hold states at a limit while their rates point outward, or are 0 and turn outward."""
+        states = self.equations.system.scenario.states
+        if not states:
+            return
+        equations, values = self.equations, state[self.equations.values]
+        within, later = equations.within, time + equations.within
+        self.held[:] = 0
+        changes = self.unheld(time, state, *equations.acting(time, state))
+        sides = [
+            _side(one, float(values[index]), NEAR_LIMIT * within * abs(float(changes[index])))
+            for index, one in enumerate(states)
+        ]
+        if not any(sides):
+            return
+        for index, side in enumerate(sides):
+            if side:
+                values[index] = states[index].most if side > 0 else states[index].least
+        self.held[:] = sides
+        changes = self.unheld(time, state, *equations.acting(time, state))
+        ahead = state + within * equations.derivative(time, state)
+        then = self.unheld(later, ahead, *equations.acting(later, ahead))
+        for index, side in enumerate(sides):
+            turns = abs(changes[index]) <= abs(then[index] - changes[index])
+            if side and side * (then if turns else changes)[index] < 0:
+                self.held[index] = 0
+
+
+def _side(state: ControlState, value: float, near: float) -> int:
+    """1 at the largest value of a state, -1 at its least, else 0."""
+    for side, limit in ((1, state.most), (-1, state.least)):
+        if math.isfinite(limit) and side * (value - limit) >= -max(near, EQUAL_SIDES * abs(limit)):
+            return side
+    return 0
+
+
+def _constant(value: float) -> Callable[[float, Sequence[float]], float]:
+    return lambda _time, _seen: value
+
+
+def _heat(equations: Equations, element: int, change: Floats) -> float:
+    """The power of the friction of a shift element [W]."""
+    power = 0.0
+    works = change[equations.works]
+    for index, contact in enumerate(equations.system.contacts):
+        if contact.element == element:
+            power += works[equations.layout.contacts + index]
+    for index, spring in enumerate(equations.system.springs):
+        if spring.element == element:
+            power += change[equations.slipped][index]
+    return float(power)
+
+
+Derived = Callable[[float, Floats, Floats, Floats], float]
+"""By time, state, rates and torques of ports."""
+
+
+def _derived(equations: Equations, seen: Seen) -> Derived:
+    """What follows from torques."""
+    system, names = equations.system, equations.system.names
+    if seen.word == "acceleration":
+        return _acceleration(equations, names.index(seen.of))
+    if seen.word == "torque":
+        return _torque(equations, seen.of)
+    if seen.of in names:
+        link = names.index(seen.of)
+        ports = [index for index, one in enumerate(system.outside) if one.link == link]
+        return lambda _time, _state, rates, torques: float(rates[ports] @ torques[ports])
+    torque = _torque(equations, seen.of)
+    [place] = _ports_of(equations, seen.of)[:1]
+    return lambda time, state, rates, torques: float(
+        rates[place] * torque(time, state, rates, torques)
+    )
+
+
+def _acceleration(equations: Equations, link: int) -> Derived:
+    structure = equations.structure
+    row = structure.free[link] @ structure.accelerations
+    if not equations.light or not structure.light[link].any():
+        return lambda _time, _state, _rates, torques: float(row @ torques)
+
+    def with_light(time: float, state: Floats, _rates: Floats, torques: Floats) -> float:
+        """Of a link without inertia, by what its speed is a moment later."""
+        ahead = state.copy()
+        ahead[: equations.motions] += equations.within * (structure.accelerations @ torques)
+        later = equations.speeds(time + equations.within, ahead)[link]
+        return float(later - equations.speeds(time, state)[link]) / equations.within
+
+    return with_light
+
+
+def _ports_of(equations: Equations, name: str) -> list[int]:
+    """The ports of a device by friction or a spring."""
+    system, layout = equations.system, equations.layout
+    elements = system.case.shift_elements
+    found = []
+    for index, contact in enumerate(system.contacts):
+        if contact.element is not None and elements[contact.element].name == name:
+            found.append(layout.contacts + index)
+    found += [layout.springs + n for n, one in enumerate(system.springs) if one.name == name]
+    found += [layout.pumps + n for n, one in enumerate(system.converters) if one.name == name]
+    return found
+
+
+def _torque(equations: Equations, name: str) -> Derived:
+    """On the first link of a device, given to it."""
+    system, structure = equations.system, equations.structure
+    for row, one in enumerate(structure.multipliers):
+        held = system.meshes[one.of].name if one.kind == "mesh" else ""
+        if one.kind == "contact":
+            element = system.contacts[one.of].element
+            held = "" if element is None else system.case.shift_elements[element].name
+        if held == name:
+            by_ports = structure.torques[row].copy()
+            if one.kind == "mesh":
+                planets = system.meshes[one.of].planets
+                by_ports += planets @ structure.free @ structure.accelerations
+            return lambda _time, _state, _rates, torques: float(by_ports @ torques)
+    [port] = _ports_of(equations, name)[:1]
+    return lambda _time, _state, _rates, torques: float(torques[port])
