@@ -42,6 +42,11 @@ class TwistCurve(NamedTuple):
         return below - slope * left, slope
 
     @property
+    def bends(self) -> bool:
+        """Whether it is not straight through 0."""
+        return len(self.twists) > 2 or self.piece(0)[0] != 0
+
+    @property
     def steepest(self) -> float:
         """The largest slope [N*m/rad]."""
         return max(self.piece(number)[1] for number in range(len(self.twists) - 1))
@@ -94,6 +99,11 @@ class TwistCurve(NamedTuple):
 
     def _piece(self, number: int) -> int:
         return min(max(number, 0), len(self.twists) - 2)
+
+
+def straight_curve(stiffness: float) -> TwistCurve:
+    """That of a stiffness [N*m/rad]."""
+    return TwistCurve((-1.0, 1.0), (-stiffness, stiffness))
 
 
 class Spring(NamedTuple):
@@ -155,8 +165,10 @@ class Spring(NamedTuple):
     @property
     def curve(self) -> TwistCurve:
         """Its torque over its twist, in both directions."""
-        points = [*self.points] or [(0.0, 0.0), (1.0, self.rate)]
-        if all(twist >= 0 for twist, _ in points):  # 0 is no corner
+        points = [*self.points]
+        if not points:
+            return straight_curve(self.rate)
+        if points[0][0] >= 0:  # which is no corner
             points = [*((-twist, -torque) for twist, torque in points[:0:-1]), *points[1:]]
         twists, torques = zip(*points, strict=True)
         return TwistCurve(twists, torques)
