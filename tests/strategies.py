@@ -100,13 +100,13 @@ def _with_torsion(
     shafts = links.map(between) | _ends(case.links).map(lambda e: between(*e))
     twists = shafts | st.dictionaries(links, numbers.filter(bool), min_size=1)
     dampings = st.floats(0, 1e300).map(Damping) | st.floats(0, 8).map(lambda r: Damping(0.0, r))
+    bending = st.one_of(
+        st.fixed_dictionaries({"stiffness": positive, "damping": dampings}),
+        st.fixed_dictionaries({"compliance": positive, "damping": dampings}),
+        st.fixed_dictionaries({"points": st.just([(-0.1, -2), (0.3, -2), (0.7, 5)])}),
+    )
     springs = [
-        Spring(
-            draw(twists),
-            **{draw(st.sampled_from(("stiffness", "compliance"))): draw(positive)},
-            damping=draw(dampings),
-            name=name,
-        )
+        Spring(draw(twists), friction=draw(st.floats(0, 1e300)), name=name, **draw(bending))
         for name in draw(st.lists(NAMES, max_size=3, unique=True))
         if name.casefold() not in names
     ]

@@ -72,7 +72,7 @@ STEEL = Spring(between(1, 2), stiffness=3.0)
         (STEEL._replace(stiffness=math.nan), "springs[1].stiffness: read nan, expected a stiffness"),
         (STEEL._replace(stiffness=math.inf), "springs[1].stiffness: read inf, expected a stiffness"),
         (STEEL._replace(stiffness=1e-320), "read 9.99989e-321, expected a stiffness that is not so"),
-        (STEEL._replace(stiffness=None), "springs[1]: there is no `stiffness` and no `compliance`"),
+        (STEEL._replace(stiffness=None), "springs[1]: there is no `stiffness`, no `compliance`"),
         (STEEL._replace(compliance=1), "springs[1]: read both `stiffness` and `compliance`"),
         (Spring(between(1), None, -1), "springs[1].compliance: read -1, expected a compliance above"),
         (STEEL._replace(damping=-1), "springs[1].damping.viscous: read -1, expected a damping of 0"),
@@ -131,3 +131,69 @@ def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], sai
 def test_two_springs_have_two_names() -> None:
     with pytest.raises(CaseError, match="spring 2 has the name `S1` of spring 1"):
         made(STEEL, STEEL._replace(name="S1"))
+
+
+STAGES = [(0, 0), (0.02, 0), (0.05, 30), (0.06, 90)]
+"""A clutch disc: play, a soft stage, a stiff one."""
+
+
+def test_points_hold_in_both_directions_and_go_on_with_their_last_slope() -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    twists = [0.0, 0.02, 0.035, 0.05, 0.07]
+    torques = [0.0, 0.0, 15.0, 30.0, 150.0]  # by hand
+    assert [curve.at(twist) for twist in twists] == pytest.approx(torques)
+    assert [curve.at(-twist) for twist in twists] == pytest.approx([-one for one in torques])
+
+
+def test_points_with_a_twist_below_0_hold_as_they_are_written() -> None:
+    curve = Spring(between(1, 2), points=[(-0.1, -5), (0.1, -5), (0.2, 15)]).curve
+    assert [curve.at(twist) for twist in (-9, 0, 0.15, 0.3)] == pytest.approx([-5, -5, 5, 35])
+
+
+def test_the_energy_of_points_is_their_integral() -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    triangle, trapezium = 0.03 * 30 / 2, 0.01 * (30 + 90) / 2
+    for twist in (0.06, -0.06):
+        assert curve.energy(twist) == pytest.approx(triangle + trapezium)
+    assert curve.energy(0.01) == 0
+    assert Spring(between(1), stiffness=500).curve.energy(-0.2) == pytest.approx(500 * 0.02)
+
+
+@pytest.mark.parametrize(
+    ("torque", "twist", "slope"),
+    [(0, 0, 0), (15, 0.035, 1000), (-15, -0.035, 1000), (30, 0.05, 6000), (300, 0.095, 6000)],
+)
+def test_of_a_torque_points_tell_twist_and_slope(torque: float, twist: float, slope: float) -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    assert curve.twist_at(torque) == pytest.approx(twist)
+    assert curve.slope_at(torque) == pytest.approx(slope)
+
+
+def test_in_play_the_twist_is_the_one_nearest_0() -> None:
+    curve = Spring(between(1), points=[(-0.2, -9), (0.05, 0), (0.1, 0), (0.2, 7)]).curve
+    assert curve.twist_at(0) == pytest.approx(0.05)
+    assert curve.slope_at(0) == 0
+
+
+def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
+    curve = Spring(between(1), points=[(0, 0), (0.1, 8), (0.3, 8)]).curve
+    assert [curve.twist_at(one) for one in (8, 8.5, -9)] == [pytest.approx(0.1), None, None]
+    assert curve.slope_at(8.5) == 0
+
+
+@pytest.mark.parametrize(
+    ("spring", "message"),
+    [
+        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
+        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
+        ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
+        ({"points": [(0, 0), (0.1, 0)]}, "expected two points at least, and a torque that rises"),
+        ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` beside `points`"),
+        ({"points": STAGES, "limit": 5}, "limit: read `limit` beside `points`"),
+        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),
+        ({"stiffness": 5, "friction": -1}, "friction: read -1, expected a torque of 0 or more"),
+    ],
+)
+def test_points_that_are_no_curve_are_told(spring: dict[str, Any], message: str) -> None:
+    with pytest.raises(CaseError, match=re.escape(message)):
+        made(Spring(between(1, 2), **spring))

@@ -143,7 +143,10 @@ def test_what_is_left_out_is_listed() -> None:
         ],
         [Mechanism(1, 2, 3, -2.5, 0.97, name="P"), Mechanism(1, 2, 0, 2.0, name="G")],
         [Gear([1], name="low"), Gear(speeds={2: 1}, name="run"), Gear(input=2, drag={1: 1})],
-        springs=[Spring({1: 1}, stiffness=9, limit=3, damping=Damping(0, 0.1), name="S")],
+        springs=[
+            Spring({1: 1}, stiffness=9, limit=3, damping=Damping(0, 0.1), name="S"),
+            Spring({2: 1}, points=[(0, 0), (1, 5)], friction=2, name="Z"),
+        ],
         coast=True,
         load=Load(speed=100),
     )
@@ -154,6 +157,8 @@ def test_what_is_left_out_is_listed() -> None:
         "the capacity, by a torque that no load tells, of B",
         "the jump of speeds of C",
         "the limit of S",
+        "the points of Z",
+        "the friction of Z",
         "the loss factor of S",
         "drag in gear 3",
         "given speeds and torques in gear run",

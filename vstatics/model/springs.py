@@ -2,13 +2,108 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from bisect import bisect_left, bisect_right
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from vstatics.model.parts import HOUSING, NO_DAMPING, Damping
 
 Twist = tuple[tuple[int, float], ...]
 """Links with their coefficients: the twist is the sum of coefficient times angle."""
+
+
+class TwistCurve(NamedTuple):
+    """A torque over a twist: straight between points, beyond them with the last slope.
+
+    Examples
+    --------
+    >>> play = TwistCurve((-0.2, -0.1, 0.1, 0.2), (-30.0, 0.0, 0.0, 30.0))
+    >>> play.at(0.05), round(play.at(0.3), 9), round(play.energy(-0.2), 9)
+    (0.0, 60.0, 1.5)
+    """
+
+    twists: tuple[float, ...]
+    """Two at least, each larger than the one before. [rad]"""
+    torques: tuple[float, ...]
+    """None is less than the one before. [N*m]"""
+
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """Twists at which it bends [rad]."""
+        return self.twists[1:-1]
+
+    def piece(self, number: int) -> tuple[float, float]:
+        """Torque at a twist of 0, and slope, of the straight line of a piece."""
+        left, right = self.twists[number : number + 2]
+        below, above = self.torques[number : number + 2]
+        slope = (above - below) / (right - left)
+        return below - slope * left, slope
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is not straight through 0."""
+        return len(self.twists) > 2 or self.piece(0)[0] != 0
+
+    @property
+    def steepest(self) -> float:
+        """The largest slope [N*m/rad]."""
+        return max(self.piece(number)[1] for number in range(len(self.twists) - 1))
+
+    def at(self, twist: float) -> float:
+        """The torque at a twist [N*m]."""
+        value, slope = self.piece(bisect_right(self.corners, twist))
+        return value + slope * twist
+
+    def energy(self, twist: float) -> float:
+        """The integral of the torque from a twist of 0 on [J]."""
+        low, high = sorted((0.0, twist))
+        ends = (low, *(one for one in self.corners if low < one < high), high)
+        energy = sum((self.at(a) + self.at(b)) * (b - a) / 2 for a, b in pairwise(ends))
+        return energy if twist > 0 else -energy
+
+    def twist_at(self, torque: float) -> float | None:
+        """The twist nearest 0 at which it has a torque [rad]; None: it never has.
+
+        Examples
+        --------
+        >>> play = TwistCurve((-0.2, 0.1, 0.2), (0.0, 0.0, 30.0))
+        >>> play.twist_at(0.0), play.twist_at(30.0), play.twist_at(-1.0)
+        (0.0, 0.2, None)
+        """
+        found = []
+        for bisect, anywhere in ((bisect_left, -math.inf), (bisect_right, math.inf)):
+            value, slope = self.piece(self._piece(bisect(self.torques, torque) - 1))
+            found.append((torque - value) / slope if slope else anywhere)
+        least, most = found
+        if math.isinf(least) and math.isinf(most):
+            return None
+        return min(max(0.0, least), most)
+
+    def slope_at(self, torque: float) -> float:
+        """The slope where it has a torque [N*m/rad]; in play, and where it never has it, 0.
+
+        At a corner it is that of the larger torque.
+
+        Examples
+        --------
+        >>> play = TwistCurve((-0.2, -0.1, 0.1, 0.2, 0.3), (-30.0, 0.0, 0.0, 30.0, 90.0))
+        >>> [round(play.slope_at(torque), 6) for torque in (0.0, -20.0, 30.0)]
+        [0.0, 300.0, 600.0]
+        """
+        first, behind = bisect_left(self.torques, torque), bisect_right(self.torques, torque)
+        if behind > first + 1:
+            return 0.0
+        return self.piece(self._piece((behind if torque > 0 else first) - 1))[1]
+
+    def _piece(self, number: int) -> int:
+        return min(max(number, 0), len(self.twists) - 2)
+
+
+def straight_curve(stiffness: float) -> TwistCurve:
+    """That of a stiffness [N*m/rad]."""
+    return TwistCurve((-1.0, 1.0), (-stiffness, stiffness))
 
 
 class Spring(NamedTuple):
@@ -31,11 +126,18 @@ class Spring(NamedTuple):
         ``S`` and the number when not given.
     limit : float, optional
         In a scenario its torque stays within it, the rest is slip, as of a tyre. [N*m]
+    points : sequence of (float, float), optional
+        In place of a stiffness: twists, which rise, and torques, which do not fall. They begin
+        with (0, 0) and hold in both directions, unless a twist is below 0. [rad, N*m]
+    friction : float
+        Dry friction beside it, in a scenario. [N*m]
 
     Examples
     --------
     >>> Spring({1: 1, 2: -1}, compliance=0.002).rate
     500.0
+    >>> Spring({1: 1, 2: -1}, points=[(0, 0), (0.1, 0), (0.2, 30)]).curve.twists
+    (-0.2, -0.1, 0.1, 0.2)
     """
 
     twist: Mapping[int, float] | Twist
@@ -44,6 +146,8 @@ class Spring(NamedTuple):
     damping: Damping | float = NO_DAMPING
     name: str = ""
     limit: float | None = None
+    points: Sequence[tuple[float, float]] = ()
+    friction: float = 0.0
 
     @property
     def form(self) -> dict[int, float]:
@@ -53,8 +157,21 @@ class Spring(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """The stiffness [N*m/rad], whichever of the two is given."""
+        """The stiffness [N*m/rad], whichever of the two is given; of points the steepest."""
+        if self.points:
+            return self.curve.steepest
         return self.stiffness if self.stiffness is not None else 1 / (self.compliance or 0.0)
+
+    @property
+    def curve(self) -> TwistCurve:
+        """Its torque over its twist, in both directions."""
+        points = [*self.points]
+        if not points:
+            return straight_curve(self.rate)
+        if points[0][0] >= 0:  # which is no corner
+            points = [*((-twist, -torque) for twist, torque in points[:0:-1]), *points[1:]]
+        twists, torques = zip(*points, strict=True)
+        return TwistCurve(twists, torques)
 
 
 def between(first: int, second: int = HOUSING) -> Twist:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from vstatics.errors import Path, Problem
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, expect, of_link
-from vstatics.model.parts import HOUSING, Damping, element_name, mechanism_name
+from vstatics.model.parts import HOUSING, Damping, damping, element_name, mechanism_name
 from vstatics.model.springs import Spring, ends, spring_name
 
 
@@ -45,11 +46,12 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
         yield Problem("E251", message, (*path, "twist"))
+    if spring.points:
+        yield from _of_points(spring, path)
     given = (spring.stiffness, spring.compliance)
-    if given.count(None) == 2:
-        yield Problem(
-            "E252", "there is no `stiffness` and no `compliance`, expected one of them", path
-        )
+    if given.count(None) == 2 and not spring.points:
+        message = "there is no `stiffness`, no `compliance` and no `points`, expected one of them"
+        yield Problem("E252", message, path)
     elif None not in given:
         yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
     if spring.compliance is not None:
@@ -57,6 +59,34 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
     if spring.limit is not None:
         yield from above_0(spring.limit, "a torque", (*path, "limit"))
+    yield from not_negative(spring.friction, "a torque", (*path, "friction"))
+
+
+def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
+    """Twists that rise, torques that do not fall, and nothing beside them that they exclude."""
+    here = (*path, "points")
+    for number, point in enumerate(spring.points, 1):
+        for place, value in enumerate(point, 1):
+            right = math.isfinite(value)
+            yield from expect(value, "a finite number", (*here, number, place), right=right)
+    for number, (one, other) in enumerate(pairwise(spring.points), 2):
+        rises = other[0] > one[0]
+        if not (rises and other[1] >= one[1]):
+            place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
+            message = f"read {other[place - 1]:g} behind {one[place - 1]:g}, expected {expected}"
+            yield Problem("E690", message, (*here, number, place))
+    first, last = spring.points[0], spring.points[-1]
+    if first[0] >= 0 and (*first,) != (0, 0):
+        message = f"read {first[0]:g}, {first[1]:g}, expected [0, 0] first, or a twist below 0"
+        yield Problem("E691", message, (*here, 1))
+    if not last[1] > first[1]:
+        yield Problem("E692", "expected two points at least, and a torque that rises", here)
+    given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
+    given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
+    for name, read in given.items():
+        if read:
+            what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
+            yield Problem("E693", f"read {what} beside `points`, expected none", (*path, name))
 
 
 def of_elastic(

@@ -17,6 +17,7 @@ from vstatics.model.shape import (
     Limits,
     ListOf,
     Numbers,
+    RowOf,
 )
 from vstatics.model.springs import spring_fault, spring_of
 
@@ -103,6 +104,22 @@ SPRING = ByKey(
             "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
             limits=ABOVE_0,
             examples=("3000 N*m",),
+        ),
+        KeyShape(
+            "points",
+            ListOf(RowOf((Leaf("angle"), Leaf("si_torque")), "twist, torque"), "points"),
+            "In place of a stiffness: twists in rad, which rise, and torques in N*m, which do not "
+            "fall, from [0, 0] on in both directions; with a twist below 0 as they are written. "
+            "Beyond them the last slope holds.",
+            examples=([[0, 0], [0.02, 0], [0.1, 160]],),
+        ),
+        KeyShape(
+            "friction",
+            Leaf("si_torque"),
+            "In a scenario dry friction beside it, in N*m.",
+            default=0,
+            limits={"minimum": 0},
+            examples=("14 N*m",),
         ),
     ),
     spring_of,

@@ -246,6 +246,8 @@ def _completed(case: Transmission) -> dict[str, object]:
                 damping=damping(spring.damping),
                 name=spring.name or spring_name(number),
                 limit=_float(spring.limit),
+                points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
+                friction=float(spring.friction),
             )
             for number, spring in enumerate(case.springs, 1)
         ),

@@ -179,20 +179,28 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
             (
                 one.name,
                 twist_text(case, one),
-                *map(_number, (one.rate, 1 / one.rate)),
+                *_stiffness(one),
                 *_damped(one),
                 _number(one.limit),
+                _number(one.friction or None),
             )
             for one in case.springs
         ]
         headings = ("spring", "twist", "stiffness, N*m/rad", "compliance, rad/(N*m)")
-        more = (*DAMPED, "limit, N*m")
+        more = (*DAMPED, "limit, N*m", "friction, N*m")
         yield grid_of("Springs", (*headings, *more), rows, optional=more)
 
 
 def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
     """Stiffness and damping of a device; nothing of one that is rigid."""
     return [_number(part.stiffness), *_damped(part)]
+
+
+def _stiffness(spring: Spring) -> list[Cell]:
+    """Stiffness and compliance; of points how many there are."""
+    if spring.points:
+        return [Cell(f"{len(spring.points)} points", None), _number(None)]
+    return [_number(spring.rate), _number(1 / spring.rate)]
 
 
 def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:

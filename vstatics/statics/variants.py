@@ -217,7 +217,9 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),
     Mechanism: frozenset({"name", "stiffness", "damping", "is_set"}),
-    Spring: frozenset({"name", "stiffness", "compliance", "damping", "limit"}),
+    Spring: frozenset(
+        {"name", "stiffness", "compliance", "damping", "limit", "points", "friction"}
+    ),
     Gear: frozenset({"name", "load", "balance"}),
 }
 """Fields that no result depends on; a drawing acts through its devices, a load by its sign."""

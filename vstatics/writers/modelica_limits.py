@@ -46,6 +46,8 @@ def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     yield "the capacity, by a torque that no load tells, of", unknown
     yield "the jump of speeds of", [one.name for one in elements if one.kind == "dog_clutch"]
     yield "the limit of", [one.name for one in case.springs if one.limit is not None]
+    yield "the points of", [one.name for one in case.springs if one.points]
+    yield "the friction of", [one.name for one in case.springs if one.friction]
     elastic: list[Spring | Mechanism] = [*case.springs, *mechanisms]
     yield "the loss factor of", [one.name for one in elastic if damping(one.damping).loss_factor]
     yield "drag in gear", [one.name for one in case.gears if one.drag or one.open_drag]

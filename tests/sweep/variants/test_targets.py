@@ -55,8 +55,8 @@ def test_a_number_is_named_as_the_case_names_it(
 @pytest.mark.parametrize(
     ("text", "column", "words"),
     [
-        ("P.stiffness=1", 1, "`P` is rigid: give it a `stiffness` in the case, so that it can"),
-        ("#2.damping=1", 1, "`#2` is rigid"),
+        ("P.stiffness=1", 1, "`P` has no `stiffness` in the case: give it one, so that it can"),
+        ("#2.damping=1", 1, "`#2` has no `stiffness`"),
         ("#7.stiffness=1", 1, "read `#7`, expected the number of a device, #1 to #6"),
         (
             "tire.stiffness=1",

@@ -38,7 +38,7 @@ from vstatics.readers.named.units import QUANTITY
 Words = dict[str, Any]
 
 _DAMPING = "any_damping"
-_IN_NO_CASE = frozenset(("pressure", "time", "angle", "velocity", "pump_factor"))
+_IN_NO_CASE = frozenset(("pressure", "time", "velocity", "pump_factor"))
 """Measures of scenarios alone."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {

@@ -15,7 +15,14 @@ from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.system.curves import curve_at, programme_at
-from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem, OutsideTorque, sign
+from vstatics.simulation.system.matrices import (
+    SIGNS,
+    Contact,
+    Elastic,
+    MotionSystem,
+    OutsideTorque,
+    sign,
+)
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import AHEAD, STANDING
@@ -75,11 +82,12 @@ class ModeChoices:
         ]
         springs = [self._spring(index, at, scales, choices) for index in range(len(system.springs))]
         layout = self.layout
-        last = before.pieces if before else [None] * (layout.frictions + len(contacts))
+        last = before.pieces if before else [None] * (layout.curves + len(springs))
         pieces = [
             *map(self._piece, repeat(at), system.outside, last),
             *map(_converter_piece, repeat(at), system.converters, last[layout.outside :]),
             *map(_friction_piece, repeat(at), system.contacts, last[layout.frictions :]),
+            *map(_spring_piece, at.twists.tolist(), system.springs, last[layout.curves :]),
         ]
         choices += self._leaps(pieces)
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
@@ -169,7 +177,7 @@ class ModeChoices:
             return "stick"
         if limit == 0 == programme_at(spring.programme, at.time + self.within, self.seen):
             return "open"
-        torque = spring.stiffness * float(at.twists[index])
+        torque = spring.curve.at(float(at.twists[index]))
         if spring.viscous:
             choices.append(("springs", index, ("stick", "+", "-")))
         else:  # at a limit of nearly 0 it is at both ends
@@ -204,6 +212,11 @@ def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:
     """The piece of the coefficient of friction."""
     slip = abs(float(contact.row @ at.speeds))
     return _piece_at(slip, contact.corners, last, STANDING * max(1.0, slip))
+
+
+def _spring_piece(twist: float, spring: Elastic, last: int | None) -> int:
+    """The piece of the points of a spring."""
+    return _piece_at(twist, spring.curve.corners, last, STANDING * max(1.0, abs(twist)))
 
 
 def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:

@@ -59,7 +59,9 @@ def consistent(
     given = torques * turned
     given[springs] = 0.0
     made[equations.works] += given
-    before, after = (equations.elastic_energy(one) for one in (state, made))
+    before, after = (
+        equations.system.elastic_energy(one[equations.twists]) for one in (state, made)
+    )
     signs = np.ones(len(given))
     signs[equations.layout.outside :] = -1.0
     lost = float(signs @ given) - (after - before)

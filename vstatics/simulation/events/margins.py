@@ -200,9 +200,10 @@ class Margins:
                 self._watch("grip", index, torque=spring.viscous > 0)
 
     def _pieces(self) -> None:
-        """Corners of points over a speed or an angle."""
+        """Corners of points over a speed, an angle or a twist."""
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
+        """Its row among rates, or in the state, the place of the corner, the side."""
         for index, one in enumerate(equations.system.outside):
             law = one.law
             if not isinstance(law, Points) or law.over == "time":
@@ -210,16 +211,24 @@ class Margins:
             if not one.acts(equations.states.contacts):
                 continue
             by_angle = law.over == "angle"
-            port = equations.layout.angles.index(one.link) if by_angle else index
+            row = self._row_of_angle(one.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
-                self.corners.append((port, by_angle, corner, side))
+                self.corners.append((row, by_angle, corner, side))
         self._frictions()
+        for index, spring in enumerate(equations.system.springs):
+            row, at = equations.twists.start + index, equations.layout.curves + index
+            for corner, side in self._ends(at, spring.curve.corners, torque=True):
+                self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
         """Converter, ratio of speeds at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
+
+    def _row_of_angle(self, link: int) -> int:
+        """In a state, of a link by its index."""
+        return int(self.equations.angles.start) + self.equations.layout.angles.index(link)
 
     def _frictions(self) -> None:
         """Corners of the friction of what slips."""
@@ -232,12 +241,14 @@ class Margins:
             for corner, side in self._ends(equations.layout.frictions + index, contact.corners):
                 self.corners.append((port, False, way * corner, way * side))
 
-    def _ends(self, index: int, corners: Sequence[float]) -> Iterator[tuple[float, float]]:
+    def _ends(
+        self, index: int, corners: Sequence[float], *, torque: bool = False
+    ) -> Iterator[tuple[float, float]]:
         """The corners between which a law is, and on which side of each."""
         piece = self.equations.states.pieces[index]
         for place, step in ((piece - 1, -1), (piece, 1)):
             if 0 <= place < len(corners):
-                self._watch("piece", index, step, torque=False)
+                self._watch("piece", index, step, torque=torque)
                 yield corners[place], float(-step)
 
     def _straight_limits(self) -> Floats | None:
@@ -321,8 +332,8 @@ class Margins:
                 parts.append(np.array([speed * slip, torque * held[index]]))
         parts.append(shown[mine:])
         parts += self._of_springs(times, states, rates, torques, seen)
-        for port, by_angle, corner, side in self.corners:
-            at = states[equations.angles][port] if by_angle else rates[port]
+        for row, in_state, corner, side in self.corners:
+            at = states[row] if in_state else rates[row]
             parts.append(side * (at - corner)[None, :])
         for place, corner, side in self.ratios:
             pump, turbine = (rates[first + place] for first in (layout.pumps, layout.turbines))

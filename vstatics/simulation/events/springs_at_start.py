@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from vstatics.errors import CaseError
+from vstatics.model.springs import straight_curve
 from vstatics.numerics.arrays import Floats, largest
-from vstatics.simulation.events.instants import start_instant
+from vstatics.simulation.events.instants import seen_at, start_instant
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.selection import ModeSelection
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.programme import Programme
 from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.system.matrices import Contact, MotionSystem
+from vstatics.simulation.system.sight import with_settings
 from vstatics.simulation.system.structure import null
 from vstatics.simulation.tolerances import DEPENDENT, LIGHT_MOTION, RIGID_SQUARE, STANDING
 from vstatics.statics.result_arrays import Message
@@ -56,11 +60,12 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
         if closed and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
     free = null(system.rows(rows))
-    bent = [one for one in system.springs if programme_at(one.programme, 0.0) > 0]
+    seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
+    bent = [one for one in system.springs if programme_at(one.programme, 0.0, seen) > 0]
     if not bent or not free.shape[1]:
         return 0.0
     forms = np.array([one.row for one in bent]) @ free
-    stiffness = (forms.T * [one.stiffness for one in bent]) @ forms
+    stiffness = (forms.T * [one.curve.slope_at(one.curve.at(0.0)) for one in bent]) @ forms
     mass = free.T @ system.mass @ free
     sizes, axes = np.linalg.eigh(mass)
     heavy = sizes > LIGHT_MOTION * sizes[-1]
@@ -84,27 +89,39 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     NoChoice
     CaseError
     """
+    seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
+    limits = [programme_at(one.programme, 0.0, seen) for one in system.springs]
+    bent = [index for index, limit in enumerate(limits) if limit > 0]
+    held = _held_torques(system, speeds, bent)
+    twists = np.zeros(len(system.springs))
+    for index in bent:
+        spring, limit = system.springs[index], limits[index]
+        torque = max(-limit, min(limit, held.get(index, 0.0)))
+        twist = spring.curve.twist_at(torque)
+        if twist is None:
+            message = f"{spring.name} carries {torque:g} N*m, which its points do not reach"
+            raise CaseError("E694", f"{message}: leave out `settled`", ("start", "settled"))
+        twists[index] = twist
+    return twists
+
+
+def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> dict[int, float]:
+    """Torques of some springs if they were rigid, and no dry friction beside them [N*m]."""
     stiff = Programme(constant(math.inf), is_dog=True)
-    bent = [
-        (index, one)
-        for index, one in enumerate(system.springs)
-        if programme_at(one.programme, 0.0) > 0
-    ]
-    rigid = tuple(Contact(one.name, one.row, stiff) for _, one in bent)
-    other = replace(system, contacts=(*system.contacts, *rigid), springs=())
-    at = start_instant(other, speeds, np.zeros(0))
+    others = [one for one in system.contacts if one.beside is None]
+    rigid = [Contact(system.springs[n].name, system.springs[n].row, stiff) for n in bent]
+    limp = [one._replace(curve=straight_curve(0.0), viscous=0.0) for one in system.springs]
+    other = replace(system, contacts=(*others, *rigid), springs=tuple(limp))
+    other = with_settings(other, system.settings)
+    at = start_instant(other, speeds, np.zeros(len(limp)))
     scales = LargeSizes(max(1.0, largest(speeds)), 1.0)
     selected = ModeSelection(other).select(at, None, scales)
     equations = selected.margins.equations
-    structure = equations.structure
     rates, torques = equations.acting(0.0, selected.state)
     columns = (one[:, None] for one in (selected.state, rates, torques))
     held = selected.margins.split(np.zeros(1), *columns)[:, 0]
-    twists = np.zeros(len(system.springs))
-    first = len(system.contacts)
-    for row, multiplier in enumerate(structure.multipliers):
-        if multiplier.kind == "contact" and multiplier.of >= first:
-            index, spring = bent[multiplier.of - first]
-            limit = programme_at(spring.programme, 0.0)
-            twists[index] = max(-limit, min(limit, float(held[row]))) / spring.stiffness
-    return twists
+    return {
+        bent[one.of - len(others)]: float(torque)
+        for one, torque in zip(equations.structure.multipliers, held.tolist(), strict=True)
+        if one.kind == "contact" and one.of >= len(others)
+    }

@@ -61,9 +61,8 @@ def energy_account(
     kinetic = kinetic_energy(system, equations.speeds(end, state)) - kinetic_energy(
         system, start.speeds
     )
-    elastic = (
-        equations.elastic_energy(state) - float(equations.ports.stiffness @ start.twists**2) / 2
-    )
+    twists = state[equations.twists]
+    elastic = system.elastic_energy(twists) - system.elastic_energy(start.twists)
     rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
     areas = {
         one.name: one.pack.area * one.pack.surfaces
@@ -85,7 +84,8 @@ def _heat_and_losses(
     for index, contact in enumerate(system.contacts):
         if contact.switch or contact.is_variator:
             continue
-        of = losses if contact.is_drag or contact.overrun_drag else heat
+        is_loss = contact.overrun_drag or (contact.is_drag and contact.beside is None)
+        of = losses if is_loss else heat
         _add(of, contact.name, works[layout.contacts + index])
     for index, spring in enumerate(system.springs):
         if spring.viscous:

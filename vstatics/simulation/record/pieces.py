@@ -100,17 +100,16 @@ def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
         if one.kind == "contact"
     }
     for index, contact in enumerate(system.contacts):
-        device = contact.while_open if contact.element is None else contact.element
-        if device is not None:
+        if contact.device is not None:
             row = row_of.get(index)
-            made[device] += ports[layout.contacts + index] if row is None else held[row]
+            made[contact.device] += ports[layout.contacts + index] if row is None else held[row]
     structure = equations.structure
     by_planets = system.rows(mesh.planets for mesh in system.meshes)
     by_planets = by_planets @ structure.free @ structure.accelerations
     for index, mesh in enumerate(system.meshes):
         made[mesh.device] = held[index] + by_planets[index] @ ports
     for index, spring in enumerate(system.springs):
-        made[spring.device] = ports[layout.springs + index]
+        made[spring.device] += ports[layout.springs + index]
     for index, variator in enumerate(system.variators):
         torque = variator.reference * held[row_of[variator.contact]]
         made[variator.device] = torque + ports[layout.variators + index]

@@ -142,7 +142,8 @@ class Record:
     def _store(self, equations: Equations, time: float, state: Floats) -> None:
         """Note the energy that is stored, if it is larger than before."""
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
-        self.stored = max(self.stored, kinetic + equations.elastic_energy(state))
+        elastic = self.system.elastic_energy(state[equations.twists])
+        self.stored = max(self.stored, kinetic + elastic)
 
     def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
         """Note when links reach speeds that are asked for."""

@@ -13,7 +13,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.errors import CaseError, Path, Problem
 from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
-from vstatics.model.springs import Spring
+from vstatics.model.springs import Spring, straight_curve
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
@@ -76,7 +76,8 @@ def motion_system(
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
-    contacts_of = (*elements, *contacts, *_drag_contacts(case, dragging, rows))
+    beside = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))
+    contacts_of = (*elements, *contacts, *beside)
     given = tuple(_given_speeds(scenario))
     moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
     made = MotionSystem(
@@ -203,6 +204,16 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats)
     return found
 
 
+def _spring_friction(case: Transmission, rows: Floats) -> list[Contact]:
+    """The dry friction beside springs."""
+    first = len(case.devices) - len(case.springs)
+    return [
+        Contact(one.name, rows[n], Programme(constant(one.friction)), is_drag=True, beside=n)
+        for n, one in enumerate(case.springs, first)
+        if one.friction
+    ]
+
+
 def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> list[Elastic]:
     found = []
     bending: list[ShiftElement | Mechanism | Spring] = [
@@ -212,15 +223,18 @@ def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> l
     ]
     for index, one in enumerate(bending):
         limit, element = Programme(constant(math.inf)), None
-        stiffness = one.rate if isinstance(one, Spring) else one.stiffness
-        if stiffness is None or (isinstance(one, ShiftElement) and one.is_freewheel):
+        if isinstance(one, Spring):
+            curve = one.curve
+        elif one.stiffness is None or (isinstance(one, ShiftElement) and one.is_freewheel):
             continue
+        else:
+            curve = straight_curve(one.stiffness)
         if isinstance(one, ShiftElement):
             limit, element = _slipping_torque(one, capacities[index]), index
         elif isinstance(one, Spring) and one.limit is not None:
             limit = Programme(constant(one.limit))
         damped = damping(one.damping)
-        found.append(Elastic(one.name, index, rows[index], stiffness, *damped, limit, element))
+        found.append(Elastic(one.name, index, rows[index], curve, *damped, limit, element))
     return found
 
 

@@ -343,10 +343,6 @@ class Equations:
         growing[..., limited] = slopes[..., limited] / stiffness[limited]
         return growing
 
-    def elastic_energy(self, state: Floats) -> float:
-        """Of all springs [J]."""
-        return float(self.ports.stiffness @ state[self.twists] ** 2) / 2
-
 
 class Map(NamedTuple):
     """What follows from x, from c and from dc/dt."""

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.model.parts import HOUSING, Friction, Law
+from vstatics.model.springs import TwistCurve
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
@@ -50,9 +51,11 @@ class Contact(NamedTuple):
     element: int | None = None
     """Index of its shift element."""
     is_drag: bool = False
-    """Its heat is a loss, and it has no events."""
+    """It has no events, and its heat is a loss unless it acts beside a spring."""
     while_open: int | None = None
     """Index of the element while whose capacity is 0 it acts."""
+    beside: int | None = None
+    """Index of the device, a spring, beside which it acts."""
     switch: Switch | None = None
     """Where a torque jumps: its side is that of the jump, and it sticks where the motion slides
     along the jump, with a torque between both (Filippov); none of it is friction. Where a speed is
@@ -66,6 +69,12 @@ class Contact(NamedTuple):
     def drives(self) -> bool:
         """Whether it sticks at another speed than 0."""
         return self.is_variator or (self.switch is not None and not self.switch.jump.rests)
+
+    @property
+    def device(self) -> int | None:
+        """Index of the device of whose torque it is a part."""
+        of = (self.element, self.while_open, self.beside)
+        return next((one for one in of if one is not None), None)
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -103,14 +112,18 @@ class Elastic(NamedTuple):
     name: str
     device: int
     row: Floats
-    stiffness: float
-    """[N*m/rad]"""
+    curve: TwistCurve
     viscous: float
     """[N*m*s/rad]"""
     loss_factor: float
     programme: Programme
     """Of the limit within which its torque stays. [N*m]"""
     element: int | None = None
+
+    @property
+    def stiffness(self) -> float:
+        """Where it is steepest [N*m/rad]."""
+        return self.curve.steepest
 
 
 class MovingVariator(NamedTuple):
@@ -181,6 +194,8 @@ class PortLayout:
         self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters
         """Of the pieces on which curves are, the first of a contact; before them converters."""
+        self.curves = self.frictions + len(system.contacts)
+        """Of these the first of a spring."""
         angles = {one.link for one in system.outside if one.needs_angle}
         angles |= {one.switch.link for one in system.contacts if one.switch}
         angles |= {system.names.index(one.of) for one in seen if one.word == "angle"}
@@ -244,6 +259,17 @@ class MotionSystem:
         """Inertia matrix of the links [kg*m^2]."""
         mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
         return mass
+
+    @cached_property
+    def straight(self) -> Floats:
+        """Stiffnesses of the springs without points, 0 of others [N*m/rad]."""
+        return np.array([0.0 if one.curve.bends else one.stiffness for one in self.springs])
+
+    def elastic_energy(self, twists: Floats) -> float:
+        """Of all springs [J]."""
+        bent = zip(self.springs, twists.tolist(), strict=True)
+        stored = sum(one.curve.energy(twist) for one, twist in bent if one.curve.bends)
+        return float(self.straight @ twists**2) / 2 + stored
 
     def rows(self, rows: Iterable[Floats]) -> Floats:
         """Rows as a matrix, of shape (rows, links)."""

@@ -1,7 +1,8 @@
 """The torques of ports and converters at an instant: by time, by their rates, by twists and angles.
 
 What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; springs add
-``k e``; all else is a function that is asked one by one.
+``k e`` with the k, and the c0, of the piece of their points; all else is a function that is asked
+one by one.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ class States(NamedTuple):
     """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
     pieces: tuple[int, ...]
     """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
-    of each converter; then of the coefficient of friction of each contact, over its slip.
+    of each converter; of the coefficient of friction of each contact, over its slip; of the points
+    of each spring, over its twist.
     """
 
     @property
@@ -89,8 +91,11 @@ class Ports:
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
         self.stiffness = np.array([one.stiffness for one in system.springs])
+        """Of springs where they are steepest. [N*m/rad]"""
         self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
-        self.elastic = np.where(self.bends, self.stiffness, 0.0)
+        pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
+        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2)
+        self.c0[layout.spring_ports], self.elastic = np.where(self.bends, lines.T, 0.0)
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic

@@ -167,31 +167,29 @@ def _acceleration(equations: Equations, link: int) -> Derived:
 
 
 def _ports_of(equations: Equations, name: str) -> list[int]:
-    """The ports of a device by friction or a spring."""
+    """The ports of a device: what slips, a spring, a pump."""
     system, layout = equations.system, equations.layout
-    elements = system.case.shift_elements
-    found = []
-    for index, contact in enumerate(system.contacts):
-        if contact.element is not None and elements[contact.element].name == name:
-            found.append(layout.contacts + index)
-    found += [layout.springs + n for n, one in enumerate(system.springs) if one.name == name]
+    devices = system.case.devices
+    device = devices.index(name) if name in devices else None
+    found = [layout.springs + n for n, one in enumerate(system.springs) if one.device == device]
     found += [layout.pumps + n for n, one in enumerate(system.converters) if one.name == name]
+    if device is not None:
+        of = enumerate(system.contacts, layout.contacts)
+        found += [port for port, one in of if one.device == device]
     return found
 
 
 def _torque(equations: Equations, name: str) -> Derived:
-    """On the first link of a device, given to it."""
-    system, structure = equations.system, equations.structure
+    """On the first link of a device, given to it: what slips, bends and holds of it together."""
+    system, structure, layout = equations.system, equations.structure, equations.layout
+    ports = _ports_of(equations, name)
+    by_ports = np.zeros(layout.ports)
+    by_ports[ports] = 1.0
     for row, one in enumerate(structure.multipliers):
-        held = system.meshes[one.of].name if one.kind == "mesh" else ""
-        if one.kind == "contact":
-            element = system.contacts[one.of].element
-            held = "" if element is None else system.case.shift_elements[element].name
-        if held == name:
-            by_ports = structure.torques[row].copy()
-            if one.kind == "mesh":
-                planets = system.meshes[one.of].planets
-                by_ports += planets @ structure.free @ structure.accelerations
-            return lambda _time, _state, _rates, torques: float(by_ports @ torques)
-    [port] = _ports_of(equations, name)[:1]
-    return lambda _time, _state, _rates, torques: float(torques[port])
+        if one.kind == "contact" and layout.contacts + one.of in ports:
+            by_ports += structure.torques[row]
+        elif one.kind == "mesh" and system.meshes[one.of].name == name:
+            planets = system.meshes[one.of].planets
+            by_ports += structure.torques[row]
+            by_ports += planets @ structure.free @ structure.accelerations
+    return lambda _time, _state, _rates, torques: float(by_ports @ torques)

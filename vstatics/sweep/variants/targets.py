@@ -188,7 +188,7 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
         what = _WORDS_OF_OWNERS[owner].replace("an elastic", "a")
         return f"read {shown(name)}, expected the number of {what}, #1 to #{len(names)}"
     if owner == "devices" and (called or numbered):
-        return f"{quoted(name)} is rigid: give it a `stiffness` in the case, so that it can vary"
+        return f"{quoted(name)} has no `stiffness` in the case: give it one, so that it can vary"
     if called:
         return several(name, called, names, owner)
     if owner == "devices":
@@ -226,8 +226,10 @@ def devices_of(case: Transmission) -> list[Device]:
 
 
 def stiffness_of(device: Device) -> float | None:
-    """The stiffness of a device, None if it is rigid [N*m/rad]."""
-    return device.rate if isinstance(device, Spring) else device.stiffness
+    """The stiffness of a device, None if it is rigid or has points [N*m/rad]."""
+    if isinstance(device, Spring):
+        return None if device.points else device.rate
+    return device.stiffness
 
 
 def own_number(case: Transmission, index: int, quantity: str) -> float:

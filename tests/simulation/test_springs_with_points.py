@@ -1,0 +1,250 @@
+"""Springs with points of twist and torque, and dry friction beside springs."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from random import Random
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import count, seeded
+from tests.simulation.test_closed_forms import links, run
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, between
+from vstatics.model.transmission import ShiftElement
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation import simulate
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.scenario.laws import Points, constant
+from vstatics.simulation.scenario.parts import Capacity, Scenario, Start
+
+Line = list[tuple[float, float]]
+PLAY: Line = [(0, 0), (0.05, 0), (1.05, 500)]
+
+
+def torque(motion: Motion, name: str = "S") -> Floats:
+    return motion.torques[:, motion.devices.index(name)]
+
+
+def closes(motion: Motion, size: float) -> bool:
+    return motion.stopped is None and abs(motion.energy.balance) <= 1e-8 * size
+
+
+def test_a_mass_on_a_spring_with_play_swings_in_its_period() -> None:
+    """``4 (pi/2 sqrt(J/k) + a/v)``: quarters of a swing, and ways through the play."""
+    period = 4 * (math.pi / 2 * math.sqrt(2 / 500) + 0.05 / 3)
+    case = links(2.0, springs=(Spring(between(1), points=PLAY, name="S"),))
+    motion = simulate(Scenario(case, 3 * period, Start(speeds={1: 3.0})))
+    assert motion.speeds[-1, 0] == pytest.approx(3.0, rel=1e-10)
+    assert torque(motion)[-1] == pytest.approx(0.0, abs=1e-6)
+    assert np.abs(torque(motion)).max() == pytest.approx(3 * math.sqrt(2 * 500), rel=1e-10)
+    assert closes(motion, 9.0)
+    assert not motion.events
+
+
+def test_play_holds_nothing_until_it_is_passed() -> None:
+    """Two free masses: 0.05 rad at 3 - 1 rad/s take 0.025 s."""
+    case = links(2.0, 1.0, springs=(Spring(between(1, 2), points=PLAY, name="S"),))
+    motion = run(case, 0.1, {1: 3.0, 2: 1.0})
+    before = motion.time <= 0.025
+    assert not torque(motion)[before].any()
+    assert torque(motion)[~before][-1] > 1
+    assert motion.speeds[before][:, 0] == pytest.approx(3.0)
+
+
+def test_a_damper_acts_in_play_too() -> None:
+    case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=4.0, name="S"),))
+    motion = run(case, 0.015, {1: 3.0})  # 2 dw/dt = -4 w
+    assert motion.speeds[-1, 0] == pytest.approx(3 * math.exp(-2 * 0.015), rel=1e-10)
+    assert torque(motion)[-1] == pytest.approx(4 * motion.speeds[-1, 0])
+
+
+def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
+    """Amplitudes fall by 2 F/k from one to the next, 4 F/k a cycle, until friction holds."""
+    stiffness, friction = 500.0, 14.0
+    case = links(2.0, springs=(Spring(between(1), stiffness, friction=friction, name="S"),))
+    motion = run(case, 5.0, {1: 3.0})
+    # 9 J = k A^2/2 + F A, then 2 F/k less each time
+    amplitudes = [(-friction + math.sqrt(friction**2 + 2 * stiffness * 9.0)) / stiffness]
+    while amplitudes[-1] * stiffness > friction:
+        amplitudes.append(amplitudes[-1] - 2 * friction / stiffness)
+    way = amplitudes[0] + sum(one + other for one, other in pairwise(amplitudes))
+    assert motion.energy.heat["S"] == pytest.approx(friction * way, rel=1e-9)
+    assert motion.energy.elastic == pytest.approx(stiffness * amplitudes[-1] ** 2 / 2, rel=1e-8)
+    assert torque(motion)[-1] == pytest.approx(0.0, abs=1e-6)  # friction bears the spring
+    assert not motion.events
+    assert closes(motion, 9.0)
+
+
+def test_the_torque_of_a_spring_has_its_damper_and_its_friction_too() -> None:
+    spring = Spring(between(1), points=PLAY, damping=4.0, friction=14.0, name="S")
+    motion = run(links(2.0, springs=(spring,)), 0.01, {1: 3.0})
+    assert torque(motion) == pytest.approx(14.0 + 4 * motion.speeds[:, 0])  # in its play
+    assert motion.energy.heat["S"] + motion.energy.losses["S"] == pytest.approx(
+        9.0 - motion.speeds[-1, 0] ** 2
+    )
+
+
+def test_friction_in_play_holds_a_link() -> None:
+    spring = Spring(between(1), points=PLAY, friction=14.0, name="S")
+    motion = run(links(2.0, springs=(spring,)), 1.0, {1: 0.0}, ((1, constant(13.9)),))
+    assert not motion.speeds.any()
+    assert torque(motion) == pytest.approx(13.9)
+
+
+@pytest.mark.parametrize("given", [0.0, 40.0, -40.0])
+def test_settled_springs_stand_where_their_points_carry_the_torque(given: float) -> None:
+    """Friction carries nothing: let go, the mass swings by ``(T - F)/k`` about where F holds it."""
+    case = links(2.0, springs=(Spring(between(1), points=PLAY, friction=9.0, name="S"),))
+    let_go = Points((0.0, 0.1, 0.1), (given, given, 0.0))
+    start = Start(speeds={1: 0.0}, settled=True)
+    motion = simulate(Scenario(case, 0.14, start, torques=((1, let_go),)))
+    omega, size = math.sqrt(500 / 2), max(abs(given) - 9.0, 0.0) / 500
+    swung = -math.copysign(omega * size * math.sin(omega * 0.04), given)
+    assert not motion.speeds[motion.time < 0.1].any()
+    assert motion.speeds[-1, 0] == pytest.approx(swung, rel=1e-9)
+
+
+def test_a_torque_that_points_do_not_reach_is_told() -> None:
+    flat = Spring(between(1), points=[(0, 0), (0.1, 8), (0.3, 8)], name="S")
+    scenario = Scenario(
+        links(2.0, springs=(flat,)),
+        1.0,
+        Start(speeds={1: 0.0}, settled=True),
+        torques=((1, constant(9.0)),),
+    )
+    with pytest.raises(CaseError, match=r"S carries 9 N\*m, which its points do not reach"):
+        simulate(scenario)
+
+
+def test_points_of_a_straight_line_are_a_stiffness() -> None:
+    either = [
+        run(links(2.0, 3.0, springs=(one,)), 0.5, {1: 5.0, 2: 0.0}).speeds[-1]
+        for one in (
+            Spring(between(1, 2), 700.0, name="S"),
+            Spring(between(1, 2), points=[(0, 0), (0.1, 70), (0.3, 210)], name="S"),
+            Spring(between(1, 2), points=[(-0.1, -70), (0.2, 140)], name="S"),
+        )
+    ]
+    assert either[1] == pytest.approx(either[0], rel=1e-9)
+    assert either[2] == pytest.approx(either[0], rel=1e-12)
+
+
+def test_a_link_without_inertia_between_springs_passes_their_corners() -> None:
+    """Both in a row are one spring whose twist is the sum at each torque."""
+    first: Line = [(-0.1, -20), (0.1, 20), (0.2, 120)]
+    second: Line = [(-0.1, -30), (0.1, 30), (0.2, 90)]
+    # of both at -30, -20, 20, 30, 90 N*m
+    both: Line = [(-0.25, -30), (-0.1 - 0.2 / 3, -20), (0.1 + 0.2 / 3, 20), (0.21, 30), (0.37, 90)]
+    row = links(
+        2.0,
+        0.0,
+        3.0,
+        springs=(
+            Spring(between(1, 2), points=first, name="S"),
+            Spring(between(2, 3), points=second, name="Z"),
+        ),
+    )
+    one = links(2.0, 3.0, springs=(Spring(between(1, 2), points=both, name="S"),))
+    made = run(row, 0.6, {1: 5.0, 2: 2.0, 3: 0.0})
+    expected = run(one, 0.6, {1: 5.0, 2: 0.0})
+    assert made.speeds[-1, [0, 2]] == pytest.approx(expected.speeds[-1], rel=1e-8)
+    assert closes(made, 25.0)
+
+
+def random_points(rng: Random) -> Line:
+    """Two to five, odd or not, with play as often as not."""
+    number = rng.randint(2, 5)
+    twists = sorted(rng.uniform(-0.3, 0.3) for _ in range(number))
+    torques = sorted(rng.choice((0.0, rng.uniform(-200, 200))) for _ in range(number))
+    torques[-1] += 20.0
+    if rng.random() < 0.5:
+        twists = [0.0, *sorted(map(abs, twists))]
+        torques = [0.0, *sorted(map(abs, torques))]
+    elif twists[0] > 0:
+        twists = [one - 0.4 for one in twists]
+    return list(zip(twists, torques, strict=True))
+
+
+def extended(points: Line, twist: Floats) -> Floats:
+    """Torques by NumPy, with the last slope beyond the ends."""
+    x, y = np.array(points).T
+    if x[0] >= 0:
+        x, y = np.concatenate([-x[:0:-1], x]), np.concatenate([-y[:0:-1], y])
+    made = np.interp(twist, x, y)
+    made += np.where(twist > x[-1], (twist - x[-1]) * (y[-1] - y[-2]) / (x[-1] - x[-2]), 0)
+    return np.asarray(
+        made + np.where(twist < x[0], (twist - x[0]) * (y[1] - y[0]) / (x[1] - x[0]), 0)
+    )
+
+
+def random_chain(rng: Random) -> tuple[Scenario, list[Line]]:
+    number = rng.randint(2, 4)
+    lines = [random_points(rng) for _ in range(number - 1)]
+    springs = [
+        Spring(between(n, n + 1), points=line, damping=rng.choice((0, rng.uniform(0, 5))))
+        for n, line in enumerate(lines, 1)
+    ]
+    case = links(*(rng.uniform(0.2, 3) for _ in range(number)), springs=tuple(springs))
+    ramp = Points((0.0, 0.4), (rng.uniform(-50, 50), rng.uniform(-50, 50)))
+    start = Start(speeds={n: rng.uniform(-5, 5) for n in range(1, number + 1)})
+    return Scenario(case, 0.6, start, torques=((1, ramp),)), lines
+
+
+def integrated(scenario: Scenario, lines: list[Line]) -> Floats:
+    """The speeds at the end, by an explicit method of SciPy with short steps."""
+    case = scenario.case
+    number = case.links
+    masses = np.array([case.inertias[n] for n in range(1, number + 1)])
+    damping = np.array([one.damping.viscous for one in case.springs])  # type: ignore[union-attr]
+    [(_, law)] = scenario.torques
+    assert isinstance(law, Points)
+
+    def change(time: float, state: Floats) -> Floats:
+        speeds, twists = state[:number], state[number:]
+        rates = -np.diff(speeds)
+        carried = [extended(*one) for one in zip(lines, twists, strict=True)] + damping * rates
+        loads = np.zeros(number)
+        loads[0] = np.interp(time, law.x, law.y)
+        loads[:-1] -= carried
+        loads[1:] += carried
+        return np.concatenate([loads / masses, rates])
+
+    state = np.concatenate([[*scenario.start.speeds.values()], np.zeros(len(lines))])
+    for begin, end in ((0.0, 0.4), (0.4, 0.6)):
+        found = solve_ivp(
+            change, (begin, end), state, method="DOP853", rtol=1e-10, atol=1e-12, max_step=2e-3
+        )
+        state = found.y[:, -1]
+    return np.asarray(state[:number])
+
+
+@pytest.mark.parametrize("seed", range(count(6, 60)))
+def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
+    scenario, lines = random_chain(seeded(seed))
+    motion = simulate(scenario)
+    assert motion.stopped is None
+    assert motion.speeds[-1] == pytest.approx(integrated(scenario, lines), rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(count(8, 100)))
+def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
+    rng = seeded(100 + seed)
+    scenario, _ = random_chain(rng)
+    case = scenario.case
+    springs = [one._replace(friction=rng.choice((0.0, rng.uniform(1, 40)))) for one in case.springs]
+    inertias = dict(case.inertias)
+    if case.links > 2 and rng.random() < 0.3:
+        del inertias[2]
+        springs[0] = springs[0]._replace(friction=20.0)
+    case = case.replace(
+        springs=springs, inertias=inertias, shift_elements=[ShiftElement(case.links, name="C")]
+    )
+    start = Start(speeds={n: w for n, w in scenario.start.speeds.items() if n in inertias})
+    capacity = {1: Capacity(Points((0.0, 0.3), (0.0, 60.0)))}
+    motion = simulate(scenario._replace(case=case, start=start, controls=capacity))
+    assert motion.stopped is None
+    assert {event.element for event in motion.events} <= {"C"}
