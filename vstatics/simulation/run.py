@@ -100,7 +100,7 @@ def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard
     record.messages += [*told, *messages]
     stopped, hurried = None, False
     try:
-        EventRun(system, engaged, record, rtol, watch).run(start)
+        EventRun(record, engaged, rtol, watch).run(scenario.duration)
     except CaseError as stop:
         [first, *_] = stop.problems
         hurried = bool(watch and watch(record.time))  # then nothing is at fault
