@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
 
 import numpy as np
 
@@ -99,6 +100,13 @@ class EventRun:
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, largest(self.at.speeds))
             )
+
+    def copy(self) -> EventRun:
+        """The same run here, which goes on by itself."""
+        made = copy(self)
+        made.record, made.commands = self.record.copy(), copy(self.commands)
+        made.sequences = self.sequences.copy()
+        return made
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
         """Do a step here, whatever its condition is.
