@@ -5,7 +5,8 @@
 3. `events`: they are solved in closed form, else step by step, to where a margin ends; from there
    on something else sticks.
 4. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
-   must close. `run` is all of it, `bounds` says how long it may take.
+   must close. `run` is all of it, `bounds` says how long it may take; `stepping` goes on as it is
+   told.
 
 `published` is the method of Tarasik, for comparison. The room needs scipy, an extra. How it all is
 derived: docs/method.md.
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.formula import Formula
     from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
     from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
+    from vstatics.simulation.stepping import begin
 
 _LATER = {
     "Capacity": "vstatics.simulation.scenario.parts",
@@ -48,6 +50,7 @@ _LATER = {
     "Scenario": "vstatics.simulation.scenario.parts",
     "Shift": "vstatics.simulation.scenario.parts",
     "Start": "vstatics.simulation.scenario.parts",
+    "begin": "vstatics.simulation.stepping",
     "constant": "vstatics.simulation.scenario.laws",
     "load_scenario": "vstatics.simulation.scenario.file",
     "simulate": "vstatics.simulation.run",
@@ -66,6 +69,7 @@ __all__ = [
     "Scenario",
     "Shift",
     "Start",
+    "begin",
     "constant",
     "load_scenario",
     "simulate",

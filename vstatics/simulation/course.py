@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
 
 import numpy as np
 
@@ -23,9 +24,10 @@ from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.record.words import event_of, released
+from vstatics.simulation.scenario.parts import SequenceStep
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, MotionSystem
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.sight import corners
 from vstatics.simulation.tolerances import (
@@ -47,126 +49,148 @@ _MOST_STEPS_AT_ONCE = 1000
 
 
 class EventRun:
-    """A run.
+    """A run, which goes on from where it is.
 
     Parameters
     ----------
-    system : MotionSystem
+    record : Record
+        Knows the system and the start.
     engaged : sequence of int
         Numbers of the shift elements that are engaged at the start.
-    record : Record
     rtol : float
     watch : callable, optional
     """
 
     def __init__(
-        self,
-        system: MotionSystem,
-        engaged: tuple[int, ...],
-        record: Record,
-        rtol: float,
-        watch: Guard | None = None,
+        self, record: Record, engaged: tuple[int, ...], rtol: float, watch: Guard | None = None
     ) -> None:
-        self.system, self.record = system, record
+        self.record = record
+        system = self.system = record.system
         self.selection = ModeSelection(system)
         self.sequences = SequenceRun(system.scenario)
         self.commands = Commands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
-        self.duration = system.scenario.duration
+        self.duration = self.until = system.scenario.duration
         self.breaks, self.corners = break_times(system), corners(system)
-        self.scales = LargeSizes(1.0, 1.0)
+        self.scales = large_sizes(system, record.start)
+        self.at = record.start
+        self.before: States | None = None
+        """What stuck and slipped up to there."""
+        self.left: list[States] = []
+        """What ended there, and is not taken up again at this instant."""
+        self.met: list[int] = []
+        """Indices of contacts whose slip ended there."""
+        self.length: float | None = None
+        """Of the last step. [s]"""
         self.latest = self.mark = 0.0
-        self.at_once = self.met = 0
+        self.at_once = self.events = 0
 
-    def run(self, at: Instant) -> None:
-        """Go to the end.
+    def run(self, until: float) -> None:
+        """Go on to a time [s].
 
         Raises
         ------
-        RunStop
-            With the time and the state, when there is no way on.
+        CaseError
+            When there is no way on.
         """
-        self.scales = large_sizes(self.system, at)
-        at = self._joined(at, None)
-        before: States | None = None
-        left: list[States] = []
-        met: list[int] = []
-        length: float | None = None
-        while True:
-            selected = self._settled(at, before, left, met)
+        self.until = until
+        while self.at.time < until:
+            selected = self._settled()
             equations = selected.margins.equations
-            states = equations.states
-            found, length = self._to_event(selected, self._end(equations.time), length)
-            at = instant_of(equations, found.time, found.state)
-            if found.time >= self.duration:
-                return
-            before, left, met = states, [], []
-            if found.watches:
-                self._count(found)
-                before = turned(states, found.watches)
-                if any(watch.kind not in FOLLOWING for watch in found.watches):
-                    # nothing is taken up again at the instant at which it has ended
-                    left = [*left, states] if self.at_once else [states]
-                met = [watch.of for watch in found.watches if watch.kind == "slip"]
-            self.scales = self.scales._replace(speed=max(self.scales.speed, largest(at.speeds)))
-            at = self._joined(at, before)
+            found = self._to_event(selected, self._end(equations.time))
+            self._go(equations, instant_of(equations, found.time, found.state))
+            self._turn(found)
+            self.scales = self.scales._replace(
+                speed=max(self.scales.speed, largest(self.at.speeds))
+            )
+
+    def copy(self) -> EventRun:
+        """The same run here, which goes on by itself."""
+        made = copy(self)
+        made.record, made.commands = self.record.copy(), copy(self.commands)
+        made.sequences = self.sequences.copy()
+        return made
+
+    def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
+        """Do a step here, whatever its condition is.
+
+        Parameters
+        ----------
+        step : SequenceStep
+        values : mapping of str to float
+            Of the numbers and states that it sets.
+        """
+        at = self.at
+        self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        self.system = self.commands.given(self.system, at.time, step, values)
+        self.selection = self.selection.of(self.system)
+        self.breaks, self.corners = break_times(self.system), corners(self.system)
+
+    def _go(self, equations: Equations, at: Instant) -> None:
+        """Be at an instant, up to which equations held."""
+        self.at, self.before, self.met = at, equations.states, []
+
+    def _turn(self, found: MarginEnd) -> None:
+        """Note what ends here, if anything does."""
+        before = self.before
+        if not found.watches or before is None:
+            self.left = []
+            return
+        self._count(found)
+        self.left = self.left if self.at_once else []
+        if any(watch.kind not in FOLLOWING for watch in found.watches):
+            self.left = [*self.left, before]
+        self.before = turned(before, found.watches)
+        self.met = [watch.of for watch in found.watches if watch.kind == "slip"]
 
     def _end(self, time: float) -> float:
         """Up to where nothing bends, jumps or is due by the time alone [s]."""
-        end = next((one for one in self.breaks if one > time), self.duration)
-        return min(end, self.sequences.next_time(), self.duration)
+        end = next((one for one in self.breaks if one > time), self.until)
+        return min(end, self.sequences.next_time(), self.until)
 
-    def _settled(
-        self, at: Instant, before: States | None, left: list[States], met: list[int]
-    ) -> Selected:
+    def _settled(self) -> Selected:
         """What sticks and slips, with all steps done that are due here."""
-        selected = self._selected(at, before, left, met)
-        self._tell(at.time, before, selected.margins.equations.states)
-        if not (self.sequences.going or self.corners):
-            return selected
-        for _ in range(_MOST_STEPS_AT_ONCE):
+        for _ in range(_MOST_STEPS_AT_ONCE + 1):
+            self.at = self._joined(self.at, self.before)
+            selected = self._selected()
             equations, state = selected.margins.equations, selected.state
-            judge = Judge(equations, at.time, state)
-            due = self.sequences.due(at.time, judge, self.record.events)
+            self._tell(self.at.time, self.before, equations.states)
+            if not (self.sequences.going or self.corners):
+                return selected
+            judge = Judge(equations, self.at.time, state)
+            due = self.sequences.due(self.at.time, judge, self.record.events)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
                 bends = (judge.judged(one) for one in self.corners)
                 selected.margins.follow("corner", enumerate(bends))
                 return selected
-            at = self._done(due, instant_of(equations, at.time, state), judge.now)
-            before = equations.states
-            at = self._joined(at, before)
-            selected = self._selected(at, before, [], [])
-            self._tell(at.time, before, selected.margins.equations.states)
+            self._go(equations, instant_of(equations, self.at.time, state))
+            self.left = []
+            self._do(due, judge.now)
         names = listed([one.name for one in self.sequences.going if one.step], 6)
         message = (
-            f"at {at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one instant, "
-            f"without end: {names}"
+            f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one "
+            f"instant, without end: {names}"
         )
         raise CaseError("E697", message, ("sequences",))
 
-    def _done(
-        self, due: SequenceProgress, at: Instant, seen: tuple[float, Sequence[float]]
-    ) -> Instant:
-        """The instant after a step that is due."""
+    def _do(self, due: SequenceProgress, seen: tuple[float, Sequence[float]]) -> None:
+        """Do a step that is due."""
         step = due.step
         assert step is not None  # noqa: S101 - it is due
-        values = {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
-        at = at._replace(values=with_states(self.system.scenario, at.values, values))
-        self.system = self.commands.given(self.system, at.time, step, values)
-        self.selection = self.selection.of(self.system)
-        self.breaks, self.corners = break_times(self.system), corners(self.system)
-        self.record.events.append(due.go_on(at.time))
-        return at
+        self.give(
+            step, {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
+        )
+        self.record.events.append(due.go_on(self.at.time))
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.duration
         self.at_once = self.at_once + 1 if close else 0
         self.latest = found.time
-        self.met += 1
+        self.events += 1
         stays = False
-        if self.met % _PATIENCE == 0:
+        if self.events % _PATIENCE == 0:
             stays = found.time - self.mark < NO_PROGRESS * self.duration
             self.mark = found.time
         if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
@@ -177,15 +201,14 @@ class EventRun:
             )
             raise CaseError("E601", message, self._path(found.watches[0]))
 
-    def _selected(
-        self, at: Instant, before: States | None, left: list[States], met: list[int]
-    ) -> Selected:
+    def _selected(self) -> Selected:
+        at, before, met = self.at, self.before, self.met
         # where events come at one instant, what decides is rounding: it is judged less strictly
         slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         try:
             try:
-                selected = self.selection.select(at, before, scales, left, met)
+                selected = self.selection.select(at, before, scales, self.left, met)
             except NoChoice:
                 selected = self.selection.select(at, before, scales, (), met)
         except NoChoice:
@@ -203,39 +226,35 @@ class EventRun:
             self.record.jumps(at.time, selected.jump)
         return selected
 
-    def _to_event(
-        self, selected: Selected, end: float, length: float | None
-    ) -> tuple[MarginEnd, float | None]:
+    def _to_event(self, selected: Selected, end: float) -> MarginEnd:
         """Integrate to the next event, or to an end."""
         equations = selected.margins.equations
         if end <= equations.time:
-            return MarginEnd(end, selected.state, ()), length
+            return MarginEnd(end, selected.state, ())
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
         finder = Finder(selected.margins, self.scales)
         try:
-            for step in self._steps(selected, end, tolerances, length):
-                found = finder.event_in(step)
-                if found is not None:
-                    self.record.step(step, found.time, found.state)
-                    self._watched()
-                    return found, step.end - step.start
-                self.record.step(step, step.end, step.last)
+            for step in self._steps(selected, end, tolerances):
+                self.length = step.end - step.start
+                found = finder.event_in(step) or MarginEnd(step.end, step.last, ())
+                self.record.step(step, found.time, found.state)
                 self._watched()
-                length = step.end - step.start
+                if found.watches:
+                    return found
         except TooSmall:
             raise CaseError([self._too_small(equations)]) from None
-        return MarginEnd(end, step.last, ()), length
+        return MarginEnd(end, step.last, ())
 
     def _watched(self) -> None:
         """Stop where that is asked for, unless this is the end."""
         time = self.record.time
-        if self.watch is not None and time < self.duration and (why := self.watch(time)):
+        if self.watch is not None and time < self.until and (why := self.watch(time)):
             raise CaseError("E604", f"at {time:.9g} s {why}")
 
     def _steps(
-        self, selected: Selected, end: float, tolerances: StepTolerances, length: float | None
+        self, selected: Selected, end: float, tolerances: StepTolerances
     ) -> Iterator[TimeStep]:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
         equations, state = selected.margins.equations, selected.state
@@ -247,10 +266,10 @@ class EventRun:
                     yield step
                     time, state = step.end, step.last
             except NoFit:
-                length = None
+                self.length = None
             else:
                 return
-        yield from steps(equations, (time, state), end, tolerances, length)
+        yield from steps(equations, (time, state), end, tolerances, self.length)
 
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""

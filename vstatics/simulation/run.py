@@ -83,24 +83,31 @@ def simulate(
             from vstatics.simulation.published.tarasik import tarasik
 
             return tarasik(scenario, step=step, rtol=rtol)
-        return _by_events(scenario, step, rtol, watch)
+        return _to_its_end(begun(scenario, step=step, rtol=rtol, watch=watch))
 
 
-def _by_events(scenario: Scenario, step: float | None, rtol: float, watch: Guard | None) -> Motion:
-    """The motion by its own equations."""
+def begun(
+    scenario: Scenario, *, step: float | None, rtol: float, watch: Guard | None = None
+) -> EventRun:
+    """A run at its start, by the equations of motion; see `simulate`."""
     scenario = with_fixed_ratios(scenario)
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
     speeds = start_speeds(system, gear)
     system, messages = with_viscous_damping(system, speeds)
-    start = start_instant(system, speeds, _twists(system, speeds))
-    record = Record(system, start, step)
+    record = Record(system, start_instant(system, speeds, _twists(system, speeds)), step)
     told = (Message(one.id, one.message) for one in bare_capacities(scenario.case))
     record.messages += [*told, *messages]
+    return EventRun(record, engaged, rtol, watch)
+
+
+def _to_its_end(run: EventRun) -> Motion:
+    """The motion of a run."""
+    record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:
-        EventRun(system, engaged, record, rtol, watch).run(start)
+        run.run(run.duration)
     except CaseError as stop:
         [first, *_] = stop.problems
         hurried = bool(watch and watch(record.time))  # then nothing is at fault

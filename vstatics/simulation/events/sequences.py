@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from copy import copy
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
@@ -140,6 +141,12 @@ class SequenceRun:
 
     def __init__(self, scenario: Scenario) -> None:
         self.going = [SequenceProgress(one) for one in scenario.sequences]
+
+    def copy(self) -> SequenceRun:
+        """The same, which goes on by itself."""
+        made = copy(self)
+        made.going = [copy(one) for one in self.going]
+        return made
 
     def next_time(self) -> float:
         """When one is looked at again, whatever happens before [s]."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from copy import copy
 
 import numpy as np
 
@@ -63,6 +64,18 @@ class Record:
             for speed in speeds
         ]
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
+
+    def copy(self) -> Record:
+        """The same up to here, to go on by itself; without the pieces before."""
+        made = copy(self)
+        made.events, made.messages, made.pieces = [*self.events], [*self.messages], []
+        made.drawn, made.numbers, made.sharing = (
+            DrawnRun(self.system, self.every),
+            0,
+            {*self.sharing},
+        )
+        made.joined, made.cut, made.reached = {*self.joined}, {*self.cut}, dict(self.reached)
+        return made
 
     @property
     def turnover(self) -> float:

@@ -1,0 +1,136 @@
+"""A run that is advanced: as one run, and back again."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import simulated, written
+from vstatics.errors import CaseError
+from vstatics.simulation import begin
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.stepping import SteppedRun
+
+LAG = """duration: 5
+start: {speeds: {e: 200, o: 0}}
+set: {command: 0, target: 20}
+states: {p: {rate: "(command - p)/0.06"}}
+controls: {C: p}
+"""
+SHIFT = """sequences:
+  shift:
+    - {when: "t >= 0.5", set: {command: 80}}
+    - {when: "slip('C') < 20", set: {target: 5}, within: 3}
+    - {when: "locks('C')", wait: 0.1, set: {command: 600}}
+"""
+
+
+def end_speeds(motion: Motion) -> dict[str, float]:
+    return dict(zip(motion.links, motion.speeds[-1].tolist(), strict=True))
+
+
+def told(run: SteppedRun | Motion) -> list[tuple[str, str]]:
+    return [(one.element, one.event) for one in run.events]
+
+
+def test_steps_are_one_run() -> None:
+    """Both tell the same, by 500 steps whose ends lie beside the times of the sequence."""
+    whole, run = simulated(LAG + SHIFT), begin(written(LAG + SHIFT))
+    for _ in range(500):
+        run.advance(0.01)
+    assert run.time == pytest.approx(5, abs=1e-12)
+    assert told(run) == told(whole)
+    times = [[one.time for one in each.events] for each in (run, whole)]
+    assert times[0] == pytest.approx(times[1], abs=1e-9)
+    assert run.speeds == pytest.approx(end_speeds(whole), rel=1e-9)
+
+
+def test_who_commands_from_outside_is_a_sequence() -> None:
+    """A command at 0.5 s by a step of a sequence, or by the one who advances."""
+    whole = simulated(LAG + 'sequences: {shift: [{when: "t >= 0.5", set: {command: 80}}]}\n')
+    run = begin(written(LAG))
+    run.advance(0.5)
+    run.advance(4.5, command=80)
+    assert run.speeds == pytest.approx(end_speeds(whole), rel=1e-9)
+    assert [one.time for one in run.events] == pytest.approx([whole.events[1].time], abs=1e-9)
+
+
+def test_the_duration_ends_nothing() -> None:
+    """Without torques the momentum stays: 2 200/(2 + 3) rad/s once the clutch has locked."""
+    run = begin(written(LAG))
+    run.advance(20, p=30, command=30)
+    assert run.speeds == pytest.approx({"e": 80.0, "o": 80.0}, rel=1e-9)
+
+
+def test_back_again() -> None:
+    """What is tried from a state leaves it as it was, events, sequences and all."""
+    run = begin(written(LAG + SHIFT))
+    run.advance(3.3)
+    before, speeds, events = run.state, run.speeds, run.events
+    ends = []
+    for command in (80, 300, 80):
+        run.state = before
+        assert (run.time, run.speeds, run.events) == (3.3, speeds, events)
+        run.advance(1, command=command)
+        ends.append((run.speeds, run.events))
+    assert ends[0] == ends[2]
+    assert ends[0] != ends[1]
+
+
+def test_what_is_set_comes_before_sequences() -> None:
+    """A step that waits for a number is done at the instant at which that is set."""
+    run = begin(written(LAG + 'sequences: {s: [{when: "target < 10", set: {command: 80}}]}\n'))
+    run.advance(1)
+    run.advance(1, target=5)
+    assert [(one.element, one.time) for one in run.events] == [("s", 1.0)]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "settings", "message"),
+    [
+        (1.0, {"comand": 1.0}, "no `comand` to set; did you mean `command`?"),
+        (1.0, {"xyz": 1.0}, "no `xyz` to set, expected command, target, p"),
+        (1.0, {"p": float("nan")}, "p is nan, expected a number"),
+        (0.0, {}, "advance by 0 s, expected a number above 0"),
+        (float("inf"), {}, "advance by inf s, expected a number above 0"),
+    ],
+)
+def test_what_cannot_be_set(seconds: float, settings: dict[str, float], message: str) -> None:
+    with pytest.raises(CaseError, match=message.replace("?", r"\?")):
+        begin(written(LAG)).advance(seconds, **settings)
+
+
+def test_a_run_that_has_no_way_on_stays_where_it_was() -> None:
+    """The condition of a step that must be true within 0.5 s never is."""
+    run = begin(
+        written(LAG + 'sequences: {s: [{when: "target < 10", within: 0.5, set: {p: 1}}]}\n')
+    )
+    run.advance(0.4)
+    with pytest.raises(CaseError, match="not true within"):
+        run.advance(0.2)
+    assert run.time == 0.4
+    run.advance(0.2, target=1)
+    assert told(run) == [("s", "step")]
+
+
+@pytest.mark.parametrize("seed", range(count(4, 60)))
+def test_random_loops_are_stepped_as_they_run(seed: int) -> None:
+    """A loop with integral and lag, advanced by random times."""
+    rng = seeded(seed)
+    gain, lag, target = rng.uniform(1, 20), rng.uniform(0.02, 0.2), rng.uniform(5, 40)
+    scenario = f"""duration: 2
+start: {{speeds: {{e: {rng.uniform(100, 300)}, o: {rng.uniform(0, 90)}}}}}
+set: {{target: {target}}}
+states:
+  x: {{rate: "{gain}*(slip('C') - target)", min: -200, max: 300}}
+  p: {{rate: "(x + {gain}*(slip('C') - target) - p)/{lag}"}}
+controls: {{C: "max(p, 10)"}}
+torques: {{e: "{rng.uniform(20, 90)} - 0.1*speed", o: -{rng.uniform(10, 60)}}}
+sequences: {{s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{target: "target/2"}}}}]}}}}
+"""
+    whole, run = simulated(scenario), begin(written(scenario))
+    while run.time < 2:
+        run.advance(min(rng.uniform(0.001, 0.2), 2 - run.time))
+    assert told(run) == told(whole)
+    assert np.array([*run.speeds.values()]) == pytest.approx(whole.speeds[-1], rel=1e-8, abs=1e-7)

@@ -1,0 +1,119 @@
+"""A run that goes on as somebody tells it, and can go back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from vstatics.errors import CaseError, listed, nearest, quoted
+from vstatics.simulation.course import EventRun
+from vstatics.simulation.record.motion import Event
+from vstatics.simulation.run import begun
+from vstatics.simulation.scenario.checks import check_scenario
+from vstatics.simulation.scenario.parts import Scenario, SequenceStep
+from vstatics.simulation.tolerances import RTOL
+
+
+def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
+    """A run at its start, to be advanced.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its `duration` ends nothing.
+    rtol : float
+        As in `simulate`. [-]
+
+    Raises
+    ------
+    CaseError
+        Of what can't begin, with paths in the scenario.
+
+    Examples
+    --------
+    A brake stops a wheel of 2 kg*m^2, and is tried before:
+
+    >>> from vstatics import ShiftElement, Transmission
+    >>> from vstatics.simulation import Capacity, Scenario, Start, constant
+    >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+    >>> run = begin(Scenario(case, 1.0, Start(speeds={1: 10.0}), {1: Capacity(constant(40.0))}))
+    >>> run.advance(0.25)
+    >>> round(run.speeds["1"], 9), run.events
+    (5.0, ())
+    >>> before = run.state
+    >>> run.advance(9.75)
+    >>> run.time, [(one.event, round(one.time, 9)) for one in run.events]
+    (10.0, [('locks', 0.5)])
+    >>> run.state = before
+    >>> run.time
+    0.25
+    """
+    check_scenario(scenario)
+    with np.errstate(all="ignore"):  # what is no number is told where it matters
+        return SteppedRun(begun(scenario, step=None, rtol=rtol))
+
+
+class SteppedRun:
+    """A run that goes on as it is told.
+
+    Attributes
+    ----------
+    state
+        Where the run is. It never changes: to assign one of before is to go back there.
+    """
+
+    def __init__(self, state: EventRun) -> None:
+        self.state = state
+
+    @property
+    def time(self) -> float:
+        """The present [s]."""
+        return self.state.at.time
+
+    @property
+    def speeds(self) -> dict[str, float]:
+        """Of links at present, by name [rad/s]."""
+        return dict(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """What has happened."""
+        return tuple(self.state.record.events)
+
+    def advance(self, seconds: float, /, **settings: float) -> None:
+        """Set numbers, have sequences act, and go on.
+
+        Parameters
+        ----------
+        seconds : float
+            How long. [s]
+        **settings : float
+            Numbers of `set`, and states, and what they are from now on.
+
+        Raises
+        ------
+        CaseError
+            Of a number that there is not, or when there is no way on; then the run stays where it
+            was.
+        """
+        _check(self.state.system.scenario, seconds, settings)
+        state = self.state.copy()
+        with np.errstate(all="ignore"):
+            if settings:
+                state.give(SequenceStep(), settings)
+            state.run(self.time + seconds)
+        self.state = state
+
+
+def _check(scenario: Scenario, seconds: float, settings: Mapping[str, float]) -> None:
+    if not 0 < seconds < math.inf:
+        raise CaseError("E675", f"advance by {seconds:g} s, expected a number above 0")
+    known = [*scenario.settings, *(one.name for one in scenario.states)]
+    for name, value in settings.items():
+        if name not in known:
+            hint = nearest(name, known) or f", expected {listed(known) or 'no name'}"
+            raise CaseError("E676", f"the scenario has no {quoted(name)} to set{hint}")
+        if not math.isfinite(value):
+            raise CaseError("E677", f"{name} is {value:g}, expected a number")
