@@ -28,10 +28,11 @@ from tests.commands import CASES, MZKT
 from tests.fuzzed_commands import commands
 from vstatics import VstaticsError, load, solve
 from vstatics.readers import read
+from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.reading import Reading
 from vstatics.readers.results import read_results
 from vstatics.simulation.scenario.file import read_scenario
-from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.formula import Formula, read_formula
 from vstatics.summary.duty_file import read_duty
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
@@ -111,7 +112,12 @@ def _scenario(data: bytes) -> object:
     """Read a scenario of a shipped case, and the formulas in it."""
     made = read_scenario(data, "shift.yaml").with_case(_box()).scenario
     laws = [law for _, law in made.torques if isinstance(law, Formula)]
-    return [law.function(1.0, -2.0, 3.0) for law in laws]
+    return [law.function(1.0, -2.0, 3.0, *[0.5] * len(law.seen)) for law in laws]
+
+
+def _formula(data: bytes) -> float:
+    """Read a formula of its own link alone, and calculate it."""
+    return read_formula(Excerpt(data.decode(errors="replace"), "f")).function(0.5, -3.0, 1e9)
 
 
 @cache
@@ -179,7 +185,7 @@ def kinds() -> dict[str, Kind]:
         ),
         "formula": Kind(
             ("-1200*tanh(speed/0.05)^3", "182*(1 - exp(-60*t)) + 1/(0 < angle <= 1 or not t)"),
-            lambda data: Formula(data.decode(errors="replace")).function(0.5, -3.0, 1e9),
+            _formula,
         ),
         "sweep file": Kind(
             (

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from vstatics import CaseError, solve
+from vstatics import solve
 from vstatics.readers.named.reader import read_yaml
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import read_scenario
@@ -46,6 +46,8 @@ def test_at_the_torques_of_statics_speeds_stay(gear: str, x: float) -> None:
     assert motion.speeds[-1] == pytest.approx(turned, rel=1e-6)
 
 
-def test_a_variator_at_0_is_told() -> None:
-    with pytest.raises(CaseError, match="speed ratio of 0 at the start"):
-        run(0.0, "b", 0.0)
+def test_at_a_ratio_of_0_the_motor_stands_and_the_pump_carries_nothing() -> None:
+    """100 N*m turn both ends of the set, of which ``J a/2 = 2 eta T`` passes to the output."""
+    motion = run(0.0, "b", 0.0)
+    faster = 100 / (0.1 + 0.1 / (4 * 0.98))
+    assert motion.speeds[-1] == pytest.approx([100 + faster, -100 - faster, 0, -50 - faster / 2])

@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.errors import CaseError, Path, Problem, listed
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
-from vstatics.simulation.events.commands import Commands, value_of, with_states
+from vstatics.simulation.events.commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
@@ -68,7 +68,7 @@ class EventRun:
         system = self.system = record.system
         self.selection = ModeSelection(system)
         self.sequences = SequenceRun(system.scenario)
-        self.commands = Commands(system.scenario, engaged)
+        self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = system.scenario.duration
         self.breaks, self.corners = break_times(system), corners(system)
@@ -158,7 +158,7 @@ class EventRun:
             if not (self.sequences.going or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state)
-            due = self.sequences.due(self.at.time, judge, self.record.events)
+            due = self.sequences.due(self.at.time, judge, self.record.happened)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
@@ -182,7 +182,7 @@ class EventRun:
         self.give(
             step, {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
         )
-        self.record.events.append(due.go_on(self.at.time))
+        self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.duration

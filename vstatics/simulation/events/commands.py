@@ -15,7 +15,7 @@ from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.sight import looking, with_settings
 
 
-class Commands:
+class StepCommands:
     """What was commanded so far, as a scenario would say it beforehand.
 
     Parameters

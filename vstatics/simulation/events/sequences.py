@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable
 from copy import copy
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import Awaited
-from vstatics.simulation.record.motion import Event
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.sight import Compared, compared
 from vstatics.simulation.tolerances import EQUAL_SIDES
+
+Happened = Callable[[Seen, float], bool]
+"""Whether what a word says has happened since a time [s]."""
 
 
 class Judge:
@@ -86,7 +88,7 @@ class SequenceProgress:
             return self.since + step.within
         return self.true_at + step.wait
 
-    def is_due(self, time: float, judge: Judge, events: Sequence[Event]) -> bool:
+    def is_due(self, time: float, judge: Judge, happened: Happened) -> bool:
         """Whether its step is to be done.
 
         Raises
@@ -97,7 +99,7 @@ class SequenceProgress:
         step = self.step
         if step is None:
             return False
-        if self.true_at is None and self._is_true(step, judge, events):
+        if self.true_at is None and self._is_true(step, judge, happened):
             self.true_at = time
         if self.true_at is None and time >= self.since + step.within:
             message = (
@@ -108,23 +110,17 @@ class SequenceProgress:
             raise CaseError("E696", message, path)
         return self.true_at is not None and time >= self.true_at + step.wait
 
-    def _is_true(self, step: SequenceStep, judge: Judge, events: Sequence[Event]) -> bool:
+    def _is_true(self, step: SequenceStep, judge: Judge, happened: Happened) -> bool:
         if step.when is None:
             return True
 
-        def happened(seen: Seen) -> bool:
-            return any(
-                (one.element, one.event) == (seen.of, seen.word) and one.time >= self.since
-                for one in events
-            )
-
         sides = [judge.awaited(one).side for one in step.when.comparisons]
-        return step.when.holds(sides, happened)
+        return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
-    def go_on(self, time: float) -> Event:
-        """The step is done."""
+    def go_on(self, time: float) -> int:
+        """The step is done; its number."""
         self.index += 1
-        done = Event(time, self.sequence.name, "step", None, None, self.index)
+        done = self.index
         if self.sequence.repeat and self.step is None:
             self.index = 0
         self.since, self.true_at = time, None
@@ -152,9 +148,9 @@ class SequenceRun:
         """When one is looked at again, whatever happens before [s]."""
         return min((one.next_time() for one in self.going), default=math.inf)
 
-    def due(self, time: float, judge: Judge, events: Sequence[Event]) -> SequenceProgress | None:
+    def due(self, time: float, judge: Judge, happened: Happened) -> SequenceProgress | None:
         """The first that has a step to be done."""
-        return next((one for one in self.going if one.is_due(time, judge, events)), None)
+        return next((one for one in self.going if one.is_due(time, judge, happened)), None)
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
         """What steps wait for: the number of a sequence, a comparison."""

@@ -18,6 +18,7 @@ from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
 from vstatics.simulation.record.pieces import Piece, peaks
+from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
@@ -84,6 +85,17 @@ class Record:
         Net work says nothing: what one torque gives another may take.
         """
         return max(self.worked, self.stored)
+
+    def happened(self, seen: Seen, since: float) -> bool:
+        """Whether events since a time [s] have what a word says, such as `locks`."""
+        return any(
+            (one.element, one.event) == (seen.of, seen.word) and one.time >= since
+            for one in self.events
+        )
+
+    def done(self, time: float, sequence: str, step: int) -> None:
+        """Note a step of a sequence that is done at a time [s]."""
+        self.events.append(Event(time, sequence, "step", None, None, step))
 
     def jumps(self, time: float, jump: Jump) -> None:
         """Twists that changed at once."""

@@ -16,12 +16,12 @@ _SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0", "!=": "+-"}
 """Of what is compared, the signs of left less right with which it is true."""
 
 
-class Condition(NamedTuple):
+class StepCondition(NamedTuple):
     """Comparisons and events, joined by `and`, `or`, `not`.
 
     Examples
     --------
-    >>> slow = Condition(Formula("slip('C') < 20 and not locks('C')"))
+    >>> slow = StepCondition(Formula("slip('C') < 20 and not locks('C')"))
     >>> [one.seen for one in slow.comparisons]
     [(Seen(word='slip', of='C'),)]
     >>> slow.holds(["-"], lambda event: False), slow.holds(["+"], lambda event: False)
@@ -63,7 +63,7 @@ class Condition(NamedTuple):
         return true(self.formula.whole)
 
 
-def read_condition(source: Excerpt, words: Vocabulary) -> Condition:
+def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     """Read a condition.
 
     Raises
@@ -84,12 +84,12 @@ def read_condition(source: Excerpt, words: Vocabulary) -> Condition:
         if not (is_event or (isinstance(part, Applied) and part.name in (*_SIDES, *_JOINS))):
             at = getattr(part, "at", source.start)
             raise source.error("expected a condition, such as `t >= 0.5`", at)
-    for comparison in Condition(formula).comparisons:
+    for comparison in StepCondition(formula).comparisons:
         inside = [one.word for one in comparison.seen if one.word in OF_EVENTS]
         if inside:
             message = f"{quoted(inside[0])} is true or not, expected it without a comparison"
             raise source.error(message, source.start)
-    return Condition(formula)
+    return StepCondition(formula)
 
 
 _JOINS = ("and", "or", "not")

@@ -10,7 +10,7 @@ from vstatics.errors import Path, Problem, nearest, quoted, spoken
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve
 from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.tables import LookupTable
 from vstatics.simulation.scenario.words import name_problems
 
 
@@ -113,12 +113,12 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
             yield Problem("E688", message, (*path, "dog", number))
 
 
-def table_problems(tables: Mapping[str, Table]) -> Iterator[Problem]:
+def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     """Of tables: rows and columns that ascend, numbers.
 
     Examples
     --------
-    >>> for problem in table_problems({"engine": Table((2.0, 1.0), ((1.0,), (3.0,)))}):
+    >>> for problem in table_problems({"engine": LookupTable((2.0, 1.0), ((1.0,), (3.0,)))}):
     ...     print(problem)
     tables.engine[2]: read 1 behind 2, expected rows in ascending order [E653]
     """

@@ -21,7 +21,7 @@ from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.formula_code import PI
-from vstatics.simulation.scenario.tables import Table, TableCall
+from vstatics.simulation.scenario.tables import LookupTable, TableCall
 
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""
@@ -150,7 +150,7 @@ def _of_operand(operand: Any, name: str) -> Polynomial | None:
 
 
 def _of_table(
-    table: Table,
+    table: LookupTable,
     operands: Sequence[Polynomial | None],
     at: float,
     met: list[tuple[float, bool]],

@@ -30,7 +30,7 @@ from vstatics.simulation.scenario.formula_code import (
     seen_in,
 )
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
-from vstatics.simulation.scenario.tables import Table, TableCall
+from vstatics.simulation.scenario.tables import LookupTable, TableCall
 
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of what a motion is, which any formula may see."""
@@ -48,7 +48,7 @@ class Vocabulary(NamedTuple):
     numbers: Mapping[str, float] = MappingProxyType({})
     values: Collection[str] = ()
     """Names of states, and of numbers that sequences change."""
-    tables: Mapping[str, Table] = MappingProxyType({})
+    tables: Mapping[str, LookupTable] = MappingProxyType({})
 
     def only(self, *words: str) -> Vocabulary:
         """The same with only these words of rows."""
@@ -238,7 +238,7 @@ def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> 
     return tree
 
 
-def _with_tables(tree: Any, tables: Mapping[str, Table]) -> Any:
+def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
     """The tree with calls that know their tables."""
     if not isinstance(tree, Applied):
         return tree

@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
-from vstatics.simulation.scenario.tables import Table, TableCall
+from vstatics.simulation.scenario.tables import LookupTable, TableCall
 
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
@@ -150,7 +150,7 @@ def of_times(tree: Tree) -> Callable[[Floats], Floats]:
     return function
 
 
-def _tables(tree: Any) -> dict[str, Table]:
+def _tables(tree: Any) -> dict[str, LookupTable]:
     """The tables that a tree calls, by their names."""
     if not isinstance(tree, Applied):
         return {}
@@ -180,7 +180,7 @@ def _compares(tree: Any) -> bool:
     return _is_truth(tree) or any(map(_compares, tree.operands))
 
 
-class _Writer:
+class _CodeWriter:
     """Writes the syntax tree of a function."""
 
     def __init__(self, seen: Sequence[Seen]) -> None:
@@ -241,7 +241,7 @@ def _evaluated(
     tree: Tree, functions: Mapping[str, Callable[..., Any]], seen: Sequence[Seen] = ()
 ) -> Any:
     """A function of the variables."""
-    whole = _Writer(seen).function(tree)
+    whole = _CodeWriter(seen).function(tree)
     own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
     return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
 

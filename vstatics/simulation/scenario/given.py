@@ -16,7 +16,7 @@ from vstatics.model.shape import Measure, Parsed
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.si_units import in_any_unit
-from vstatics.simulation.scenario.conditions import Condition, read_condition
+from vstatics.simulation.scenario.conditions import StepCondition, read_condition
 from vstatics.simulation.scenario.formula import (
     OF_MOTION,
     OF_TORQUES,
@@ -144,7 +144,7 @@ def value_curve(words: Vocabulary) -> Parsed:
 def condition(words: Vocabulary) -> Parsed:
     """A condition."""
 
-    def parse(text: str) -> Condition:
+    def parse(text: str) -> StepCondition:
         return read_condition(Excerpt(text, ""), words)
 
     return Parsed("a condition, such as `t >= 0.5`", parse, None)

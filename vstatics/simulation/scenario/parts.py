@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from vstatics.model.transmission import Transmission
-from vstatics.simulation.scenario.conditions import Condition
+from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, TorqueLaw
 
@@ -95,7 +95,7 @@ class ControlState(NamedTuple):
 class SequenceStep(NamedTuple):
     """What is done once a condition was true."""
 
-    when: Condition | None = None
+    when: StepCondition | None = None
     """None: at once."""
     within: float = math.inf
     """So long after the step before it must have been true. [s]"""

@@ -10,14 +10,14 @@ from typing import get_args
 
 from vstatics.model.shape import Measure
 from vstatics.readers.named.si_units import measured
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.tables import LookupTable
 
 MOST_BYTES = 5_000_000
 """Of a file."""
 _HEAD = re.compile(r"\s*[^\[\]]*\[(?P<unit>[^\]]+)\]\s*")
 
 
-def table_of(scenario: str, name: str) -> Table:
+def table_of(scenario: str, name: str) -> LookupTable:
     """The table of a file, whose name is relative to the folder of a scenario.
 
     Raises
@@ -34,7 +34,7 @@ def table_of(scenario: str, name: str) -> Table:
         raise ValueError(f"expected CSV: {error}") from None
 
 
-def _table(data: bytes) -> Table:
+def _table(data: bytes) -> LookupTable:
     r"""Rows behind a head of a quantity with its unit, then of numbers or one quantity more.
 
     Raises
@@ -70,7 +70,7 @@ def _table(data: bytes) -> Table:
         values.append(tuple(others))
     if not x:
         raise ValueError("expected a row at least, below the head")
-    return Table(tuple(x), tuple(values), columns)
+    return LookupTable(tuple(x), tuple(values), columns)
 
 
 def _number(text: str, line: int) -> float:

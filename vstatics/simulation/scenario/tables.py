@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats
 
 
-class Table(NamedTuple):
+class LookupTable(NamedTuple):
     """Straight between rows, and between columns; constant outside.
 
     Parameters
@@ -26,10 +26,10 @@ class Table(NamedTuple):
 
     Examples
     --------
-    >>> engine = Table((100.0, 300.0), ((0.0, 200.0), (0.0, 100.0)), (0.0, 1.0))
+    >>> engine = LookupTable((100.0, 300.0), ((0.0, 200.0), (0.0, 100.0)), (0.0, 1.0))
     >>> engine.at(200.0, 0.5), engine.at(0.0, 2.0)
     (75.0, 200.0)
-    >>> Table((0.0, 1.0), ((0.5,), (1.0,))).at(0.5)
+    >>> LookupTable((0.0, 1.0), ((0.5,), (1.0,))).at(0.5)
     0.75
     """
 
@@ -75,9 +75,9 @@ class TableCall(str):
     """The name of a table where a formula calls it: it knows the table."""
 
     __slots__ = ("table",)
-    table: Table
+    table: LookupTable
 
-    def __new__(cls, name: str, table: Table) -> Self:
+    def __new__(cls, name: str, table: LookupTable) -> Self:
         """Keep the table."""
         made = super().__new__(cls, name)
         made.table = table

@@ -36,7 +36,7 @@ from vstatics.simulation.scenario.parts import (
     Start,
     StepSequence,
 )
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.tables import LookupTable
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 
@@ -91,7 +91,7 @@ class ScenarioValues:
             },
         )
 
-    def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, Table]]:
+    def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, LookupTable]]:
         """The tables of a document, as far as they can be read."""
         for number, (name, one) in enumerate(given.items(), 1):
             if isinstance(one, GivenTable) and one.file:
@@ -101,14 +101,17 @@ class ScenarioValues:
                 rows = [_floats(row) for row in one.rows if len(row) == len(columns) + 1]
                 if rows:
                     x, values = (row[0] for row in rows), (row[1:] for row in rows)
-                    yield name, Table(tuple(x), tuple(values), columns)
+                    yield name, LookupTable(tuple(x), tuple(values), columns)
             elif isinstance(one, Sequence):
                 if one:
-                    yield name, Table(*zip(*((float(x), (float(y),)) for x, y in one), strict=True))
+                    yield (
+                        name,
+                        LookupTable(*zip(*((float(x), (float(y),)) for x, y in one), strict=True)),
+                    )
             else:
-                yield name, Table((0.0,), ((float(one or 0.0),),))
+                yield name, LookupTable((0.0,), ((float(one or 0.0),),))
 
-    def _table_file(self, name: str, path: Path) -> Table:
+    def _table_file(self, name: str, path: Path) -> LookupTable:
         from vstatics.simulation.scenario.table_files import table_of
 
         try:
@@ -118,7 +121,7 @@ class ScenarioValues:
         except ValueError as error:
             message = f"read {quoted(name)}: {error}"
         self.spots.tell(path, message)
-        return Table((0.0,), ((0.0,),))
+        return LookupTable((0.0,), ((0.0,),))
 
     def _states(self, given: Mapping[str, Any]) -> Iterator[ControlState]:
         for name, one in given.items():

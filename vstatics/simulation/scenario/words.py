@@ -15,14 +15,14 @@ from vstatics.simulation.scenario.formula import (
     Vocabulary,
 )
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
-from vstatics.simulation.scenario.tables import Table
+from vstatics.simulation.scenario.tables import LookupTable
 from vstatics.tables.names import NAME
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false", "y", "n")
 """Names that a reader of YAML may take for true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
-_NO_TABLES: Mapping[str, Table] = MappingProxyType({})
+_NO_TABLES: Mapping[str, LookupTable] = MappingProxyType({})
 
 
 def vocabulary(
@@ -30,7 +30,7 @@ def vocabulary(
     *,
     numbers: Mapping[str, float] = MappingProxyType({}),
     values: Collection[str] = (),
-    tables: Mapping[str, Table] = _NO_TABLES,
+    tables: Mapping[str, LookupTable] = _NO_TABLES,
     converters: Collection[str] = (),
 ) -> Vocabulary:
     """What formulas may speak of.
@@ -41,7 +41,7 @@ def vocabulary(
     numbers : mapping of str to float
     values : collection of str
         Names of states, and of numbers that sequences change.
-    tables : mapping of str to Table
+    tables : mapping of str to LookupTable
     converters : collection of str
         Names of those of the scenario.
 

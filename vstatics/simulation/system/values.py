@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,11 +11,9 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
+from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.sight import looking
 from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
-
-if TYPE_CHECKING:
-    from vstatics.simulation.system.equations import Equations
 
 
 class ValueChanges:
@@ -24,10 +21,10 @@ class ValueChanges:
 
     Parameters
     ----------
-    equations : Equations
+    equations : KnownMotion
     """
 
-    def __init__(self, equations: Equations) -> None:
+    def __init__(self, equations: KnownMotion) -> None:
         self.equations = equations
         system = equations.system
         states = system.scenario.states
@@ -115,7 +112,7 @@ def _constant(value: float) -> Callable[[float, Sequence[float]], float]:
     return lambda _time, _seen: value
 
 
-def _heat(equations: Equations, element: int, change: Floats) -> float:
+def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
     """The power of the friction of a shift element [W]."""
     power = 0.0
     works = change[equations.works]
@@ -132,7 +129,7 @@ Derived = Callable[[float, Floats, Floats, Floats], float]
 """By time, state, rates and torques of ports."""
 
 
-def _derived(equations: Equations, seen: Seen) -> Derived:
+def _derived(equations: KnownMotion, seen: Seen) -> Derived:
     """What follows from torques."""
     system, names = equations.system, equations.system.names
     if seen.word == "acceleration":
@@ -150,7 +147,7 @@ def _derived(equations: Equations, seen: Seen) -> Derived:
     )
 
 
-def _acceleration(equations: Equations, link: int) -> Derived:
+def _acceleration(equations: KnownMotion, link: int) -> Derived:
     structure = equations.structure
     row = structure.free[link] @ structure.accelerations
     if not equations.light or not structure.light[link].any():
@@ -166,7 +163,7 @@ def _acceleration(equations: Equations, link: int) -> Derived:
     return with_light
 
 
-def _ports_of(equations: Equations, name: str) -> list[int]:
+def _ports_of(equations: KnownMotion, name: str) -> list[int]:
     """The ports of a device: what slips, a spring, a pump."""
     system, layout = equations.system, equations.layout
     devices = system.case.devices
@@ -179,7 +176,7 @@ def _ports_of(equations: Equations, name: str) -> list[int]:
     return found
 
 
-def _torque(equations: Equations, name: str) -> Derived:
+def _torque(equations: KnownMotion, name: str) -> Derived:
     """On the first link of a device, given to it: what slips, bends and holds of it together."""
     system, structure, layout = equations.system, equations.structure, equations.layout
     ports = _ports_of(equations, name)

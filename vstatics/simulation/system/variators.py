@@ -11,18 +11,14 @@ torques, which follow from both: a linear system, solved at each instant.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.system.curves import curve_at
+from vstatics.simulation.system.known import KnownMotion
+from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import MOVING_LINK
-
-if TYPE_CHECKING:
-    from vstatics.simulation.system.equations import Equations
-    from vstatics.simulation.system.matrices import MotionSystem
 
 
 class VariatorTorques:
@@ -30,7 +26,7 @@ class VariatorTorques:
 
     Parameters
     ----------
-    equations : Equations
+    equations : KnownMotion
 
     Raises
     ------
@@ -38,7 +34,7 @@ class VariatorTorques:
         Of a first link without inertia that nothing with inertia moves.
     """
 
-    def __init__(self, equations: Equations) -> None:
+    def __init__(self, equations: KnownMotion) -> None:
         self.equations = equations
         system, layout, structure = equations.system, equations.layout, equations.structure
         self.variators = system.variators

@@ -1,0 +1,34 @@
+"""What the parts of the equations of motion ask of them: places in the state, and what acts."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.system.matrices import MotionSystem, PortLayout
+from vstatics.simulation.system.ports import Ports
+from vstatics.simulation.system.structure import MotionStructure
+
+
+class KnownMotion(Protocol):
+    """What holds between two events, as far as its parts ask."""
+
+    system: MotionSystem
+    layout: PortLayout
+    structure: MotionStructure
+    ports: Ports
+    motions: int
+    values: slice
+    works: slice
+    slipped: slice
+    light: int
+    within: float
+
+    def speeds(self, time: float, state: Floats) -> Floats:
+        """Of links [rad/s]."""
+
+    def acting(self, time: float, state: Floats) -> tuple[Floats, Floats]:
+        """Rates and torques of ports in a state [rad/s, N*m]."""
+
+    def derivative(self, time: float, state: Floats) -> Floats:
+        """Change of a state with time."""
