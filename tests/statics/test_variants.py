@@ -629,6 +629,8 @@ OTHER: dict[type, dict[str, object]] = {
         "damping": Damping(5.0),
         "name": "X",
         "limit": 3000.0,
+        "points": ((0.0, 0.0), (0.1, 30.0)),
+        "friction": 14.0,
     },
     Gear: {
         "speed_ratios": {1: 0.5},

@@ -73,9 +73,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
         rises = other[0] > one[0]
         if not (rises and other[1] >= one[1]):
             place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
-            message = (
-                f"points: read {other[place - 1]:g} behind {one[place - 1]:g}, expected {expected}"
-            )
+            message = f"read {other[place - 1]:g} behind {one[place - 1]:g}, expected {expected}"
             yield Problem("E690", message, (*here, number, place))
     first, last = spring.points[0], spring.points[-1]
     if first[0] >= 0 and (*first,) != (0, 0):

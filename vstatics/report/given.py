@@ -99,7 +99,9 @@ def _shift_elements(case: Transmission) -> Grid:
             _number_or_law(one.drag) if drags else "",
             one.capacity,
             exact(one.static) if slips else "",
-            _said(one.friction._asdict()) if one.friction else "",
+            _said({key: value for key, value in one.friction._asdict().items() if value})
+            if one.friction
+            else "",
             *_elastic(one),
         )
         for one in elements

@@ -14,7 +14,7 @@ FAULTS = [
         "friction-a-number.yaml",
         7,
         15,
-        "shift_elements.FH.friction: read '0.12', expected a mapping with `radius`, `area`, `surfaces` and `coefficient`",
+        "shift_elements.FH.friction: read '0.12', expected a mapping with `radius`, `area`, `surfaces`, `coefficient`, `heat_capacity`, `cooling` and `ambient`",
     ),
     (
         "friction-radius-0.yaml",

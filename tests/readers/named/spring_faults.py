@@ -129,7 +129,7 @@ FAULTS = [
         "spring-neither.yaml",
         5,
         3,
-        "springs.axle: there is no `stiffness` and no `compliance`, expected one of them",
+        "springs.axle: there is no `stiffness`, no `compliance` and no `points`, expected one of them",
     ),
     (
         "spring-equal-links.yaml",
