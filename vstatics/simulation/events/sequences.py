@@ -49,7 +49,7 @@ class Judge:
     def judged(self, one: Compared) -> Awaited:
         """What is compared, with its side."""
         (first, second), (later, other) = (
-            (one.first(*at), one.second(*at)) for at in (self.now, self.ahead)
+            (one.first.at(*at), one.second.at(*at)) for at in (self.now, self.ahead)
         )
         size = max(abs(first), abs(second))
         equal = abs(first - second) <= EQUAL_SIDES * size
