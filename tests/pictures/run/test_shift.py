@@ -16,7 +16,7 @@ from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
-from vstatics.pictures.run.events import named_events
+from vstatics.pictures.run.events import event_text, named_events
 from vstatics.pictures.run.lines import panels, states, thinned
 from vstatics.pictures.sheet.line_styles import element_look, spring_look
 from vstatics.pictures.sheet.style import Style
@@ -93,6 +93,12 @@ def test_of_many_events_impacts_and_locks_are_named() -> None:
     events = [Event(0.1 * n, "C", "slips" if n % 2 else "locks") for n in range(8)]
     events[5] = Event(0.5, "C", "impact", 3.0)
     assert named_events(events, 5) == [one for one in events if one.event != "slips"]
+
+
+def test_steps_of_sequences_are_named_by_their_number() -> None:
+    step, locks = Event(0.1, "up", "step", None, None, 2), Event(0.2, "C", "locks")
+    assert [event_text(step, Style(lang)) for lang in ("en", "ru")] == ["up step 2", "up шаг 2"]
+    assert named_events([step, locks], 1) == [locks]
 
 
 def test_a_thinned_line_keeps_ends_and_extremes() -> None:
