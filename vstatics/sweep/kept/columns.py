@@ -132,7 +132,7 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
     parts: list[ColumnGroup] = []
     problems: list[Problem] = []
     named: dict[str, ResolvedPart] = {}
-    for start, stop in _items(text):
+    for start, stop in items(text):
         own = _NAMED.match(text, start, stop)
         source = Excerpt(text, OPTION, own.end() if own else start, stop)
         try:
@@ -184,7 +184,7 @@ def output_headings(
     return ["variant", *names, "status", *[GEAR] * by_gear, *headings]
 
 
-def _items(text: str) -> Iterator[tuple[int, int]]:
+def items(text: str) -> Iterator[tuple[int, int]]:
     """The ends of the parts between commas that stand outside brackets and quotes."""
     start, depth, quote = 0, 0, ""
     for at, letter in enumerate(text):
