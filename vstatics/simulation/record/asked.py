@@ -15,7 +15,8 @@ from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.rows import Kind, road_radii, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.system.matrices import Contact, MotionSystem
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.values import outside_torques
 
 
 class AskedColumn(NamedTuple):
@@ -39,8 +40,6 @@ class Moments(NamedTuple):
     """Of devices. [N*m]"""
     ports: Floats
     """Torques of ports. [N*m]"""
-    held: Floats
-    """Torques that follow from what holds. [N*m]"""
 
     @property
     def system(self) -> MotionSystem:
@@ -48,30 +47,10 @@ class Moments(NamedTuple):
         return self.motion.equations.system
 
 
-def outside_powers(at: Moments) -> Floats:
-    """What outside torques give to links, shape (links, times) [W]."""
-    system, structure = at.system, at.motion.equations.structure
-    torques = np.zeros_like(at.speeds)
-    for index, one in enumerate(system.outside):
-        torques[one.link] += at.ports[index]
-    row_of = {one.of: n for n, one in enumerate(structure.multipliers) if one.kind == "contact"}
-    for index, contact in enumerate(system.contacts):
-        if _is_outside(contact):
-            row, port = row_of.get(index), system.layout.contacts + index
-            taken = at.ports[port] if row is None else at.held[row]
-            torques -= contact.row[:, None] * taken
-    powers: Floats = torques * at.speeds
-    return powers
-
-
-def _is_outside(contact: Contact) -> bool:
-    """Whether it is a load, a jump of a torque, a speed that is given."""
-    return contact.device is None and not contact.is_drag and not contact.is_variator
-
-
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
     """Of links and springs."""
-    system, of_links = at.system, outside_powers(at)
+    system = at.system
+    of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
     springs = {one.name: one for one in system.springs}
 
     def power(name: str) -> Floats:

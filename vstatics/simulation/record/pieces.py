@@ -72,7 +72,7 @@ class MotionColumns:
         rates, ports = equations.acting_at(times, states)
         held = margins.split(times, states, rates, ports)
         torques = device_torques(equations, ports, held)
-        at = Moments(piece.motion, times, states, speeds, slips, torques, ports, held)
+        at = Moments(piece.motion, times, states, speeds, slips, torques, ports)
         asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
         return np.vstack([speeds, slips, torques, *asked, element_heat(equations, states)])
 
