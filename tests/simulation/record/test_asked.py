@@ -139,6 +139,16 @@ def test_formulas_see_the_same_power() -> None:
     assert work[-1] == pytest.approx(motion.energy.work - motion.energy.heat["o"], rel=1e-8)
 
 
+def test_formulas_see_the_acceleration_of_a_link_without_inertia_behind_a_damper() -> None:
+    """Its integral is the change of the speed; spring and damper share what the link carries."""
+    motion, [speed] = asked(
+        "duration: 1\nstart: {speeds: {o: 1, m: 1}}\nstates: {v: {rate: \"acceleration('m')\"}}",
+        OSCILLATOR.replace("600 N*m/rad}", "600 N*m/rad, damping: 30 N*m*s/rad}"),
+        "states[v]",
+    )
+    assert speed == pytest.approx(motion.speeds[:, 0] - motion.speeds[0, 0], abs=1e-8)
+
+
 def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     """dx/dt = 2; 600 W heat 50 J/K: 12 K/s."""
     _, [state, temperature] = asked(

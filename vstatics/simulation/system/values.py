@@ -174,10 +174,11 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
     if not equations.light or not structure.light[link].any():
         return lambda _time, _state, _rates, torques: float(row @ torques)
 
-    def with_light(time: float, state: Floats, _rates: Floats, torques: Floats) -> float:
+    def with_light(time: float, state: Floats, rates: Floats, torques: Floats) -> float:
         """Of a link without inertia, by what its speed is a moment later."""
         ahead = state.copy()
         ahead[: equations.motions] += equations.within * (structure.accelerations @ torques)
+        ahead[equations.twists] += equations.within * rates[equations.layout.spring_ports]
         later = equations.speeds(time + equations.within, ahead)[link]
         return float(later - equations.speeds(time, state)[link]) / equations.within
 
