@@ -155,7 +155,7 @@ sequences:
     scenario = subject(SCENARIO.replace(b"brake: [[0, 120]]", b"brake: grip") + sequences)
     out = "max(accelerations[carrier]), steps[up,1], steps[up,2], steps[up,3], last(slip_power)"
     made = plan(scenario, SweepOptions.of(vary=["torques.sun=40"], out=out))
-    assert made.headings[1:4] == ('steps["up,1"]', 'steps["up,2"]', 'steps["up,3"]')
+    assert made.headings[1:4] == ("steps[up,1]", "steps[up,2]", "steps[up,3]")
     chunk = calculate(made, scenario, 0, 1)
     expected = [50.856751, 0.2, 0.410054006, math.nan, 0.0, 0.0]
     assert chunk.columns[0] == pytest.approx(expected, rel=1e-8, abs=1e-8, nan_ok=True)

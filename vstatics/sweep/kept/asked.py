@@ -23,6 +23,8 @@ from vstatics.sweep.kept.columns import OPTION, items
 from vstatics.sweep.kept.meanings import Selection
 from vstatics.sweep.kept.motion_names import LANGUAGE, RunNames
 
+_LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", example="jerks")
+
 
 def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
     """The tables and rows of a run that a list asks for, such as ``accelerations[out], heat[C]``.
@@ -38,7 +40,7 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
         source = Excerpt(text, OPTION, start, stop)
         names = RunNames(source, partial(rows_of_kind, scenario=scenario))
         try:
-            tree = parse(source, LANGUAGE)
+            tree = parse(source, _LANGUAGE)
             if not isinstance(tree, TableName) or tree.name not in TABLES:
                 raise _no_column(source, tree)
             asked += asked_rows(names.selection(tree), names.rows(tree.name))

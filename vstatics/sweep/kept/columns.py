@@ -29,7 +29,7 @@ from vstatics.sweep.kept.expressions import (
 from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, Selection, Tables, VariedNumber
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
-from vstatics.tables.names import NAME, written
+from vstatics.tables.names import NAME
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import GEAR
 
@@ -225,5 +225,7 @@ def _headings(
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):
             picked = ((own_row, row, rows), (own_gear, gear, gears))
-            keys = [written(n if own is None else own, names) for own, n, names in picked if names]
+            keys = [
+                names.key(n if own is None else own, every) for own, n, every in picked if every
+            ]
             yield (gear, row), f"{before}[{','.join(keys)}]" if keys else text

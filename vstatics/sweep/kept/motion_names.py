@@ -14,6 +14,7 @@ from vstatics.sweep.kept.meanings import Selection, VariedNumber
 from vstatics.sweep.motion_tables import TABLES, along_time
 from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Varied
+from vstatics.tables.names import written
 
 LANGUAGE = Language(
     (*FUNCTIONS, LAST),
@@ -83,6 +84,13 @@ class RunNames:
     def row(self, table: str) -> str:
         """What a row of a table is."""
         return TABLES[table].kind
+
+    def key(self, index: int, rows: Sequence[str]) -> str:
+        """A row as it is written between brackets: of a step its sequence and its number."""
+        if tuple(rows) != self.rows_of("step"):
+            return written(index, rows)
+        sequence, _, number = rows[index].rpartition(",")
+        return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
         """What a subscript stands for: by its name first, then by its number; None for all."""
