@@ -138,20 +138,41 @@ Derived = Callable[[float, Floats, Floats, Floats], float]
 
 def _derived(equations: KnownMotion, seen: Seen) -> Derived:
     """What follows from torques."""
-    system, names = equations.system, equations.system.names
+    names = equations.system.names
     if seen.word == "acceleration":
         return _acceleration(equations, names.index(seen.of))
     if seen.word == "torque":
         return _torque(equations, seen.of)
     if seen.of in names:
         link = names.index(seen.of)
-        ports = [index for index, one in enumerate(system.outside) if one.link == link]
-        return lambda _time, _state, rates, torques: float(rates[ports] @ torques[ports])
+        row = outside_torques(equations)[link]
+        return lambda time, state, _rates, torques: float(
+            row @ torques * equations.speeds(time, state)[link]
+        )
     torque = _torque(equations, seen.of)
     [place] = _ports_of(equations, seen.of)[:1]
     return lambda time, state, rates, torques: float(
         rates[place] * torque(time, state, rates, torques)
     )
+
+
+def outside_torques(equations: KnownMotion) -> Floats:
+    """Outside torques on links by the torques of ports, shape (links, ports).
+
+    Loads, torques that jump and those that speeds which are given take are among them.
+    """
+    system, structure = equations.system, equations.structure
+    made, by_ports = np.zeros((len(system.names), system.layout.ports)), np.eye(system.layout.ports)
+    for port, one in enumerate(system.outside):
+        made[one.link, port] = 1.0
+    row_of = {one.of: n for n, one in enumerate(structure.multipliers) if one.kind == "contact"}
+    for index, contact in enumerate(system.contacts):
+        if contact.device is None and not contact.is_drag and not contact.is_variator:
+            row = row_of.get(index)
+            port = system.layout.contacts + index
+            taken = by_ports[port] if row is None else structure.torques[row]
+            made -= np.outer(contact.row, taken)
+    return made
 
 
 def _acceleration(equations: KnownMotion, link: int) -> Derived:
@@ -160,10 +181,11 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
     if not equations.light or not structure.light[link].any():
         return lambda _time, _state, _rates, torques: float(row @ torques)
 
-    def with_light(time: float, state: Floats, _rates: Floats, torques: Floats) -> float:
+    def with_light(time: float, state: Floats, rates: Floats, torques: Floats) -> float:
         """Of a link without inertia, by what its speed is a moment later."""
         ahead = state.copy()
         ahead[: equations.motions] += equations.within * (structure.accelerations @ torques)
+        ahead[equations.twists] += equations.within * rates[equations.layout.spring_ports]
         later = equations.speeds(time + equations.within, ahead)[link]
         return float(later - equations.speeds(time, state)[link]) / equations.within
 
