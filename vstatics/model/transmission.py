@@ -125,6 +125,14 @@ class Transmission(TransmissionFields):
         unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
         return replace(self, coast=coast, gears=gears) if unlike else self
 
+    def with_torque(self, torque: float | None) -> Transmission:
+        """The same with a torque of the load that is one of all gears [N*m]; as it is for None."""
+        if torque is None:
+            return self
+        own = (gear.load and gear.load._replace(torque=torque) for gear in self.gears)
+        gears = [gear._replace(load=load) for gear, load in zip(self.gears, own, strict=True)]
+        return replace(self, load=(self.load or Load())._replace(torque=torque), gears=gears)
+
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """The case whose variators are pairs of the ratios that they have in a gear.
 

@@ -35,6 +35,8 @@ _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
 _NEWTON = 30
 """So many steps at most."""
+_LIMIT_ROUNDS = 8
+"""Of limits of springs that depend on their own slopes."""
 
 
 class Equations:
@@ -68,6 +70,13 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
+        looks = dict(self.ports.looks)
+        self.seen_limits = [
+            (index, looks[layout.springs + index])
+            for index in np.flatnonzero(self.limited).tolist()
+            if layout.springs + index in looks
+        ]
+        """Springs that slip at limits which see something: index, torque."""
         self.driving = [
             (layout.contacts + one.of, row)
             for row, one in enumerate(structure.multipliers)
@@ -206,6 +215,9 @@ class Equations:
             if not self.ports.bends.all():
                 limited = bool(self.limited.any())
                 slopes = self.given_at(times, slopes_count=limited)[1][at]
+                if self.seen_limits:
+                    columns = zip(times.tolist(), states.T, slopes.T, strict=True)
+                    slopes = np.array([self._seen_slopes(*one) for one in columns]).T
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
             made[first : first + self.springs] = self.viscous[:, None] * growing**2
@@ -268,7 +280,8 @@ class Equations:
         rates, _ = self.rates(time, state)
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
-        for port in self.ports.bending:
+        limited = self.layout.springs + np.flatnonzero(self.limited)
+        for port in {*self.ports.bending}.difference(limited.tolist()):
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step
@@ -325,8 +338,8 @@ class Equations:
             self.variators.fill(time, rates, torques)
         return torques
 
-    def derivative(self, time: float, state: Floats) -> Floats:
-        """Change of the state with time."""
+    def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
+        """Change of the state with time; the slopes of limits of springs may be known."""
         structure = self.structure
         rates, light = self.rates(time, state)
         torques = self.torques(time, state, rates)
@@ -338,7 +351,8 @@ class Equations:
             sprung, twisting = torques[at], rates[at]
             growing = twisting
             if not self.ports.bends.all():
-                slopes = self.limit_slopes(time, rates, state)
+                if slopes is None:
+                    slopes = self.limit_slopes(time, rates, state)
                 growing = self._growing(twisting, sprung, state[self.twists], slopes)
             change[self.twists] = growing
             change[self.damped] = self.viscous * growing * growing
@@ -364,7 +378,27 @@ class Equations:
         slopes = self.ports.c1
         if self.ports.timed:
             slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
-        return slopes[self.layout.spring_ports]
+        slopes = slopes[self.layout.spring_ports]
+        return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
+
+    def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
+        """Of limits too that see something: straight ahead, by the motion that follows of them."""
+        slopes = slopes.copy()
+        for _ in range(_LIMIT_ROUNDS):
+            change, before = self.derivative(time, state, slopes), slopes.copy()
+
+            def torques(ahead: float, change: Floats = change) -> Floats:
+                then = time + ahead
+                seen = self.changes.seen_at(then, state + ahead * change)
+                return np.array([look(then, seen) for _, look in self.seen_limits])
+
+            now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
+            slopes[[index for index, _ in self.seen_limits]] = (
+                4 * middle - 3 * now - later
+            ) / self.within
+            if np.allclose(slopes, before):
+                break
+        return slopes
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
         """How twists grow where springs slip: by their dampers, or with their limits.
