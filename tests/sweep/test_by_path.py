@@ -113,6 +113,7 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
         ("gears.on.drag.mid=1 N*m", "did you mean `gears.one`"),
         ("gears.*.torques.out=1 N*m", "link out is the output"),
         ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
+        ("load.speed=1 rpm,nan rpm", "1:18: error: read `nan rpm`, expected a number"),
         ("load.speed=1 kg,2 kg", "this is a mass"),
         ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
         ("a.efficiency=.9 rpm", "read `.9 rpm`"),
