@@ -328,6 +328,16 @@ def test_where_two_torques_agree_there_are_none_and_a_message_says_so() -> None:
     assert all(math.isnan(plain(one)) for one in state.lossy_torques.on_first_link)
 
 
+def test_where_nothing_holds_the_torque_no_law_is_blamed() -> None:
+    """A neutral gear is out of balance with constant efficiencies; with a law it is no other."""
+    law = "{over: torque, points: [[0, .3], [100, .95]]}"
+    neutral = TORQUES.replace("gears: {{a: [B]}}", "gears: {{a: [B], n: []}}")
+    of_law, constant = (solve(loads(neutral.format(efficiency=one))) for one in (law, 0.5))
+    assert [one.id for one in of_law.messages] == [one.id for one in constant.messages]
+    assert not of_law.undecided.any()
+    assert not np.isnan(of_law.efficiency[0])
+
+
 def test_an_efficiency_that_falls_steeply_is_found_by_halves() -> None:
     """Passes jump to and fro; M = 60/(1 + 2/eta) meets eta = .95 - .65 (M - 12) between 12 and 13."""
     law = "{over: torque, points: [[0, .95], [12, .95], [13, .3], [100, .3]]}"
