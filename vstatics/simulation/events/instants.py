@@ -105,7 +105,7 @@ def _yield(equations: Equations, at: Instant, state: Floats) -> None:
     """Twist springs without dampers that slip as far as their limits are; the rest is heat."""
     now, seen = math.nextafter(at.time, math.inf), seen_at(equations.system, at)
     twists, heat = state[equations.twists], state[equations.slipped]
-    for index in np.flatnonzero(equations.limited).tolist():
+    for index in np.flatnonzero(equations.limited & (equations.ports.stiffness > 0)).tolist():
         spring, side = equations.system.springs[index], equations.states.springs[index]
         limit = programme_at(spring.programme, now, seen)
         twist = SIGNS.get(side, 0.0) * limit / spring.stiffness

@@ -250,7 +250,7 @@ class Closed:
         self.torques = len(self.bending) - len(rates)
         """So many of them are torques."""
         self.is_given = ports.is_affine and not rates
-        looks = {*rates, *(port for port, _ in ports.looks)}
+        looks = {*rates, *equations.seeing}
         orders = np.array([2 if one in looks else _ORDERS for one in self.bending], dtype=int)
         self.kept: Booleans = np.arange(_ORDERS) < orders[:, None]
         """Orders of their polynomials: what is straight in all that it sees leaves a line."""

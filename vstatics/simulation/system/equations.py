@@ -77,6 +77,9 @@ class Equations:
             if layout.springs + index in looks
         ]
         """Springs that slip at limits which see something: index, torque."""
+        limits = {layout.springs + index for index, _ in self.seen_limits}
+        self.seeing = [port for port in looks if port not in limits]
+        """Ports whose torques see something and count as they are, not by their slopes."""
         self.driving = [
             (layout.contacts + one.of, row)
             for row, one in enumerate(structure.multipliers)
@@ -275,6 +278,15 @@ class Equations:
         along = np.abs(self.structure.balances[:, self.ports.bending])
         return bool((along <= STRAIGHT_BALANCE).all())
 
+    @property
+    def has_closed_form(self) -> bool:
+        """Whether matrices can tell the motion, as far as torques are straight on the way."""
+        if self.system.variators:
+            return False
+        if self.light and not self.light_is_straight and self.ports.looks:
+            return False
+        return self.ports.is_affine or bool(self.springs)
+
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
         """Change of each torque with its rate, in a state [N*m*s/rad]."""
         rates, _ = self.rates(time, state)
@@ -296,7 +308,7 @@ class Equations:
         -------
         ndarray, shape (ports + values, size of what moves)
         """
-        looks, first = [port for port, _ in self.ports.looks], self.layout.ports
+        looks, first = self.seeing, self.layout.ports
         made = np.zeros((first + len(self.layout.values), self.works.start))
         if not looks and not self.layout.values:
             return made
@@ -390,7 +402,7 @@ class Equations:
             def torques(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state + ahead * change)
-                return np.array([look(then, seen) for _, look in self.seen_limits])
+                return np.array([look.at(then, seen) for _, look in self.seen_limits])
 
             now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
             slopes[[index for index, _ in self.seen_limits]] = (
