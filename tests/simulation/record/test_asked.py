@@ -10,6 +10,8 @@ from tests.simulation.control.written import written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.answer import AskedAnswer
+from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
 
@@ -162,6 +164,10 @@ def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     )
     assert (state[0], state[-1]) == pytest.approx((1.0, 5.0), rel=1e-9)
     assert (temperature[0], temperature[-1]) == pytest.approx((20.0, 44.0), rel=1e-8)
+
+
+def test_json_has_a_key_for_each_table() -> None:
+    assert AskedAnswer._fields == tuple(TABLES)
 
 
 def test_what_there_is_not_is_told() -> None:
