@@ -115,6 +115,7 @@ DOUBTS = {
     "N503": "the torque with a clutch that stays stuck",
     "N504": "the factor of engagement is for a clutch that slips",
     "N505": "what a clutch dump of a gear takes no account of",
+    "N506": "which slope a spring with points has in a gear",
     "N601": "loss factors are taken as viscous damping",
     "N602": "elements that hold together share a torque that is open",
     "N603": "capacities without a unit are in N*m",

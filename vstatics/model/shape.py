@@ -80,7 +80,7 @@ class Ends(NamedTuple):
 class Numbers(NamedTuple):
     """Links or shift elements with a number for each, or with what else it has in its place."""
 
-    by: Literal["link", "shift element", "mechanism"]
+    by: Literal["link", "shift element", "mechanism", "spring"]
     item: Shape
     limits: Limits = NO_LIMITS
 
@@ -170,6 +170,8 @@ class RowOf(NamedTuple):
     items: tuple[Shape, ...]
     kind: str
     """What messages call them: ``slip, coefficient``."""
+    passed_over: tuple[Shape, ...] = ()
+    """What may stand behind them, and is not taken."""
 
 
 class ByPoints(NamedTuple):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
@@ -125,6 +125,14 @@ class Transmission(TransmissionFields):
         unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
         return replace(self, coast=coast, gears=gears) if unlike else self
 
+    def with_torque(self, torque: float | None) -> Transmission:
+        """The same with a torque of the load that is one of all gears [N*m]; as it is for None."""
+        if torque is None:
+            return self
+        own = (gear.load and gear.load._replace(torque=torque) for gear in self.gears)
+        gears = [gear._replace(load=load) for gear, load in zip(self.gears, own, strict=True)]
+        return replace(self, load=(self.load or Load())._replace(torque=torque), gears=gears)
+
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """The case whose variators are pairs of the ratios that they have in a gear.
 
@@ -166,11 +174,19 @@ class Transmission(TransmissionFields):
         made._set(**fields | {"mechanisms": others})
         return made
 
-    if TYPE_CHECKING:  # `vstatics/__init__` gives it, from the room that reads
+    if TYPE_CHECKING:  # `vstatics/__init__` gives these, from the rooms that read and vary
 
         @staticmethod
         def from_dict(data: Mapping[str, Any]) -> Transmission:
             """The transmission of plain data, with the keys of YAML and JSON."""
+
+        def part_numbers(self) -> Mapping[str, Any]:
+            """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
+
+        def with_part_numbers(
+            self, numbers: Sequence[Any], values: Sequence[float]
+        ) -> Transmission:
+            """The case with other values of such numbers, in SI."""
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

@@ -260,7 +260,7 @@ class EventRun:
         equations, state = selected.margins.equations, selected.state
         time = equations.time
         straight = equations.ports.is_affine or equations.springs
-        if straight and not (self.system.layout.values or self.system.variators):
+        if straight and not self.system.variators:
             try:
                 for step in Closed(equations, state, self.scales.torque).stretches(state, end):
                     yield step

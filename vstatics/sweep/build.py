@@ -16,6 +16,7 @@ from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.statics.solve import solve
 from vstatics.sweep.blocks import possible_numbers
 from vstatics.sweep.formats import Format
+from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import Terms
 from vstatics.sweep.kept.selection import read_objective, read_where
@@ -94,11 +95,13 @@ def plan(
     try:
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
-        return _with_expressions(subject, options, variants)
+        made = _with_expressions(subject, options, variants)
+        _check_slopes(made)
     except BaseException:
         if isinstance(variants, VariantTable):
             variants.close()
         raise
+    return made
 
 
 def _variants(
@@ -155,6 +158,18 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
                     one._replace(place=places[n], path=()) for one in error.problems
                 )
                 raise ReadError([*placed]) from None
+
+
+def _check_slopes(made: SweepPlan) -> None:
+    """Refuse frequencies where what varies would change the slopes of springs with points."""
+    bent = [spring.name for spring in made.case.springs if spring.points]
+    varied = [path.path for path in made.paths if path.of]
+    if made.modes and bent and varied:
+        message = (
+            f"the slope of {bent[0]}, which has `points`, follows what it carries, so there is no "
+            f"`{OMEGA}` where {varied[0]} varies: expected other numbers"
+        )
+        raise CaseError("E720", message)
 
 
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

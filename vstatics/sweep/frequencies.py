@@ -89,6 +89,7 @@ def frequencies(
     tied_up, conflict = np.zeros((2, len(values)), np.bool_)
     kinds = _structures(case, targets, values)
     many = kinds.max(initial=0) * FEW_EQUAL_RATIOS > len(values) and not case.freewheels
+    many = many and not any(spring.points for spring in case.springs)
     for gear, modes in asked.items():
         left = np.arange(len(values))
         if many:

@@ -73,6 +73,8 @@ class OneCase(NamedTuple):
     telling: Telling
     coast: bool | None = None
     """As an option says; as the case says itself where that says nothing."""
+    static_torque: float | None = None
+    """At the input, likewise. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
         """Where the answer goes; nothing may be written over the case and other files.
@@ -125,10 +127,11 @@ class OneCase(NamedTuple):
         reading = self.read(*given)
         case = reading.case
         with problems_of(reading):
-            reading = reading._replace(case=case.with_coast(self.coast))
+            case = case.with_coast(self.coast).with_torque(self.static_torque)
+            reading = reading._replace(case=case)
             found = calculate(reading)
         found = found._replace(problems=not_allowed(found.problems, reading.case.allow))
-        tell(found.problems, self.telling, self.case)
+        tell(found.problems, self.telling._replace(notes=True), self.case)
         kept = found.write is None or found.write()
         show(self.case, to, case.name, found)
         fails = self.telling.fails([*reading.warnings, *found.problems])

@@ -10,20 +10,37 @@ from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import formats
 from vstatics.cli.frame.one_case import OneCase
 from vstatics.cli.frame.options import gathered
-from vstatics.cli.frame.values import wrong_value
+from vstatics.cli.frame.values import value, wrong_value
 from vstatics.errors import Problem, listed
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.readers.reading import Reading
 
-elastic_case = gathered(
-    "one",
-    OneCase,
+
+def _torque(text: str) -> float:
+    from vstatics.readers.named.si_units import measured
+
+    try:
+        return measured(text, "si_torque")
+    except ValueError as error:
+        raise ValueError(f"read {text!r}, {error}") from None
+
+
+static_torque = click.option(
+    "--torque",
+    "static_torque",
+    callback=value(_torque),
+    metavar="T",
+    help="Torque at the input, in N*m, under which springs with `points` have their slopes; "
+    "that of the load of CASE when not given, else 0.",
+)
+CASE_OPTIONS = (
     click.argument("case", type=click.Path()),
     formats.options(*formats.TABLES),
     arguments.input_format,
     arguments.coast,
     arguments.telling,
 )
+elastic_case = gathered("one", OneCase, *CASE_OPTIONS, static_torque)
 """The case and the options of a command of this group; the command gets `one`."""
 
 
@@ -92,3 +109,15 @@ def located(
             place = reading.locate(Problem(identity, "", ("gears", numbers[name]))).place
             found.append(Problem(identity, f"gear {name}: {message}", (), place))
     return found
+
+
+def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
+    """Which slopes springs with points have in gears, by their names."""
+    from vstatics.torsion.system.slopes import spring_slopes
+
+    by_name = {gear.name: gear for gear in reading.case.gears}
+    return [
+        reading.locate(Problem("N506", f"gear {name}: {one}", ("springs", one.number, "points")))
+        for name in gears
+        for one in spring_slopes(reading.case, by_name[name])
+    ]

@@ -14,7 +14,7 @@ from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase, of_case, show
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import value
-from vstatics.cli.torsion.case import gear_names, located
+from vstatics.cli.torsion.case import gear_names, located, slope_notes, static_torque
 from vstatics.readers.reading import Reading
 from vstatics.tables.answer import Schema, documents, head, list_of, schema
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
@@ -35,7 +35,13 @@ def _rate(given: float) -> float:
     help="Also the dynamic factor of a clutch whose torque grows as 1 - exp(-K t), in 1/s.",
 )
 @arguments.some_gears
-@gathered("one", OneCase, click.argument("case", type=click.Path(), metavar="FILE"), *of_case)
+@gathered(
+    "one",
+    OneCase,
+    click.argument("case", type=click.Path(), metavar="FILE"),
+    *of_case,
+    static_torque,
+)
 def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
     """Tell the largest torque when the clutch is dumped; - is standard input.
 
@@ -74,6 +80,8 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
         return one.answer(partial(_of_case, gears, rate), to, "torsion", read)
     if gears:
         raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
+    if one.static_torque is not None:
+        raise click.UsageError(f"--torque is for a case, but {name} has numbers alone")
     from vstatics.torsion.clutch.grids import grids
 
     numbers = read_dump(data, name)
@@ -89,11 +97,12 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
 
     found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
     faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+    notes = slope_notes(reading, [gear.name for gear in found])
     alone = bool(gears) and len(found) == 1
     return CaseAnswer(
         lambda: gear_grids(found[0]) if alone else gears_grids(found),
         GearDumpAnswer(found[0]) if alone else GearsDumpAnswer(found),
-        faults,
+        [*faults, *notes],
         failed=bool(faults),
     )
 

@@ -9,7 +9,7 @@ import click
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
-from vstatics.cli.torsion.case import chosen_gear, elastic_case, gear_of, located
+from vstatics.cli.torsion.case import chosen_gear, elastic_case, gear_of, located, slope_notes
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
@@ -156,7 +156,8 @@ def _answer(
         case = reading.case
         chosen = gear_of(case, gear).name
         try:
-            return of_gear(case, chosen)
+            found = of_gear(case, chosen)
+            return found._replace(problems=slope_notes(reading, [chosen]))
         except CaseError as error:
             if error.problems[0].path[:1] != ("gears",):
                 raise

@@ -6,7 +6,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.cli.torsion.case import elastic_case, gear_names, located
+from vstatics.cli.torsion.case import elastic_case, gear_names, located, slope_notes
 from vstatics.readers.reading import Reading
 
 
@@ -28,7 +28,8 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
     a `stiffness` [N*m/rad]; everything else is rigid. For each mode: the frequency without
     damping and with it, amplitudes of links (the largest is 1), torques of all devices at
     these, shares of the energy, the number of nodes. Given speeds, losses and drag take no
-    part; freewheels hold as in `vstatics run`.
+    part; freewheels hold as in `vstatics run`, and springs with `points` have their slopes
+    at what they carry there under the torque at the input.
 
     \b
     Examples:
@@ -48,12 +49,13 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
 
         case = reading.case
         found = modes_of(case, gear_names(case, gears), count=count)
+        notes = slope_notes(reading, [gear.name for gear in found])
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         doubts = ((gear.name, text) for gear in found for text in gear.warnings)
         return CaseAnswer(
             lambda: modes_grids(found),
             ModesAnswer(case.name, found),
-            [*faults, *located(reading, doubts, "W503")],
+            [*faults, *located(reading, doubts, "W503"), *notes],
             failed=bool(faults),
         )
 

@@ -6,7 +6,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.cli.torsion.case import elastic_case, gear_names, link_name, located
+from vstatics.cli.torsion.case import elastic_case, gear_names, link_name, located, slope_notes
 from vstatics.readers.reading import Reading
 
 
@@ -40,11 +40,12 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
         case = reading.case
         link = link_name(case, to, "--to")
         found = reduced(case, link, gear_names(case, gears))
+        notes = slope_notes(reading, [gear.name for gear in found])
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         return CaseAnswer(
             lambda: reduction_grids(link, found),
             ReductionAnswer(case.name, link, found),
-            faults,
+            [*faults, *notes],
             failed=bool(faults),
         )
 

@@ -11,8 +11,9 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import numbers, value
-from vstatics.cli.torsion.case import elastic_case, gear_names, link_name, located
+from vstatics.cli.torsion.case import CASE_OPTIONS, gear_names, link_name, located, slope_notes
 from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ def _speeds(text: str) -> Floats:
     help="All orders together: the largest value over a cycle, and the RMS.",
 )
 @arguments.some_gears
-@elastic_case
+@gathered("one", OneCase, *CASE_OPTIONS)
 def response(
     one: OneCase,
     at: str,
@@ -82,7 +83,8 @@ def response(
 
     A harmonic torque acts on LINK. For each order: amplitudes of links [rad] and torques
     of devices [N*m] over the speeds, and where an order meets a natural frequency that
-    LINK takes part in; such speeds are added. Text shows the largest values, CSV (a line
+    LINK takes part in; such speeds are added. Springs with `points` have their slopes under
+    the load of CASE. Text shows the largest values, CSV (a line
     for each), XLSX and JSON all. There is no value where an undamped system is hit exactly.
 
     \b
@@ -109,12 +111,13 @@ def response(
         found = responses(case, link, harmonics, speed, gear_names(case, gears))
         if with_sum:
             found = [gear.with_sum() for gear in found]
+        notes = slope_notes(reading, [gear.name for gear in found])
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(
             lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],
             ResponseAnswer(case.name, link, found),
-            faults,
+            [*faults, *notes],
             failed=bool(faults),
         )
 

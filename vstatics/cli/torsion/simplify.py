@@ -15,7 +15,7 @@ from vstatics.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import separated, value
-from vstatics.cli.torsion.case import chosen_gear, gear_of, located
+from vstatics.cli.torsion.case import chosen_gear, gear_of, located, slope_notes, static_torque
 from vstatics.errors import ReadError, spoken
 from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
@@ -33,10 +33,16 @@ def _of_steps(
     input_format: readers.Format | None,
     coast: bool | None,
     telling: Telling,
+    static_torque: float | None,
 ) -> OneCase:
     """A case whose steps are printed."""
     return OneCase(
-        case, OutputOptions(FORMS, form, None, TextStyle()), input_format, telling, coast
+        case,
+        OutputOptions(FORMS, form, None, TextStyle()),
+        input_format,
+        telling,
+        coast,
+        static_torque,
     )
 
 
@@ -90,6 +96,7 @@ def _names(text: str) -> list[str]:
     arguments.input_format,
     arguments.coast,
     arguments.telling,
+    static_torque,
 )
 def simplify(
     one: OneCase,
@@ -139,11 +146,12 @@ def simplify(
                 files.write_output(write_case(made, written)[0], output)
             return True
 
+        notes = slope_notes(reading, [chosen.name])
         told = [doubt.message for doubt in found.warnings]
         return CaseAnswer(
             lambda: simplification_grids(found),
             SimplificationAnswer(own.name, chosen.name, found.rule, found.steps, told),
-            warnings_of("W502", [*told, *_lost(own)], file_name(one.case)),
+            [*warnings_of("W502", [*told, *_lost(own)], file_name(one.case)), *notes],
             write=write,
         )
 

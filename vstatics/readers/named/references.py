@@ -40,7 +40,7 @@ class References:
         self._links = 0
         self._link_numbers: dict[str, int] = {}
         self._elements: dict[str, int] = {}
-        self._mechanisms: dict[str, int] = {}
+        self._others: dict[str, dict[str, int]] = {"mechanism": {}, "spring": {}}
 
     def set_links(self, links: int) -> None:
         """Links that have numbers only."""
@@ -56,22 +56,22 @@ class References:
         """The shift elements in order."""
         self._elements = _numbered(names)
 
-    def set_mechanisms(self, names: Iterable[str]) -> None:
-        """The mechanisms in order, without those of drawn elements."""
-        self._mechanisms = _numbered(names)
+    def set_others(self, kind: str, names: Iterable[str]) -> None:
+        """The mechanisms in order, without those of drawn elements, or the springs."""
+        self._others[kind] = _numbered(names)
 
-    def mechanism(self, text: str) -> int:
-        """The number of a mechanism.
+    def other(self, kind: str, text: str) -> int:
+        """The number of a mechanism or a spring.
 
         Raises
         ------
         ValueError
             With what was expected.
         """
-        if text in self._mechanisms:
-            return self._mechanisms[text]
-        known = self._known(text, self._mechanisms)
-        raise ValueError(f"expected the name of a mechanism{known}")
+        numbers = self._others[kind]
+        if text in numbers:
+            return numbers[text]
+        raise ValueError(f"expected the name of a {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
         """The number of a link, 0 for the housing, `NO_LINK` if no links are known.

@@ -129,7 +129,7 @@ class Walk:
         if elements:
             self.references.set_elements(key.text for key, _ in given)
         if shape.kind == "mechanism":
-            self.references.set_mechanisms(key.text for key, _ in given)
+            self.references.set_others("mechanism", (key.text for key, _ in given))
         items: dict[str, Any] = {}
         for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)
@@ -197,8 +197,8 @@ class Walk:
         refer, nobody = self.references.link, NO_LINK
         if shape.by == "shift element":
             refer, nobody = self.references.element, NO_ELEMENT
-        elif shape.by == "mechanism":
-            refer, nobody = self.references.mechanism, NO_ELEMENT
+        elif shape.by != "link":
+            refer, nobody = partial(self.references.other, shape.by), NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in entries(self.spots, spot):
             try:

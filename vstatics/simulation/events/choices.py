@@ -175,7 +175,8 @@ class ModeChoices:
         limit = programme_at(spring.programme, math.nextafter(at.time, math.inf), self.seen)
         if math.isinf(limit):
             return "stick"
-        if limit == 0 == programme_at(spring.programme, at.time + self.within, self.seen):
+        later = programme_at(spring.programme, at.time + self.within, self.seen)
+        if limit == later == 0 and spring.programme.look is None:
             return "open"
         torque = spring.curve.at(float(at.twists[index]))
         if spring.viscous:

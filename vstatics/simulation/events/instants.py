@@ -13,7 +13,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.matrices import SIGNS, MotionSystem
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
@@ -96,7 +96,21 @@ def state_of(equations: Equations, at: Instant) -> Floats:
     state[equations.angles] = at.angles
     state[equations.values] = at.values
     state[equations.works.start :] = at.accounts
+    if equations.limited.any():
+        _yield(equations, at, state)
     return state
+
+
+def _yield(equations: Equations, at: Instant, state: Floats) -> None:
+    """Twist springs without dampers that slip as far as their limits are; the rest is heat."""
+    now, seen = math.nextafter(at.time, math.inf), seen_at(equations.system, at)
+    twists, heat = state[equations.twists], state[equations.slipped]
+    for index in np.flatnonzero(equations.limited).tolist():
+        spring, side = equations.system.springs[index], equations.states.springs[index]
+        limit = programme_at(spring.programme, now, seen)
+        twist = SIGNS.get(side, 0.0) * limit / spring.stiffness
+        heat[index] += spring.stiffness * (twists[index] ** 2 - twist**2) / 2
+        twists[index] = twist
 
 
 def instant_of(equations: Equations, time: float, state: Floats) -> Instant:

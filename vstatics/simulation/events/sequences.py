@@ -14,7 +14,7 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.sight import Compared, compared
-from vstatics.simulation.tolerances import EQUAL_SIDES
+from vstatics.simulation.tolerances import EQUAL_SIDES, SOON
 
 Happened = Callable[[Seen, float], bool]
 """Whether what a word says has happened since a time [s]."""
@@ -49,11 +49,11 @@ class Judge:
     def judged(self, one: Compared) -> Awaited:
         """What is compared, with its side."""
         (first, second), (later, other) = (
-            (one.first(*at), one.second(*at)) for at in (self.now, self.ahead)
+            (one.first.at(*at), one.second.at(*at)) for at in (self.now, self.ahead)
         )
-        size = max(abs(first), abs(second))
-        equal = abs(first - second) <= EQUAL_SIDES * size
-        moved = later - other if equal else first - second
+        apart, then = first - second, later - other
+        size = max(abs(first), abs(second), SOON * abs(then - apart))
+        moved = then if abs(apart) <= EQUAL_SIDES * size else apart
         return Awaited(one, "-+"[moved > 0] if moved else "0", size)
 
 

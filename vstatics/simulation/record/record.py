@@ -126,7 +126,7 @@ class Record:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
                 continue
-            if programme.look(*now) > programme.largest * (1 + MADE_CAPACITY):
+            if programme.look.at(*now) > programme.largest * (1 + MADE_CAPACITY):
                 self.cut.add(device.name)
                 text = (
                     f"at {now[0]:.6g} s the control of {device.name} is above the capacity in the "

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -74,6 +74,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_start(scenario.start, scenario.case)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
+    yield from _of_limits(scenario)
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
     yield from control_problems(scenario)
@@ -165,7 +166,7 @@ def _tried(
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     with np.errstate(all="ignore"):
-        values = law.along(times) * control.scale
+        values = law.along(times, 0.0, 0.0) * control.scale
     most = LARGEST_NUMBER if largest is None else largest
     least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
     wrong = np.flatnonzero(~((values >= least) & (values <= most * (1 + MADE_CAPACITY))))
@@ -207,6 +208,22 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_link(link, scenario.case, path)
         for number, law in enumerate(several, 1):
             yield from of_law(law, (*path, number) if len(several) > 1 else path)
+
+
+def _of_limits(scenario: Scenario) -> Iterator[Problem]:
+    """Of limits of springs: of one that there is and that may have one, of 0 or more."""
+    springs = scenario.case.springs
+    for number, limit in scenario.limits.items():
+        if not 0 < number <= len(springs):
+            expected = f"expected 1 to {len(springs)}" if springs else "but the case has none"
+            yield Problem("E671", f"read spring {number}, {expected}", ("limits", str(number)))
+            continue
+        path = ("limits", springs[number - 1].name)
+        if springs[number - 1].points:
+            yield Problem("E693", "read a limit beside `points`, expected none", path)
+        control = Capacity(limit)
+        yield from _of_capacity(control, None, "torque", path)
+        yield from _tried(control, None, scenario.duration, path)
 
 
 def _of_converters(converters: Sequence[Converter], case: Transmission) -> Iterator[Problem]:
@@ -333,9 +350,10 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
         yield from of_formula(law, own, path, words.only(*which) if which else Vocabulary())
 
 
-def _placed_formulas(
-    scenario: Scenario,
-) -> Iterator[tuple[object, Sequence[str], Path, Sequence[str]]]:
+_Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
+
+
+def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
     """What may be a formula, its own variables, its place, and the words that it may have."""
     case, elements = scenario.case, scenario.case.shift_elements
     more = (*OF_MOTION, *OF_TORQUES)
@@ -345,10 +363,7 @@ def _placed_formulas(
             yield getattr(control, "law", None), ["t"], path, OF_MOTION
     for link, law in scenario.torques:
         yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
-    for link, speed in scenario.speeds.items():
-        yield speed, ["t"], ("speeds", _name(case, link)), ()
-    for number, ratio in scenario.speed_ratios.items():
-        yield ratio, ["t"], ("speed_ratios", case.mechanisms[number - 1].name), ()
+    yield from _placed_curves(scenario)
     for state in scenario.states:
         yield state.rate, ["t"], ("states", state.name, "rate"), more
     for path, step in placed_steps(scenario):
@@ -356,6 +371,18 @@ def _placed_formulas(
             yield step.when.formula, ["t"], (*path, "when"), (*more, *OF_EVENTS)
         for name, value in step.settings.items():
             yield value, ["t"], (*path, "set", name), more
+
+
+def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
+    """The same of limits, and of speeds and ratios that are given."""
+    case = scenario.case
+    for number, limit in scenario.limits.items():
+        if 0 < number <= len(case.springs):
+            yield limit, ["t"], ("limits", case.springs[number - 1].name), OF_MOTION
+    for link, speed in scenario.speeds.items():
+        yield speed, ["t"], ("speeds", _name(case, link)), ()
+    for number, ratio in scenario.speed_ratios.items():
+        yield ratio, ["t"], ("speed_ratios", case.mechanisms[number - 1].name), ()
 
 
 def of_formula(

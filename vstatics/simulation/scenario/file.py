@@ -100,7 +100,8 @@ class ScenarioDocument(NamedTuple):
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
         walk.references.set_elements(element.name for element in case.shift_elements)
-        walk.references.set_mechanisms(one.name for one in case.mechanisms)
+        walk.references.set_others("mechanism", (one.name for one in case.mechanisms))
+        walk.references.set_others("spring", (one.name for one in case.springs))
         words = self._words(case)
         values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)
@@ -322,6 +323,8 @@ def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
         listed = list(case.link_names)
     elif key == "speed_ratios":
         listed = [one.name for one in case.mechanisms]
+    elif key == "limits":
+        listed = [one.name for one in case.springs]
     elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
         listed = spots.keys((str(key),))
     else:

@@ -118,6 +118,12 @@ def torque_curve(words: Vocabulary) -> Parsed:
     return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0)
 
 
+def limit_curve(words: Vocabulary) -> Parsed:
+    """Within what a spring stays, over time or by what is seen."""
+    parse = partial(_curve, measures=["si_torque"], names=["t"], words=words.only(*OF_MOTION))
+    return Parsed("a torque, or a formula of t", parse, 0.0)
+
+
 def speed_curve(words: Vocabulary) -> Parsed:
     """A speed over time."""
     return _timed_curve(words, "a speed", ["si_speed", "velocity"])

@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.given import (
     capacity_curve,
     condition,
     exactly_one,
+    limit_curve,
     ratio_curve,
     speed_curve,
     torque_curve,
@@ -58,6 +59,9 @@ _TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", uniqu
 
 _SPEEDS = "a speed, a formula of t, or points [[time, speed], ...]"
 _SPEED_POINTS = ListOf(RowOf((_TIME, SPEED), "time, speed"), "points", unique=False)
+
+
+_LIMITS = "a torque, a formula, or points [[time, torque], ...]"
 
 
 _RATIOS = "a speed ratio, a formula of t, or points [[time, ratio], ...]"
@@ -383,6 +387,13 @@ def scenario_shape(words: Vocabulary) -> ByKey:
                 Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
                 "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
                 examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
+            ),
+            KeyShape(
+                "limits",
+                Numbers("spring", ByForm(_LIMITS, limit_curve(words), _TORQUE_POINTS)),
+                "Torques within which springs stay, over time or by what is seen, in N*m; else "
+                "the `limit` of the case.",
+                examples=({"tyre": [[0, 3000], [2, 1800]]},),
             ),
             KeyShape(
                 "converters", ByName("converter", CONVERTER), "Torque converters by their names."

@@ -146,6 +146,9 @@ class Scenario(NamedTuple):
     speed_ratios : mapping of int to Curve
         Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
         or a formula of t. [-]
+    limits : mapping of int to Curve
+        Number of a spring -> within what its torque stays, in place of the `limit` of the case.
+        [N*m]
     """
 
     case: Transmission
@@ -161,6 +164,7 @@ class Scenario(NamedTuple):
     sequences: tuple[StepSequence, ...] = ()
     speeds: Mapping[int, Curve] = MappingProxyType({})
     speed_ratios: Mapping[int, Curve] = MappingProxyType({})
+    limits: Mapping[int, Curve] = MappingProxyType({})
 
 
 def formulas(scenario: Scenario) -> Iterator[Formula]:
@@ -169,6 +173,7 @@ def formulas(scenario: Scenario) -> Iterator[Formula]:
         if isinstance(control, Capacity) and isinstance(control.law, Formula):
             yield control.law
     yield from (law for _, law in scenario.torques if isinstance(law, Formula))
+    yield from (law for law in scenario.limits.values() if isinstance(law, Formula))
     yield from (one.rate for one in scenario.states if isinstance(one.rate, Formula))
     for sequence in scenario.sequences:
         for step in sequence.steps:

@@ -57,6 +57,9 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
         if 0 < link <= len(names):
             path = "torques", names[link - 1]
             yield from _of_numbers(law, (*path, "road") if isinstance(law, Road) else path)
+    for number, limit in scenario.limits.items():
+        if 0 < number <= len(case.springs):
+            yield from _of_numbers(limit, ("limits", case.springs[number - 1].name))
     yield from _of_numbers(scenario.converters, ("converters",))
     yield from _of_numbers(scenario.shifts or (), ("shifts",))
 

@@ -86,6 +86,10 @@ class ScenarioValues:
                 link: self._given_speed(one, ("speeds", link), radii.get(link))
                 for link, one in values.get("speeds", {}).items()
             },
+            limits={
+                number: self._curve(one, "si_torque", ("limits", number))
+                for number, one in values.get("limits", {}).items()
+            },
             speed_ratios={
                 number: _ratios(one) for number, one in values.get("speed_ratios", {}).items()
             },

@@ -87,7 +87,7 @@ def motion_system(
         inertias=np.array([inertia for _, inertia in bodies]),
         meshes=tuple(_meshes(case, rows, scenario.speed_ratios)),
         contacts=(*contacts_of, *given, *(contact for contact, _ in moving)),
-        springs=tuple(_springs(case, capacities, rows)),
+        springs=tuple(_springs(scenario, capacities, rows)),
         outside=tuple(outside),
         converters=scenario.converters,
         settings=scenario.settings,
@@ -214,8 +214,9 @@ def _spring_friction(case: Transmission, rows: Floats) -> list[Contact]:
     ]
 
 
-def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> list[Elastic]:
-    found = []
+def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> list[Elastic]:
+    case, found = scenario.case, []
+    first = len(case.devices) - len(case.springs) - 1
     bending: list[ShiftElement | Mechanism | Spring] = [
         *case.shift_elements,
         *case.mechanisms,
@@ -231,8 +232,9 @@ def _springs(case: Transmission, capacities: list[Programme], rows: Floats) -> l
             curve = straight_curve(one.stiffness)
         if isinstance(one, ShiftElement):
             limit, element = _slipping_torque(one, capacities[index]), index
-        elif isinstance(one, Spring) and one.limit is not None:
-            limit = Programme(constant(one.limit))
+        elif isinstance(one, Spring):
+            own = constant(math.inf if one.limit is None else one.limit)
+            limit = Programme(scenario.limits.get(index - first, own))
         damped = damping(one.damping)
         found.append(Elastic(one.name, index, rows[index], curve, *damped, limit, element))
     return found

@@ -35,6 +35,8 @@ _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
 _NEWTON = 30
 """So many steps at most."""
+_LIMIT_ROUNDS = 8
+"""Of limits of springs that depend on their own slopes."""
 
 
 class Equations:
@@ -68,6 +70,13 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
+        looks = dict(self.ports.looks)
+        self.seen_limits = [
+            (index, looks[layout.springs + index])
+            for index in np.flatnonzero(self.limited).tolist()
+            if layout.springs + index in looks
+        ]
+        """Springs that slip at limits which see something: index, torque."""
         self.driving = [
             (layout.contacts + one.of, row)
             for row, one in enumerate(structure.multipliers)
@@ -183,16 +192,15 @@ class Equations:
             rates += self.structure.light_rates @ self._light_at(times, states)
         return rates, self.torques_at(times, states, rates)
 
-    def seen_at(
-        self, times: Floats, states: Floats, rates: Floats, torques: Floats
-    ) -> list[list[float]]:
-        """All that is seen at several times, a list for each."""
-        seen = np.vstack([rates, states[self.motions : self.values.stop]]).T.tolist()
-        if self.layout.derived:
-            for number, time in enumerate(times.tolist()):
-                at = states[:, number], rates[:, number], torques[:, number]
-                seen[number] += [one(time, *at) for one in self.changes.derived]
-        return list(seen)
+    def seen_at(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
+        """All that is seen, at several times, as rows."""
+        seen = np.vstack([rates, states[self.motions : self.values.stop]])
+        if not self.layout.derived:
+            return seen
+        at = zip(times.tolist(), states.T, rates.T, torques.T, strict=True)
+        return np.vstack(
+            [seen, np.array([[f(*one) for f in self.changes.derived] for one in at]).T]
+        )
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Changes of the works and losses of a state at several times, of straight equations."""
@@ -207,6 +215,9 @@ class Equations:
             if not self.ports.bends.all():
                 limited = bool(self.limited.any())
                 slopes = self.given_at(times, slopes_count=limited)[1][at]
+                if self.seen_limits:
+                    columns = zip(times.tolist(), states.T, slopes.T, strict=True)
+                    slopes = np.array([self._seen_slopes(*one) for one in columns]).T
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
             made[first : first + self.springs] = self.viscous[:, None] * growing**2
@@ -269,13 +280,50 @@ class Equations:
         rates, _ = self.rates(time, state)
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
-        for port in self.ports.bending:
+        limited = self.layout.springs + np.flatnonzero(self.limited)
+        for port in {*self.ports.bending}.difference(limited.tolist()):
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step
             low, high = (self.torques(time, state, one)[port] for one in near)
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
+
+    def slopes_by_state(self, time: float, state: Floats) -> Floats:
+        """Changes, with the state, of torques that see the box and of the rates of values.
+
+        Returns
+        -------
+        ndarray, shape (ports + values, size of what moves)
+        """
+        looks, first = [port for port, _ in self.ports.looks], self.layout.ports
+        made = np.zeros((first + len(self.layout.values), self.works.start))
+        if not looks and not self.layout.values:
+            return made
+
+        def seen(at: Floats) -> Floats:
+            rates, torques = self.acting(time, at)
+            change = self.derivative(time, at) if self.layout.hot else at
+            return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
+
+        rows = [*looks, *range(first, len(made))]
+        for index in range(self.works.start):
+            near = [state.copy(), state.copy()]
+            step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
+            near[0][index] -= step
+            near[1][index] += step
+            low, high = (seen(at) for at in near)
+            made[rows, index] = (high - low) / (2 * step)
+        return np.where(np.isfinite(made), made, 0.0)
+
+    def value_rates_at(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+    ) -> Floats:
+        """Changes of states and temperatures at several times, shape (values, times)."""
+        if self.layout.hot:
+            at = zip(times.tolist(), states.T, strict=True)
+            return np.array([self.derivative(*one)[self.values] for one in at]).T
+        return self.changes.along(times, self.seen_at(times, states, rates, torques))
 
     @cached_property
     def affine(self) -> Affine:
@@ -290,8 +338,8 @@ class Equations:
             self.variators.fill(time, rates, torques)
         return torques
 
-    def derivative(self, time: float, state: Floats) -> Floats:
-        """Change of the state with time."""
+    def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
+        """Change of the state with time; the slopes of limits of springs may be known."""
         structure = self.structure
         rates, light = self.rates(time, state)
         torques = self.torques(time, state, rates)
@@ -303,7 +351,8 @@ class Equations:
             sprung, twisting = torques[at], rates[at]
             growing = twisting
             if not self.ports.bends.all():
-                slopes = self.limit_slopes(time, rates, state)
+                if slopes is None:
+                    slopes = self.limit_slopes(time, rates, state)
                 growing = self._growing(twisting, sprung, state[self.twists], slopes)
             change[self.twists] = growing
             change[self.damped] = self.viscous * growing * growing
@@ -329,7 +378,27 @@ class Equations:
         slopes = self.ports.c1
         if self.ports.timed:
             slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
-        return slopes[self.layout.spring_ports]
+        slopes = slopes[self.layout.spring_ports]
+        return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
+
+    def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
+        """Of limits too that see something: straight ahead, by the motion that follows of them."""
+        slopes = slopes.copy()
+        for _ in range(_LIMIT_ROUNDS):
+            change, before = self.derivative(time, state, slopes), slopes.copy()
+
+            def torques(ahead: float, change: Floats = change) -> Floats:
+                then = time + ahead
+                seen = self.changes.seen_at(then, state + ahead * change)
+                return np.array([look(then, seen) for _, look in self.seen_limits])
+
+            now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
+            slopes[[index for index, _ in self.seen_limits]] = (
+                4 * middle - 3 * now - later
+            ) / self.within
+            if np.allclose(slopes, before):
+                break
+        return slopes
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
         """How twists grow where springs slip: by their dampers, or with their limits.
@@ -363,8 +432,9 @@ class Map(NamedTuple):
 class Affine:
     """Equations whose torques are straight in rates, twists and angles, as maps.
 
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi] and the torques c of ports that are given by
-    the time alone; rates of ports and speeds of motions without inertia are such maps too.
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values] and c, what is given by the time
+    alone of torques of ports and of the rates of values; rates of ports and speeds of motions
+    without inertia are such maps too.
 
     Parameters
     ----------
@@ -372,23 +442,32 @@ class Affine:
     by_rate : ndarray, shape (ports,), optional
         Slopes of torques by their rates, where other than those that are straight.
         [N*m*s/rad]
+    by_state : ndarray, shape (ports + values, size), optional
+        Slopes by the state, of torques and of rates of values.
     """
 
-    def __init__(self, equations: Equations, by_rate: Floats | None = None) -> None:
+    def __init__(
+        self,
+        equations: Equations,
+        by_rate: Floats | None = None,
+        by_state: Floats | None = None,
+    ) -> None:
         self.equations = equations
         self.by_rate: Floats = equations.ports.by_rate if by_rate is None else by_rate
         structure, ports, layout = equations.structure, equations.ports, equations.layout
-        size, count = equations.works.start, layout.ports
-        identity = np.eye(count)
+        size, count = equations.works.start, layout.ports + len(layout.values)
+        if by_state is None:
+            by_state = np.zeros((count, size))
+        identity = np.eye(layout.ports, count)
         moved = np.zeros((equations.motions, size))
         moved[:, : equations.motions] = np.eye(equations.motions)
         still = np.zeros((equations.motions, count))
         motions = Map(moved, still, still)
-        elastic = np.zeros((count, size))
-        elastic[layout.spring_ports, equations.twists] = np.diag(ports.elastic)
+        elastic = by_state[: layout.ports].copy()
+        elastic[layout.spring_ports, equations.twists] += np.diag(ports.elastic)
         for port, place, slope in ports.by_angle:
             elastic[port, equations.angles.start + place] += slope
-        given = Map(elastic, identity, np.zeros((count, count)))
+        given = Map(elastic, identity, np.zeros((layout.ports, count)))
         rates = motions.times(structure.rates)
         if equations.light:
             self.light = self._light(rates, given)
@@ -404,7 +483,8 @@ class Affine:
                 rows = structure.light[list(layout.angles)]
                 turning = turning.plus(self.light.times(rows))
             parts.append(turning)
-        parts.append(Map(*(np.zeros((len(layout.values), one.shape[1])) for one in parts[0])))
+        given_rates = np.eye(len(layout.values), count, k=layout.ports)
+        parts.append(Map(by_state[layout.ports :], given_rates, np.zeros_like(given_rates)))
         self.change = Map(*(np.vstack(one) for one in zip(*parts, strict=True)))
 
     def _light(self, rates: Map, given: Map) -> Map:
@@ -420,7 +500,7 @@ class Affine:
             elastic = ports.all_elastic
             by_speeds.append(steep @ (elastic[:, None] * structure.light_rates))
             slopes = rates.times(np.diag(elastic))
-            identity = np.eye(len(elastic))
+            identity = np.eye(*slopes.by_slope.shape)
             rest.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
         matrix = np.vstack(by_speeds)
         stacked = Map(*(np.vstack(one) for one in zip(*rest, strict=True)))
@@ -453,4 +533,6 @@ class Affine:
         """Torques that are given by the time alone, and their slopes where they count."""
         equations = self.equations
         count = bool(equations.light) or bool(self.change.by_slope.any())
-        return equations.given_at(times, slopes_count=count)
+        more = np.zeros((len(equations.layout.values), len(times)))
+        given, slopes = equations.given_at(times, slopes_count=count)
+        return np.vstack([given, more]), np.vstack([slopes, more])

@@ -11,6 +11,7 @@ from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple
 
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import parts, variables
@@ -62,7 +63,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
     angle : int
         The place of its own angle among those that are followed; -1: it has none.
     """
-    function = formula.function
+    function, along = formula.function, formula.along
     places = [place_of(system, one) for one in formula.seen]
     turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
 
@@ -70,7 +71,11 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         own = seen[turned] if turned >= 0 else 0.0
         return function(time, seen[rate], own, *[seen[place] for place in places])
 
-    return value
+    def values(times: Floats, seen: Floats) -> Floats:
+        own = seen[turned] if turned >= 0 else 0.0
+        return along(times, seen[rate], own, *[seen[place] for place in places])
+
+    return Look(value, values)
 
 
 class Compared(NamedTuple):

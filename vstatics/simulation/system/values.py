@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
+from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.sight import looking
 from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
@@ -59,7 +60,13 @@ class ValueChanges:
         made = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen = self.seen(time, state, rates, torques)
-            made[: len(self.rates)] = [look(time, seen) for look in self.rates]
+            made[: len(self.rates)] = [look.at(time, seen) for look in self.rates]
+        return made
+
+    def along(self, times: Floats, seen: Floats) -> Floats:
+        """The changes of states at several times, with what is seen as rows."""
+        made = np.array([look.along(times, seen) for look in self.rates])
+        made[self.held != 0] = 0.0
         return made
 
     def seen(self, time: float, state: Floats, rates: Floats, torques: Floats) -> list[float]:
@@ -108,8 +115,8 @@ def _side(state: ControlState, value: float, near: float) -> int:
     return 0
 
 
-def _constant(value: float) -> Callable[[float, Sequence[float]], float]:
-    return lambda _time, _seen: value
+def _constant(value: float) -> Look:
+    return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def _heat(equations: KnownMotion, element: int, change: Floats) -> float:

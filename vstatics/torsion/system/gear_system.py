@@ -9,7 +9,8 @@ row is its twist).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -117,8 +118,12 @@ class TorsionalSystem(NamedTuple):
         return free_motions([*self.rigid_twists, *others], len(self.names))
 
 
-def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
+def torsional_system(
+    case: Transmission, gear: Gear, slopes: Mapping[str, float] = MappingProxyType({})
+) -> TorsionalSystem:
     """The system of a gear whose freewheels that hold stand among the engaged elements.
+
+    Springs with points have the slopes that are given by name; one of 0 is open. [N*m/rad]
 
     Examples
     --------
@@ -144,19 +149,23 @@ def torsional_system(case: Transmission, gear: Gear) -> TorsionalSystem:
         tuple(case.link_names),
         case.own_links,
         (*links, *(body for body, _ in planets)),
-        tuple(_devices(case, gear)),
+        tuple(_devices(case, gear, slopes)),
         tuple(inertias),
         (case.gear_input(gear) - 1, case.gear_output(gear) - 1),
         tuple((body.name.rpartition(".")[0], shares) for body, shares in planets),
     )
 
 
-def _devices(case: Transmission, gear: Gear) -> Iterator[TorsionalDevice]:
+def _devices(
+    case: Transmission, gear: Gear, slopes: Mapping[str, float]
+) -> Iterator[TorsionalDevice]:
     by_device = rows(case, case.gear_ratios(gear))
     devices: list[ShiftElement | Mechanism | Spring] = [*case.shift_elements, *case.mechanisms]
     devices += case.springs
     for number, (one, column) in enumerate(zip(devices, by_device, strict=True), 1):
-        if number in gear.engaged or not isinstance(one, ShiftElement):
+        stiffness = one.rate if isinstance(one, Spring) else one.stiffness
+        stiffness = slopes.get(one.name, stiffness)
+        is_open = isinstance(one, ShiftElement) and number not in gear.engaged
+        if not (is_open or stiffness == 0):
             twist = {link - 1: float(value(part)) for link, part in column.items()}
-            stiffness = one.rate if isinstance(one, Spring) else one.stiffness
             yield TorsionalDevice(one.name, twist, stiffness, damping(one.damping))

@@ -10,13 +10,19 @@ from vstatics.statics.freewheels import with_engaged
 from vstatics.statics.solve import solve
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
+from vstatics.torsion.system.slopes import spring_slopes
 
 
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     """The torsional system of a gear, or why it has none.
 
     Freewheels hold where they do at mean speeds. Vibration knows no input, so the input may be
-    held, as long as anything can move.
+    held, as long as anything can move. Springs with points have the slopes of `spring_slopes`.
+
+    Raises
+    ------
+    CaseError
+        If such a slope is not known.
 
     Examples
     --------
@@ -26,13 +32,14 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     >>> vibrating(case, case.gears[0]).partition(";")[0]
     'tied up: B and pair let nothing move'
     """
+    slopes = {one.name: one.slope for one in spring_slopes(case, gear)}
     if case.freewheels:
         results = solve(case.replace(gears=[gear]))
         if results.conflict[0]:
             return f"{CONFLICT.english}: {CONFLICT.meaning}"
         held = [number for number in case.freewheels if results.holds[0, number - 1]]
         gear = with_engaged(gear, held)
-    system = torsional_system(case, gear)
+    system = torsional_system(case, gear, slopes)
     if system.free().shape[1]:
         return system
     names = [device.name for device in system.rigid]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from vstatics.numerics.tolerances import TIE
 from vstatics.tables.answer import Failure, told
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
+from vstatics.torsion.system.slopes import spring_slopes
 from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.vibration.damped import DampedModes, damped_modes
 from vstatics.torsion.vibration.natural import NaturalModes, lowest_modes, natural_modes
@@ -108,6 +110,8 @@ class GearModes(NamedTuple):
     warnings : sequence of str
     error : str
         Why the gear has no modes.
+    slopes : mapping of str to float
+        Of springs with points, under the load; 0 of one that is open. [N*m/rad]
     """
 
     name: str
@@ -116,6 +120,7 @@ class GearModes(NamedTuple):
     damped: Sequence[complex] = ()
     warnings: Sequence[str] = ()
     error: Failure = ""
+    slopes: Named = MappingProxyType({})
 
 
 def modes(
@@ -197,6 +202,7 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
         list(_named(case, system, split, held, told, damped)),
         [] if damped is None else [complex(one) for one in damped.eigenvalues],
         warnings,
+        slopes={one.name: one.slope for one in spring_slopes(case, gear)},
     )
 
 

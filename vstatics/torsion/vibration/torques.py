@@ -113,7 +113,7 @@ def own_torques(
     by_device: Mapping[str, Values],
     accelerations: Values,
 ) -> dict[str, Values]:
-    """Torques of devices by the rows of `torques` in results; an open element has 0.
+    """Torques of devices by the rows of `torques` in results; what is open has 0.
 
     That of a member of a set is what it gives to the planets, so those of a set do not add up to
     0: what its planets take from a link, ``J_share w^2 q``, is none of the member's own.
@@ -127,7 +127,7 @@ def own_torques(
     """
     nothing = np.zeros_like(accelerations[0])
     named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
-    springs = {spring.name: by_device[spring.name] for spring in case.springs}
+    springs = {one.name: by_device.get(one.name, nothing) for one in case.springs}
     if case.drawing is None:
         return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
     for device in case.own_devices:

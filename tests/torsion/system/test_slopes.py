@@ -1,0 +1,100 @@
+"""Springs with points in a vibrating gear: the slope at what each carries at mean speeds."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission
+from vstatics.errors import CaseError
+from vstatics.torsion.system.slopes import spring_slopes
+from vstatics.torsion.vibration.gear_modes import modes
+
+POINTS = [(0, 0), (0.1, 0), (0.2, 30), (0.3, 90)]
+"""Play, 300 N*m/rad up to 30 N*m, 600 N*m/rad beyond."""
+
+
+def driven(torque: float | None = None, efficiency: float = 1.0) -> Transmission:
+    """A mass of 1 kg*m^2, a pair that turns it half as fast, the spring, a mass of 2 kg*m^2."""
+    return Transmission(
+        3,
+        [],
+        [Mechanism(1, 2, 0, -2.0, efficiency)],
+        [],
+        inertias={1: 1.0, 3: 2.0},
+        springs=[Spring({2: 1, 3: -1}, points=POINTS, name="S")],
+        load=None if torque is None else Load(torque=torque),
+    )
+
+
+def carried(case: Transmission) -> tuple[float, float]:
+    [one] = spring_slopes(case, case.gears[0])
+    return one.torque, one.slope
+
+
+@pytest.mark.parametrize(
+    ("torque", "slope"), [(10.0, 300.0), (-10.0, 300.0), (20.0, 600.0), (400.0, 600.0)]
+)
+def test_a_gear_vibrates_with_the_slope_at_twice_the_load(torque: float, slope: float) -> None:
+    """On the second link there are 4 kg*m^2 on one side, 2 on the other."""
+    case = driven(torque)
+    assert carried(case) == pytest.approx((-2 * torque, slope))
+    [gear] = modes(case)
+    assert gear.modes[0].omega == pytest.approx(math.sqrt(slope * (1 / 4 + 1 / 2)))
+    assert gear.slopes == {"S": pytest.approx(slope)}
+
+
+@pytest.mark.parametrize("torque", [None, 0.0])
+def test_without_a_load_the_spring_is_in_play_and_joins_nothing(torque: float | None) -> None:
+    [gear] = modes(driven(torque))
+    assert (gear.rigid_modes, gear.modes, gear.slopes) == (2, [], {"S": 0.0})
+
+
+def test_losses_count() -> None:
+    """15.5 N*m times 2 would be past the corner, 0.9 of it is not."""
+    assert carried(driven(15.5)) == pytest.approx((-31, 600))
+    assert carried(driven(15.5, 0.9)) == pytest.approx((-27.9, 300))
+
+
+def test_points_that_are_not_odd_have_each_side_its_slope() -> None:
+    """Drive and overrun: 200 N*m/rad one way, 1000 the other."""
+    spring = Spring({1: 1, 2: -1}, points=[(-1, -200), (0, 0), (1, 1000)])
+    for torque, slope in ((5.0, 1000.0), (-5.0, 200.0)):
+        case = Transmission(
+            2, [], [], [], inertias={1: 1, 2: 1}, springs=[spring], load=Load(torque=torque)
+        )
+        assert carried(case) == (torque, slope)
+
+
+def test_in_neutral_a_spring_carries_nothing() -> None:
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2, name="C")],
+        [],
+        [Gear([1]), Gear([])],
+        inertias={1: 1, 2: 1, 3: 2},
+        springs=[Spring({2: 1, 3: -1}, points=POINTS, name="S")],
+        load=Load(torque=20),
+    )
+    assert [gear.slopes["S"] for gear in modes(case)] == [pytest.approx(300), 0]
+
+
+def test_each_gear_has_its_own_load() -> None:
+    case = driven(10.0)
+    gears = [Gear(), Gear(load=Load(torque=20.0))]
+    assert [gear.slopes["S"] for gear in modes(case.replace(gears=gears))] == [
+        pytest.approx(300),
+        pytest.approx(600),
+    ]
+    case = case.replace(gears=gears).with_torque(3.0)
+    assert [gear.slopes["S"] for gear in modes(case)] == [pytest.approx(300)] * 2
+
+
+def test_beside_another_spring_statics_does_not_know_what_it_carries() -> None:
+    case = driven(10.0)
+    case = case.replace(springs=[*case.springs, Spring({2: 1, 3: -1}, 100.0, name="Z")])
+    with pytest.raises(CaseError, match=r"springs\[1\]\.points: what S carries in gear 1 is not"):
+        modes(case)
+    [gear] = modes(case.with_torque(0.0))
+    assert gear.modes[0].omega == pytest.approx(math.sqrt(100 * (1 / 4 + 1 / 2)))
