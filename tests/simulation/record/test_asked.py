@@ -106,6 +106,20 @@ def test_a_clutch_turns_energy_into_heat() -> None:
     assert not given.any()
 
 
+def test_springs_have_heat_of_their_friction_and_of_limits() -> None:
+    """Two wheels at given 3 rad/s on springs to the housing: 7 N*m that rub, 50 N*m that slip."""
+    motion, [rubbed, slipped] = asked(
+        "duration: 2\nstart: {speeds: {e: 3, o: 3}}\nspeeds: {e: 3, o: 3}\nlimits: {s: 50}",
+        "links: [e, o]\ninertias: {e: 2, o: 2}\ngears: {g: []}\nsprings:\n"
+        "  r: {links: [e, housing], stiffness: 100 N*m/rad, friction: 7 N*m}\n"
+        "  s: {links: [o, housing], stiffness: 100 N*m/rad}\n",
+        "heat[r]",
+        "heat[s]",
+    )
+    assert rubbed == pytest.approx(7 * 3 * motion.time, rel=1e-9, abs=1e-9)
+    assert slipped == pytest.approx(np.maximum(150 * motion.time - 25, 0), rel=1e-9, abs=1e-6)
+
+
 def test_a_vehicle_goes_by_its_radius_and_rolling_takes_of_the_power() -> None:
     """90 kg*m^2 are 1000 kg on .3 m, which roll with .01 g: F = m a."""
     case = "links: [o]\ninertias: {o: 90}\ngears: {g: []}\n"
