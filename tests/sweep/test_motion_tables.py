@@ -161,6 +161,15 @@ sequences:
     assert chunk.columns[0] == pytest.approx(expected, rel=1e-8, abs=1e-8, nan_ok=True)
 
 
+def test_numbers_of_formulas_vary() -> None:
+    """The brake takes its torque times the slip, which is largest at the start: 34.9 rad/s."""
+    numbers = SCENARIO.replace(b"brake: [[0, 120]]", b"brake: 40*grip") + b"numbers: {grip: 3}\n"
+    scenario = subject(numbers)
+    made = plan(scenario, SweepOptions.of(vary=["numbers.grip=3,4"], out="max(slip_power[brake])"))
+    found = calculate(made, scenario, 0, 2).columns[:, 0]
+    assert found == pytest.approx(34.9065850 * np.array([120, 160]), rel=1e-8)
+
+
 def test_only_what_is_asked_for_is_calculated() -> None:
     made = plan(SUBJECT, SweepOptions.of(vary=["torques.sun=40"], out="max(jerks[2]), work, heat"))
     assert asked_columns(made, SUBJECT) == [("jerks", "ring")]

@@ -10,6 +10,8 @@ from tests.simulation.control.written import written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.answer import AskedAnswer
+from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
 
@@ -104,6 +106,20 @@ def test_a_clutch_turns_energy_into_heat() -> None:
     assert not given.any()
 
 
+def test_springs_have_heat_of_their_friction_and_of_limits() -> None:
+    """Two wheels at given 3 rad/s on springs to the housing: 7 N*m that rub, 50 N*m that slip."""
+    motion, [rubbed, slipped] = asked(
+        "duration: 2\nstart: {speeds: {e: 3, o: 3}}\nspeeds: {e: 3, o: 3}\nlimits: {s: 50}",
+        "links: [e, o]\ninertias: {e: 2, o: 2}\ngears: {g: []}\nsprings:\n"
+        "  r: {links: [e, housing], stiffness: 100 N*m/rad, friction: 7 N*m}\n"
+        "  s: {links: [o, housing], stiffness: 100 N*m/rad}\n",
+        "heat[r]",
+        "heat[s]",
+    )
+    assert rubbed == pytest.approx(7 * 3 * motion.time, rel=1e-9, abs=1e-9)
+    assert slipped == pytest.approx(np.maximum(150 * motion.time - 25, 0), rel=1e-9, abs=1e-6)
+
+
 def test_a_vehicle_goes_by_its_radius_and_rolling_takes_of_the_power() -> None:
     """90 kg*m^2 are 1000 kg on .3 m, which roll with .01 g: F = m a."""
     case = "links: [o]\ninertias: {o: 90}\ngears: {g: []}\n"
@@ -162,6 +178,10 @@ def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     )
     assert (state[0], state[-1]) == pytest.approx((1.0, 5.0), rel=1e-9)
     assert (temperature[0], temperature[-1]) == pytest.approx((20.0, 44.0), rel=1e-8)
+
+
+def test_json_has_a_key_for_each_table() -> None:
+    assert AskedAnswer._fields == tuple(TABLES)
 
 
 def test_what_there_is_not_is_told() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from operator import attrgetter
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -17,13 +18,6 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
-
-
-class AskedColumn(NamedTuple):
-    """A column by its table and the name of its row."""
-
-    table: str
-    row: str
 
 
 class Moments(NamedTuple):
@@ -45,6 +39,14 @@ class Moments(NamedTuple):
     def system(self) -> MotionSystem:
         """Of which it is a motion."""
         return self.motion.equations.system
+
+    def accelerations(self) -> Floats:
+        """Of links [rad/s^2]."""
+        return self.motion.accelerations(self.times, self.states)
+
+    def jerks(self) -> Floats:
+        """Of links [rad/s^3]."""
+        return self.motion.jerks(self.times, self.states)
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
@@ -72,18 +74,6 @@ def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequenc
     radii = road_radii(at.system.scenario)
     own = [radii[at.system.names.index(name) + 1] for name in rows]
     return np.array(own)[:, None] * _of_links(values, at, rows)
-
-
-def _speeds(at: Moments) -> Floats:
-    return at.speeds
-
-
-def _accelerations(at: Moments) -> Floats:
-    return at.motion.accelerations(at.times, at.states)
-
-
-def _jerks(at: Moments) -> Floats:
-    return at.motion.jerks(at.times, at.states)
 
 
 def _heat(at: Moments, rows: Sequence[str]) -> Floats:
@@ -114,16 +104,18 @@ class AskedTable(NamedTuple):
 
 
 TABLES: Mapping[str, AskedTable] = {
-    "accelerations": AskedTable("link", partial(_of_links, _accelerations)),
-    "jerks": AskedTable("link", partial(_of_links, _jerks)),
+    "accelerations": AskedTable("link", partial(_of_links, Moments.accelerations)),
+    "jerks": AskedTable("link", partial(_of_links, Moments.jerks)),
     "powers": AskedTable("link or spring", _powers),
     "heat": AskedTable("friction", _heat),
     "slip_power": AskedTable("shift element", _slip_power),
     "temperatures": AskedTable("element with a heat_capacity", partial(_values, "temperature")),
     "states": AskedTable("state", partial(_values, "value")),
-    "vehicle_speed": AskedTable("link with a road", partial(_of_vehicles, _speeds)),
-    "vehicle_acceleration": AskedTable("link with a road", partial(_of_vehicles, _accelerations)),
-    "vehicle_jerk": AskedTable("link with a road", partial(_of_vehicles, _jerks)),
+    "vehicle_speed": AskedTable("link with a road", partial(_of_vehicles, attrgetter("speeds"))),
+    "vehicle_acceleration": AskedTable(
+        "link with a road", partial(_of_vehicles, Moments.accelerations)
+    ),
+    "vehicle_jerk": AskedTable("link with a road", partial(_of_vehicles, Moments.jerks)),
 }
 """By name; [rad/s^2], [rad/s^3], [W], [J], [W], [degrees Celsius], any unit, [m/s], [m/s^2],
 [m/s^3]."""

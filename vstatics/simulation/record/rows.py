@@ -24,7 +24,7 @@ Kind = Literal[
     "number",
 ]
 """What has a row; a number has none. Friction is that of shift elements, of links with a resistance
-or a road, of springs with a limit; losses are those of devices and of links with drag."""
+or a road, of springs with a limit or friction; losses are those of devices and of links with drag."""
 
 
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
@@ -58,7 +58,11 @@ def _elements(scenario: Scenario) -> list[str]:
 
 def _friction(scenario: Scenario) -> list[str]:
     loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
-    springs = [one.name for one in scenario.case.springs if one.limit is not None]
+    springs = [
+        one.name
+        for number, one in enumerate(scenario.case.springs, 1)
+        if one.limit is not None or one.friction or number in scenario.limits
+    ]
     return [*_elements(scenario), *_named(scenario, sorted(loaded)), *springs]
 
 
