@@ -15,11 +15,20 @@ from common import compiled, machine
 
 NAMES = (
     *("variants", "spread", "sizes", "decks", "long_sweeps", "torsion"),
-    *("points", "simulation", "startup", "drawing"),
+    *("points", "simulation", "controlled", "startup", "drawing"),
 )
 LONG = ("boxes",)
 """Those that are run only where they are named."""
-WITHOUT_PEER = ("long_sweeps", "torsion", "points", "simulation", "startup", "drawing", "boxes")
+WITHOUT_PEER = (
+    "long_sweeps",
+    "torsion",
+    "points",
+    "simulation",
+    "controlled",
+    "startup",
+    "drawing",
+    "boxes",
+)
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"
 
