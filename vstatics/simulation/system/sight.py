@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
@@ -18,7 +19,8 @@ from vstatics.simulation.scenario.corners import BENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
-from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.curves import curve_at
+from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -107,12 +109,31 @@ def corners(system: MotionSystem) -> list[Compared]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
-    made = []
+    made = [*_rubbing_corners(system)]
     for formula, pair, rate, angle in found:
         tree = Applied("-", pair, 0, 0)
         if variables(tree) - {"t"} - {*system.settings}:
             made.append(compared(system, formula._replace(tree=tree), rate, angle))
     return made
+
+
+def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
+    """Temperatures and slips at which coefficients of friction bend."""
+    for device in system.may_slip:
+        if device.programme.table is not None:
+            slip, temperature = _rubbing_places(system, device)
+            for one in device.programme.table.columns:
+                yield Compared(partial(_seen_at, temperature), partial(_constant, one))
+            for one in (way * x for way in (1, -1) for x in device.programme.table.x if x):
+                yield Compared(partial(_seen_at, slip), partial(_constant, one))
+
+
+def _seen_at(place: int, _time: float, seen: Sequence[float]) -> float:
+    return seen[place]
+
+
+def _constant(value: float, _time: float, _seen: Sequence[float]) -> float:
+    return value
 
 
 def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
@@ -125,16 +146,30 @@ def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
     """The system with numbers for what its formulas call so; its controls look by them."""
-    contacts = (
-        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.contacts
-    )
-    springs = (
-        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.springs
-    )
+    contacts = (one._replace(programme=_seeing(system, one, settings)) for one in system.contacts)
+    springs = (one._replace(programme=_seeing(system, one, settings)) for one in system.springs)
     return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
 
 
-def _seeing(system: MotionSystem, programme: Programme, settings: Mapping[str, float]) -> Programme:
-    if not isinstance(programme.curve, Formula) or not programme.curve.seen:
+def _seeing(
+    system: MotionSystem, device: Contact | Elastic, settings: Mapping[str, float]
+) -> Programme:
+    programme, curve = device.programme, device.programme.curve
+    if isinstance(curve, Formula) and curve.seen:
+        programme = programme._replace(look=looking(system, curve.knowing(settings)))
+    table = programme.table
+    if table is None:
         return programme
-    return programme._replace(look=looking(system, programme.curve.knowing(settings)))
+    slip, temperature = _rubbing_places(system, device)
+
+    def rub(_time: float, seen: Sequence[float]) -> float:
+        return table.at(abs(seen[slip]), seen[temperature])
+
+    look = programme.look or (lambda time, _seen: curve_at(curve, time))
+    return programme._replace(look=look, rub=rub)
+
+
+def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
+    """Where the slip and the temperature of a shift element stand among all that is seen."""
+    temperature = place_of(system, Seen("temperature", device.name))
+    return _slip(system, device.name), temperature
