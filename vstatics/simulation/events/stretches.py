@@ -255,7 +255,10 @@ class Closed:
         equations = self.equations
         by_rate = equations.slopes_by_rate(time, state)
         self.slopes: Floats = by_rate[self.bending]
-        self.affine = Affine(equations, by_rate)
+        try:
+            self.affine = Affine(equations, by_rate)
+        except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
+            raise NoFit from None
         self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
         self.balance = self._balanced()

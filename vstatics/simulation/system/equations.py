@@ -114,13 +114,26 @@ class Equations:
         scale = largest(self.stiff)
         undetermined = null(self.stiff / scale) if scale else np.eye(self.along.shape[1])
         if undetermined.shape[1]:
-            speeds = np.abs(self.structure.light @ self.along @ undetermined).max(axis=1)
-            name = self.system.names[int(speeds.argmax())]
+            name = self._name_of(self.along @ undetermined)
             message = (
                 f"link {name} has no inertia, and nothing determines its speed at "
                 f"{self.time:g} s: give it an inertia, or hold it"
             )
             raise CaseError("E669", message, ("case", "inertias", name))
+
+    def _unseen(self, changes: Floats) -> CaseError:
+        """That no torque tells the speed of a link, by changes of the balances with speeds."""
+        name = self._name_of(null(changes))
+        message = (
+            f"link {name} has no inertia, and at {self.time:g} s the formulas of what acts on it "
+            "do not tell its speed: give it an inertia, or a damper beside it"
+        )
+        return CaseError("E672", message, ("case", "inertias", name))
+
+    def _name_of(self, motions: Floats) -> str:
+        """Of the link that turns most by motions without inertia."""
+        speeds = np.abs(self.structure.light @ motions).max(axis=1, initial=0.0)
+        return self.system.names[int(speeds.argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""
@@ -148,7 +161,9 @@ class Equations:
             try:
                 change = np.linalg.solve(changes, left)
             except np.linalg.LinAlgError:
-                return np.full(self.light, np.nan)
+                if not np.isfinite(changes).all():
+                    return np.full(self.light, np.nan)
+                raise self._unseen(changes) from None
             speeds = speeds - change
             left = rest(speeds)
             if largest(change) <= NEWTON_STEP * max(1.0, largest(speeds)):
