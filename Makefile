@@ -6,6 +6,8 @@ CASE ?= cases/mzkt7922.dat
 # A process of pytest for each core; make test TEST_JOBS=0 runs the tests in one.
 TEST_JOBS ?= logical
 SOURCES := $(shell find vstatics -name '*.py')
+# What pytest makes of the asserts is kept: each run would take them apart anew, in each process.
+unexport PYTHONDONTWRITEBYTECODE
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -83,7 +85,7 @@ clean: ## remove what make has made
 	$(BIN)/pip install -q --disable-pip-version-check -e .
 	touch $@
 
-# Where PYTHONDONTWRITEBYTECODE is set every start would compile the package anew.
+# Where PYTHONDONTWRITEBYTECODE is set every start outside make would compile the package anew.
 .venv/compiled.stamp: .venv/run.stamp $(SOURCES)
 	$(BIN)/python -m compileall -q vstatics
 	touch $@

@@ -9,9 +9,9 @@ from hypothesis import settings
 
 from tests.chance import FRESH, count
 
-# The same examples every time, so that a run that fails fails again; others by `make nightly`.
+# The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
-    "repeatable", derandomize=not FRESH, database=None, deadline=None, max_examples=40
+    "repeatable", derandomize=not FRESH, database=None, deadline=None, max_examples=count(16, 120)
 )
 settings.load_profile("repeatable")
 

@@ -62,10 +62,16 @@ def modules() -> dict[str, Path]:
 
 
 @cache
+def tree(path: Path) -> ast.Module:
+    """A module as it is parsed, once for all tests that look at the code."""
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@cache
 def imported(name: str) -> set[str]:
     """The modules of the package that a module imports: anywhere in it, for types too."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(modules()[name].read_text(encoding="utf-8"))):
+    for node in ast.walk(tree(modules()[name])):
         if isinstance(node, ast.Import):
             names = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -87,7 +93,7 @@ def sub_rooms(name: str) -> list[str]:
     """The folders in a room, in the order in which its docstring names them first."""
     folder = PACKAGE / name
     inside = {path.parent.name for path in folder.glob("*/__init__.py")}
-    told = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8"))) or ""
+    told = ast.get_docstring(tree(folder / "__init__.py")) or ""
     order = [word for word in dict.fromkeys(re.findall(r"`(\w+)`", told)) if word in inside]
     assert set(order) == inside, f"vstatics/{name}/__init__.py names {order} of {inside}"
     return order

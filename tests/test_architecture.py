@@ -18,6 +18,7 @@ from tests.rooms import (
     room,
     standing_on,
     sub_rooms,
+    tree,
 )
 
 
@@ -83,11 +84,7 @@ def test_only_the_command_line_and_the_report_draw() -> None:
 @cache
 def called(path: Path) -> set[str]:
     """What a module calls, as it stands there."""
-    return {
-        ast.unparse(node.func)
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Call)
-    }
+    return {ast.unparse(node.func) for node in ast.walk(tree(path)) if isinstance(node, ast.Call)}
 
 
 def test_only_the_command_line_prints_and_leaves() -> None:
@@ -114,7 +111,7 @@ def test_a_class_name_is_used_once() -> None:
     """A name stands for one thing, so that it can be searched for."""
     homes: dict[str, list[str]] = {}
     for module, path in modules().items():
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree(path)):
             if isinstance(node, ast.ClassDef):
                 homes.setdefault(node.name.lstrip("_"), []).append(module)
     assert {name: own for name, own in homes.items() if len(own) > 1} == {}

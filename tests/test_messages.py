@@ -11,13 +11,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-import vstatics as package
 from tests.commands import ROOT, vstatics
+from tests.rooms import modules, tree
 from vstatics import readers
 from vstatics.cli import main
 from vstatics.errors import DOUBTS
 
-PACKAGE = Path(package.__file__).parent
 MAKERS = {"Problem", "of_file", "CaseError", "ReadError", "Message", "Said", "Doubt", "warnings_of"}
 CASE = """\
 links: [a, b, c]
@@ -38,16 +37,16 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def ids_in_code() -> set[str]:
     """The ids with which messages are made."""
     found = set()
-    for file in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+    for file in modules().values():
+        for node in ast.walk(tree(file)):
             if isinstance(node, ast.Constant) and re.fullmatch(r"[EWN]\d{3}", str(node.value)):
                 found.add(str(node.value))
     return found
 
 
 def test_no_message_is_made_without_an_id() -> None:
-    for file in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+    for file in modules().values():
+        for node in ast.walk(tree(file)):
             if not isinstance(node, ast.Call) or getattr(node.func, "id", "") not in MAKERS:
                 continue
             first = node.args[0] if node.args else None

@@ -112,8 +112,15 @@ _METHODS = (
     (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
     (Results, "__getitem__", "vstatics.tables.names", "by_name"),
     (Results, "_repr_html_", "vstatics.summary.pretty", "html"),
+    (Transmission, "part_numbers", "vstatics.sweep.variants.part_numbers", "part_numbers"),
+    (
+        Transmission,
+        "with_part_numbers",
+        "vstatics.sweep.variants.part_numbers",
+        "with_part_numbers",
+    ),
 )
-"""Methods that come from rooms of which the room of results must know nothing."""
+"""Methods that come from rooms of which the rooms of model and results must know nothing."""
 
 
 def _method_of(module: str, function: str) -> Any:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 
 import vstatics as library
+from tests.chance import count
 from tests.commands import MZKT, NEUTRAL, SHIPPED, vstatics
 from tests.strategies import ANY_NUMBER, transmissions
 from vstatics.model.transmission import Transmission
@@ -113,7 +114,7 @@ gears: {R: {}}
     assert "not kept: that gear R is in conflict" in said.err
 
 
-@settings(max_examples=15)
+@settings(max_examples=count(8, 60))
 @given(transmissions(ANY_NUMBER, follow=False))
 def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.elements.element_cases import (
     LETTERS,
     RAVIGNEAUX,
@@ -54,7 +55,7 @@ from tests.published import umdm_cases
 
 COUNTS = st.integers(2, 6)
 
-EXAMPLES = settings(max_examples=15)
+EXAMPLES = settings(max_examples=count(6, 60))
 
 
 def warned(element: Mapping[str, Any], members: Sequence[str]) -> bool:

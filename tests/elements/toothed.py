@@ -12,11 +12,12 @@ from itertools import combinations
 from hypothesis import assume, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from vstatics.elements import CentralWheel, Drawing, Element
 from vstatics.elements.teeth import doubts
 from vstatics.errors import Problem
 
-RANDOM = settings(max_examples=45)
+RANDOM = settings(max_examples=count(18, 135))
 
 
 MEMBERS = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from tests.explain.explained import check, equations
 from tests.trains import on_springs, trains
@@ -90,7 +90,6 @@ def test_springs_alone_are_explained() -> None:
     assert "losses" not in shown
 
 
-@settings(max_examples=40)
 @given(trains(gears=2))
 def test_equations_and_formulas_hold_with_springs(case: Transmission) -> None:
     """Every equation at its solution, every formula at its symbols, against what `run` has."""

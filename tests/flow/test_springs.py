@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from tests.flow.worked import around, only, sides, through
 from tests.trains import on_springs, trains
@@ -92,7 +92,6 @@ def test_json_has_springs_by_their_kind() -> None:
     assert (kinds["shaft"], kinds["mount"]) == ("spring", "spring")
 
 
-@settings(max_examples=40)
 @given(trains(gears=1))
 def test_power_is_balanced_with_springs(case: Transmission) -> None:
     """What enters a spring leaves it, and what enters the train leaves it or is lost."""

@@ -12,12 +12,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+from tests.chance import count
 from vstatics.numerics import fronts
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.fronts import merged, non_dominated
 from vstatics.sweep.kept.selection import limited
 
-RANDOM = settings(max_examples=75)
+RANDOM = settings(max_examples=count(30, 225))
 
 
 FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -math.inf])
@@ -73,8 +74,12 @@ def test_the_front_of_chunks_is_the_front_of_all(objectives: Floats, size: int) 
 
 @pytest.mark.parametrize("objectives", [1, 2, 3, 4, 5])
 @pytest.mark.parametrize("levels", [4, 30, 10**6])
-def test_fronts_of_many_points(objectives: int, levels: int) -> None:
-    """Larger than all sizes at which the method changes."""
+def test_fronts_of_many_points(
+    objectives: int, levels: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """More than all numbers at which the method changes, which are made small."""
+    monkeypatch.setattr(fronts, "LEAF", 32)
+    monkeypatch.setattr(fronts, "BLOCK", 15)
     count = 8 * fronts.LEAF
     rng = np.random.default_rng(objectives)
     made = rng.integers(0, levels, (count, objectives)).astype(float)

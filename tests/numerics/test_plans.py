@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
+from tests.chance import count
 from tests.numerics.programs import Program, programs, rows_for, run, same_bits, variants
 from vstatics.numerics import plans
 from vstatics.numerics.arrays import Floats
@@ -279,7 +280,7 @@ def test_a_function_that_fails_fails_for_all() -> None:
         Plans(fails).run(prepared(np.ones((1, 9))), rows_for(1, 9))
 
 
-@settings(max_examples=50)
+@settings(max_examples=count(20, 150))
 @given(programs(), variants(most=20), variants(most=20))
 def test_programs_give_every_variant_its_own_numbers(
     program: Program, values: Floats, others: Floats

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from hypothesis import given, settings
 
+from tests.chance import count
 from tests.numerics.programs import Program, programs, rows_for, run, run_plan, same_bits, variants
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tape import Untraceable
@@ -31,7 +32,7 @@ def test_the_number_1_is_not_slot_1() -> None:
         assert [row[variant] for row in rows.arrays] == expected
 
 
-@settings(max_examples=80)
+@settings(max_examples=count(32, 240))
 @given(programs(), variants())
 def test_a_program_run_again_is_the_program(program: Program, values: Floats) -> None:
     """For every variant that passes the guards, to the last bit; the first always passes."""

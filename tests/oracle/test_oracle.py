@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear, flow_of, solve, solve_gear
 from tests.oracle.linear import exact, sign
@@ -300,7 +300,7 @@ def ideal_power(case: Transmission, gear: Gear) -> Fraction | None:
     return flow.ideal.power(flow.speeds, flow.ideal.ports())
 
 
-@settings(max_examples=60)
+@settings(max_examples=count(24, 180))
 @given(trains())
 def test_power_balance_is_zero(case: Transmission) -> None:
     for gear in case.gears:
@@ -315,7 +315,6 @@ def test_power_balance_is_zero(case: Transmission) -> None:
             assert result.power_balance == 0
 
 
-@settings(max_examples=40)
 @given(regular_trains())
 def test_output_torque_times_output_speed_is_one(case: Transmission) -> None:
     gear = case.gears[0]
@@ -326,7 +325,6 @@ def test_output_torque_times_output_speed_is_one(case: Transmission) -> None:
         assert result.torques.output == result.ratio == 1 / speed
 
 
-@settings(max_examples=40)
 @given(trains())
 def test_efficiency_one_changes_nothing(case: Transmission) -> None:
     ideal = no_losses(case)
@@ -338,7 +336,6 @@ def test_efficiency_one_changes_nothing(case: Transmission) -> None:
             assert set(result.losses) <= {0}
 
 
-@settings(max_examples=40)
 @given(regular_trains())
 def test_efficiency_is_a_share(case: Transmission) -> None:
     result = solve_gear(case, case.gears[0])

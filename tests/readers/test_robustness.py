@@ -14,6 +14,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.cli.test_springs import BOX, DRAWN, FOUR
 from tests.commands import CASES, MZKT, ROOT, environment, vstatics
 
@@ -74,7 +75,7 @@ def told(data: bytes, form: str) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=50)
+@settings(max_examples=count(20, 150))
 @given(mutated(DECKS))
 @example(b"")
 @example(b"KJG=")
@@ -84,7 +85,7 @@ def test_no_deck_ends_in_a_traceback(data: bytes) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=50)
+@settings(max_examples=count(20, 150))
 @given(mutated(YAMLS))
 @example(b"")
 @example(b"links: 1000000000\nmechanisms: {}\ngears: {a: {}}")
@@ -93,14 +94,13 @@ def test_no_yaml_ends_in_a_traceback(data: bytes) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=40)
 @given(mutated(JSONS))
 def test_no_json_ends_in_a_traceback(data: bytes) -> None:
     told(data, "json")
 
 
 @pytest.mark.slow
-@settings(max_examples=50)
+@settings(max_examples=count(20, 150))
 @given(st.binary(max_size=200) | mutated([*DECKS, *YAMLS, *JSONS]))
 def test_nothing_at_all_ends_in_a_traceback(data: bytes) -> None:
     assert vstatics("check", "-", stdin=data).status in (0, 1)

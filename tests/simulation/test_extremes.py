@@ -113,7 +113,7 @@ def floats(value: Any) -> Iterator[float]:
 
 
 @pytest.mark.slow
-@settings(max_examples=count(15, 50), deadline=None)
+@settings(max_examples=count(15, 50))
 @given(st.integers(0, 10**6))
 def test_extreme_numbers_run_right_or_are_refused_where_they_stand(seed: int) -> None:
     """No exception, no warning of NumPy, no NaN; energy closes where a run comes to its end."""
@@ -126,7 +126,7 @@ def test_extreme_numbers_run_right_or_are_refused_where_they_stand(seed: int) ->
 
 
 @pytest.mark.slow
-@settings(max_examples=count(15, 50), deadline=None)
+@settings(max_examples=count(15, 50))
 @given(st.integers(0, 10**6))
 def test_extreme_numbers_vibrate_right_or_are_refused_where_they_stand(seed: int) -> None:
     with TemporaryDirectory() as folder:

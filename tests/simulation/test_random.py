@@ -18,7 +18,7 @@ SEEDS = st.integers(0, 10**6)
 
 
 @pytest.mark.slow
-@settings(max_examples=count(30, 60), deadline=None)
+@settings(max_examples=count(30, 60))
 @given(SEEDS, st.booleans(), st.booleans())
 def test_laws_of_motion(seed: int, losses: bool, dogs: bool) -> None:
     """Energy closes, nothing chatters, mechanisms and slips agree with the speeds."""
@@ -39,7 +39,7 @@ def test_laws_of_motion(seed: int, losses: bool, dogs: bool) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=count(8, 15), deadline=None)
+@settings(max_examples=count(8, 15))
 @given(SEEDS)
 def test_smoothed_friction_tends_to_the_events(seed: int) -> None:
     """Each step of the smoothing to a tenth brings it nearer, until rounding is left."""
@@ -65,7 +65,7 @@ def test_smoothed_friction_tends_to_the_run_of_the_box() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=count(10, 20), deadline=None)
+@settings(max_examples=count(10, 20))
 @given(SEEDS)
 def test_renumbering_changes_nothing(seed: int) -> None:
     scenario = random_run(seeded(seed))

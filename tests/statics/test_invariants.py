@@ -12,7 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.chance import generator
+from tests.chance import count, generator
 from tests.trains import is_regular, no_losses, regular_trains, trains
 from vstatics import Results, Transmission, solve
 from vstatics.model.parts import SpeedOf
@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers import read
 from vstatics.writers import deck, named
 
-RANDOM = settings(max_examples=16)
+RANDOM = settings(max_examples=count(8, 48))
 CLOSE = {"rtol": 1e-8, "atol": 1e-8}
 ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
 
@@ -130,7 +130,7 @@ def test_deck_yaml_and_json_of_a_case_give_one_result(case: Transmission) -> Non
             np.testing.assert_array_equal(getattr(results, name), getattr(expected, name))
 
 
-@settings(max_examples=16)
+@settings(max_examples=count(8, 48))
 @given(trains(gears=2), st.integers(0, 2**32 - 1))
 def test_variants_together_are_variants_one_by_one(case: Transmission, seed: int) -> None:
     rng = generator(seed)

@@ -7,6 +7,7 @@ import math
 import pytest
 from hypothesis import given, settings
 
+from tests.chance import count
 from tests.trains import regular_trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.model.parts import SpeedOf
@@ -61,7 +62,7 @@ def test_torques_that_statics_leaves_open_have_no_power() -> None:
     assert found.ports[1].way == ""
 
 
-@settings(max_examples=25)
+@settings(max_examples=count(10, 75))
 @given(regular_trains())
 def test_what_enters_less_what_leaves_is_lost(case: Transmission) -> None:
     results = solve(case)

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vstatics
-from tests.chance import generator
+from tests.chance import count, generator
 from tests.statics.batches import (
     ARRAYS,
     plainly,
@@ -30,7 +30,7 @@ EXTREME = st.sampled_from(
 
 
 @pytest.mark.slow
-@settings(max_examples=60)
+@settings(max_examples=count(24, 180))
 @given(st.data(), st.sampled_from(["zf-8hp70", "umdm", "two-stage"]), st.integers(1, 3))
 def test_extreme_ratios_end_in_results(data: st.DataObject, name: str, variants: int) -> None:
     case = vstatics.load(CASES / f"{name}.yaml")

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.chance import generator, seeded
+from tests.chance import count, generator, seeded
 from tests.statics.batches import disagreements
 from tests.trains import no_losses, on_springs, random_train, trains
 from vstatics import (
@@ -79,7 +79,7 @@ def test_a_spring_to_the_housing_is_a_support() -> None:
     assert by_device(solve(sprung), solve(sprung).torques)["mount"] == pytest.approx([1 - 41 / 11])
 
 
-@settings(max_examples=30)
+@settings(max_examples=count(12, 90))
 @given(trains(gears=2), st.data())
 def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
     case: Transmission, data: st.DataObject
@@ -94,7 +94,7 @@ def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
     agree(on_springs(case, chosen), case)
 
 
-@settings(max_examples=30)
+@settings(max_examples=count(12, 90))
 @given(trains(gears=2))
 def test_a_train_may_be_of_springs_alone(case: Transmission) -> None:
     agree(on_springs(case), no_losses(case))

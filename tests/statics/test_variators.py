@@ -8,6 +8,7 @@ import pytest
 
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.errors import CaseError
+from vstatics.readers import loads
 
 VARIATOR = Mechanism(1, 2, 0, 0.4, 0.86, kind="variator", name="hydro")
 POINTS = ((0.0, 2.4), (0.8, 1.0), (1.0, 1.0))
@@ -88,6 +89,23 @@ def test_points_of_a_converter_ascend() -> None:
     wrong = CONVERTER._replace(points=((0.5, 1.0), (0.2, 2.0)))
     with pytest.raises(CaseError, match="points are in ascending order"):
         Transmission(2, [], [wrong], [Gear(speed_ratios={1: 0})])
+
+
+def test_lambda_behind_the_points_of_a_converter_is_passed_over() -> None:
+    """The points of a scenario's converter serve a case; what is no number is still told."""
+    text = """
+links: [engine, turbine]
+mechanisms: {{TC: {{kind: converter, first: engine, second: turbine, points: {points}}}}}
+gears: {{a: {{speed_ratios: {{TC: 0.4}}}}}}
+"""
+    bare = text.format(points="[[0, 2.4], [.8, 1], [1, 1]]")
+    assert loads(text.format(points="[[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3], [1, 1, 0]]")) == loads(
+        bare
+    )
+    with pytest.raises(CaseError, match=r"points\[1\]\[3\]"):
+        loads(text.format(points="[[0, 2.4, x], [.8, 1]]"))
+    with pytest.raises(CaseError, match="expected 2 numbers"):
+        loads(text.format(points="[[0, 2.4, 1, 1], [.8, 1]]"))
 
 
 def test_a_converter_outside_its_points_has_the_last_one_and_one_note_tells_it() -> None:

@@ -6,11 +6,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from tests.commands import ID, environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
@@ -44,7 +46,13 @@ def plan(
 ) -> SweepPlan:
     """A plan from texts as on the command line; `piece` is the size of a piece."""
     made = build.plan(case, SweepOptions.of(vary=vary, **more))
-    return made if piece is None else made.__class__(**{**vars(made), "piece": piece})
+    return made if piece is None else replace(made, piece=piece)
+
+
+def small_pieces(monkeypatch: pytest.MonkeyPatch, size: int = 8) -> None:
+    """Have the command calculate so many variants at once."""
+    whole = build.plan
+    monkeypatch.setattr(build, "plan", lambda *of: replace(whole(*of), piece=size))
 
 
 def begin(*arguments: object, cwd: Path, before: Callable[[], None] | None = None) -> Any:

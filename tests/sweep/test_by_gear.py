@@ -11,6 +11,7 @@ import pytest
 
 import vstatics
 from tests.commands import vstatics as run
+from tests.sweep.sweeps import small_pieces
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
 from vstatics.readers import sweep_tables
 from vstatics.sweep.chunk import STATUS, Chunk
@@ -74,10 +75,13 @@ def _text() -> str:
     return json.dumps(made)
 
 
-def test_many_jobs_and_several_pieces_give_the_same_rows(tmp_path: Path) -> None:
+def test_many_jobs_and_several_pieces_give_the_same_rows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small_pieces(monkeypatch)
     case = tmp_path / "box.json"
     case.write_text(_text())
-    vary = "--vary", "set.ratio=-4:-2:70000", "--by", "gear", "--out", "ratio"
+    vary = "--vary", "set.ratio=-4:-2:20", "--by", "gear", "--out", "ratio"
     front = "--max", "ratio", "--min", "set.ratio**2", "--best", "7"
     for more in ((), front):
         texts = []

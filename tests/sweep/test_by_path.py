@@ -113,10 +113,11 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
         ("gears.on.drag.mid=1 N*m", "did you mean `gears.one`"),
         ("gears.*.torques.out=1 N*m", "link out is the output"),
         ("load.speed=1,2", "its values need their unit, such as 2000 rpm"),
+        ("load.speed=1 rpm,nan rpm", "1:18: error: read `nan rpm`, expected a number"),
         ("load.speed=1 kg,2 kg", "this is a mass"),
         ("load.speed=1 rpm,2 rad/s", "expected one unit for all"),
         ("a.efficiency=.9 rpm", "read `.9 rpm`"),
-        ("load.torque=nan N*m", "read"),
+        ("load.torque=1 N*m,nan N*m", "--vary:1:19: error: read `nan N*m`, expected a number"),
     ],
 )
 def test_what_is_wrong_is_told_at_its_place(tmp_path: Path, vary: str, said: str) -> None:
@@ -216,8 +217,3 @@ def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) ->
     found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
     assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
     assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
-
-
-def test_solve_says_who_varies_teeth(case: vstatics.Transmission) -> None:
-    with pytest.raises(vstatics.CaseError, match=r"teeth and the like vary in `vstatics\.sweep`"):
-        solve(case, vary={"P1.teeth.sun": [30]})

@@ -7,16 +7,19 @@ import math
 import numpy as np
 import pytest
 
-from tests.sweep.scenarios import subject
+from tests.sweep.scenarios import SCENARIO, subject
 from vstatics.errors import ReadError
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.sweep.build import plan
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import read_expression
 from vstatics.sweep.motion_tables import MotionTables
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.runs import asked_columns, calculate
 
 SUBJECT = subject()
 MOTION = Motion(
@@ -141,3 +144,32 @@ def test_a_swing_has_its_amplitude_in_max_and_min() -> None:
     assert [torques.max(), torques.min()] == pytest.approx([10, -10], rel=1e-10)
     assert [speeds.max(), speeds.min()] == pytest.approx([1, -1], rel=1e-10)
     assert abs(made.existing("peaks")).max() == pytest.approx(10, rel=1e-10)
+
+
+def test_what_is_asked_of_runs_is_calculated_of_them_and_steps_have_their_times() -> None:
+    """The carrier's speed is 50.856751 t rad/s to the lock, as `tests/pictures/run` has it."""
+    sequences = b"""set: {grip: 120}
+sequences:
+  up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}}, {wait: 9, set: {grip: 1}}]
+"""
+    scenario = subject(SCENARIO.replace(b"brake: [[0, 120]]", b"brake: grip") + sequences)
+    out = "max(accelerations[carrier]), steps[up,1], steps[up,2], steps[up,3], last(slip_power)"
+    made = plan(scenario, SweepOptions.of(vary=["torques.sun=40"], out=out))
+    assert made.headings[1:4] == ("steps[up,1]", "steps[up,2]", "steps[up,3]")
+    chunk = calculate(made, scenario, 0, 1)
+    expected = [50.856751, 0.2, 0.410054006, math.nan, 0.0, 0.0]
+    assert chunk.columns[0] == pytest.approx(expected, rel=1e-8, abs=1e-8, nan_ok=True)
+
+
+def test_numbers_of_formulas_vary() -> None:
+    """The brake takes its torque times the slip, which is largest at the start: 34.9 rad/s."""
+    numbers = SCENARIO.replace(b"brake: [[0, 120]]", b"brake: 40*grip") + b"numbers: {grip: 3}\n"
+    scenario = subject(numbers)
+    made = plan(scenario, SweepOptions.of(vary=["numbers.grip=3,4"], out="max(slip_power[brake])"))
+    found = calculate(made, scenario, 0, 2).columns[:, 0]
+    assert found == pytest.approx(34.9065850 * np.array([120, 160]), rel=1e-8)
+
+
+def test_only_what_is_asked_for_is_calculated() -> None:
+    made = plan(SUBJECT, SweepOptions.of(vary=["torques.sun=40"], out="max(jerks[2]), work, heat"))
+    assert asked_columns(made, SUBJECT) == [("jerks", "ring")]

@@ -15,6 +15,7 @@ from tests.chance import seeded
 from tests.commands import vstatics as run
 from vstatics import solve
 from vstatics.readers import from_dict
+from vstatics.statics.result_arrays import ARRAYS
 from vstatics.sweep.chunk import STATUS
 
 PLANETARY = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}
@@ -80,8 +81,8 @@ def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
     assert chunk.counts == {"ok": said.count("ok"), "not assembled": said.count("not assembled")}
 
 
-def test_variants_are_the_cases_of_other_documents(case: vstatics.Transmission) -> None:
-    """Teeth, friction, load and a given torque together, in a random order."""
+def other_documents() -> tuple[dict[str, Any], list[vstatics.Transmission]]:
+    """Teeth, friction and load in a random order: what varies, and the case of each point."""
     rng = seeded(2781)
     ways = {
         "P1.teeth.sun": ("elements", "P1", "teeth", "sun"),
@@ -92,17 +93,58 @@ def test_variants_are_the_cases_of_other_documents(case: vstatics.Transmission) 
         (rng.choice([27, 33, 36]), rng.choice([41, 53]), rng.uniform(0.03, 0.1)) for _ in "a" * 9
     ]
     torques = [rng.uniform(-200, 200) for _ in rows]
-    table = {**dict(zip(ways, zip(*rows, strict=True), strict=True)), "load.torque": torques}
+    vary = {**dict(zip(ways, zip(*rows, strict=True), strict=True)), "load.torque": torques}
+    loads = ((("load", "torque"), f"{torque!r} N*m") for torque in torques)
+    each = zip(rows, loads, strict=True)
+    return vary, [
+        changed(*zip(ways.values(), numbers, strict=True), load) for numbers, load in each
+    ]
+
+
+def test_variants_are_the_cases_of_other_documents(case: vstatics.Transmission) -> None:
+    """Teeth, friction, load and a given torque together, in a random order."""
+    table, documents = other_documents()
     out = "lossy_torques_Nm[B], efficiency, planet_speeds[P1], speeds_rpm[out]"
     [chunk] = vstatics.sweep(case, variants=table, out=out)
-    for row, numbers, torque in zip(chunk.columns, rows, torques, strict=True):
-        one = changed(
-            *zip(ways.values(), numbers, strict=True), (("load", "torque"), f"{torque!r} N*m")
-        )
-        own = solve(one)
+    for row, document in zip(chunk.columns, documents, strict=True):
+        own = solve(document)
         tables = (own.lossy_torques_Nm[:, 0], own.efficiency)
         more = (own.existing("planet_speeds")[:, 0], own.speeds_rpm[:, 3])
         np.testing.assert_allclose(row, np.concatenate([*tables, *more]), rtol=1e-11)
+
+
+def test_points_of_solve_are_the_cases_of_other_documents(case: vstatics.Transmission) -> None:
+    """Every array, and what follows from it in units; points with the same teeth are one case."""
+    vary, documents = other_documents()
+    together = solve(case, vary=vary)
+    for point, document in enumerate(documents):
+        own = solve(document)
+        for name in (*ARRAYS, "port_powers_kW", "losses_kW", "lossy_torques_Nm"):
+            np.testing.assert_allclose(
+                getattr(together, name)[point], getattr(own, name), rtol=1e-11, err_msg=name
+            )
+
+
+def test_solve_varies_teeth_alone_too(case: vstatics.Transmission) -> None:
+    """Ring held: i = 1 + R/S, before a pair of 20 and 40 teeth."""
+    suns = [25, 30, 25, 27]
+    ratios = solve(case, vary={"P1.teeth.sun": suns}).ratio[:, 0]
+    assert ratios.tolist() == pytest.approx([-2 * (1 + 75 / sun) for sun in suns], rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("path", "values", "said"),
+    [
+        ("P1.teeth.sun", [30, 29.5], "read 29.5 in variant 1, expected a whole number"),
+        ("P1.teeth.sun", [30, 90], "in variant 1: read 75, expected more teeth than the 90 of sun"),
+        ("P1.teeth.son", [30], "did you mean `P1.teeth.sun`"),
+    ],
+)
+def test_solve_tells_numbers_that_make_no_case(
+    case: vstatics.Transmission, path: str, values: list[float], said: str
+) -> None:
+    with pytest.raises(vstatics.CaseError, match=said):
+        solve(case, vary={path: values})
 
 
 def test_friction_of_all_meshes(case: vstatics.Transmission) -> None:

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.strategies import ANY_NUMBER, transmissions
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.deck import reader
@@ -107,7 +108,7 @@ def test_lost_is_what_a_deck_cannot_keep() -> None:
     ]
 
 
-@settings(max_examples=25)
+@settings(max_examples=count(10, 75))
 @given(transmissions(ANY_NUMBER, follow=False), st.sampled_from(["en", "ru"]))
 def test_any_case_reads_back_the_same(case: Transmission, lang: Literal["en", "ru"]) -> None:
     assert read_back(case, lang) == replace(case, description="", source="")

@@ -8,6 +8,7 @@ import pytest
 import yaml
 from hypothesis import example, given, settings
 
+from tests.chance import count
 from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
@@ -26,7 +27,7 @@ def differential(**other: object) -> Transmission:
 
 
 @pytest.mark.slow
-@settings(max_examples=25)
+@settings(max_examples=count(10, 75))
 @given(transmissions(ANY_NUMBER, torsional=True))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
 @example(differential(description="\n", source=" \n x\n\n"))

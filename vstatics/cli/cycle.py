@@ -142,7 +142,7 @@ def _driven(
     Raises
     ------
     ReadError
-        With places in the trace, where a row is in error.
+        With places in the trace, where a row is in error, or in the fuel map.
     """
     from vstatics.summary.operation.drive_cycle import drive
 
@@ -150,8 +150,9 @@ def _driven(
     if vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise ReadError([of_file("E427", outcome.file, message)])
+    fuel = _fuel(outcome.file, vehicle.fuel)
     try:
-        return drive(results.case, trace, choice, _fuel(outcome.file, vehicle.fuel))
+        return drive(results.case, trace, choice, fuel)
     except CaseError as error:
         raise ReadError(_located(one, trace, outcome.file) for one in error.problems) from None
 

@@ -27,6 +27,12 @@ from vstatics.tables.suffixes import known, suffix_of
 
 BOXES = "boxes"
 """The kind of picture that shows no case, but a document of found boxes."""
+_WITHOUT_GEARS = {
+    BOXES: "found boxes are shown with all their gears",
+    "shift": "a run goes through all gears of its scenario",
+    **dict.fromkeys(SWEEP_PICTURES, "expected --by gear, or the column of a gear"),
+}
+"""Kinds of which no gear can be picked, and what is said then."""
 
 
 @click.command()
@@ -57,6 +63,7 @@ BOXES = "boxes"
 @click.option(
     "--by", metavar="COLUMN", default="", help="Of a sweep: a map or line for each value, or gear."
 )
+@click.option("--out", metavar="LIST", default="", help="Of a shift: more columns, as of simulate.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
@@ -71,6 +78,7 @@ def plot(
     y: tuple[str, ...],
     z: str,
     by: str,
+    out: str,
     dark: bool,
     settings: CaseOptions,
     lang: Language,
@@ -107,6 +115,7 @@ def plot(
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       vstatics plot upshift.yaml --kind shift -o upshift.png
+      vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o upshift.png
       vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
@@ -117,19 +126,18 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    if kind == BOXES and gears:
-        raise click.UsageError("--gear: found boxes are shown with all their gears")
-    if merge and kind != "lever":
-        raise click.UsageError("--merge: only levers can be merged")
-    if wheels and kind != "stick":
-        raise click.UsageError("--wheels: only stick diagrams name them")
-    if kind == "shift" and gears:
-        raise click.UsageError("--gear: a run goes through all gears of its scenario")
+    for option, given, own, said in (
+        ("--merge", merge, "lever", "only levers can be merged"),
+        ("--wheels", wheels, "stick", "only stick diagrams name them"),
+        ("--out", out, "shift", "only shift has columns of a run"),
+    ):
+        if given and kind != own:
+            raise click.UsageError(f"{option}: {said}")
+    if kind in _WITHOUT_GEARS and gears:
+        raise click.UsageError(f"--gear: {_WITHOUT_GEARS[kind]}")
     asked = DrawnColumns(x, y, z, by)
     if kind not in SWEEP_PICTURES and asked != DrawnColumns():
         raise click.UsageError("--x, --y, --z, --by: only map and curves are of columns")
-    if kind in SWEEP_PICTURES and gears:
-        raise click.UsageError("--gear: expected --by gear, or the column of a gear")
     if output != STDOUT and not suffix_of(output) and len(cases) == 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
@@ -142,6 +150,7 @@ def plot(
         kind=kind,
         form=to.form,
         gears=gears,
+        out=out,
         style=Style(lang, dark, wheels=wheels, merged=merge),
     )
     options = settings._replace(scenarios=True, of_runs=kind in OF_RUNS)
@@ -162,11 +171,12 @@ def _shown(
     kind: str,
     form: str,
     gears: tuple[str, ...],
+    out: str,
     style: Style,
 ) -> texts.CaseOutput:
     """A picture of a case."""
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
-    motion = run_of(outcome) if kind in OF_RUNS else None
+    motion = run_of(outcome, out) if kind in OF_RUNS else None
     try:
         drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:

@@ -265,9 +265,11 @@ MECHANISM = ByKey(
         ),
         KeyShape(
             "points",
-            ListOf(RowOf((NUMBER, NUMBER), "speed ratio, torque ratio")),
+            ListOf(
+                RowOf((NUMBER, NUMBER), "speed ratio, torque ratio", (Leaf("pump_factor"),)),
+            ),
             "Of a converter: [speed ratio, torque ratio M_second/M_first] in ascending order, "
-            "straight between.",
+            "straight between; a third number, the lambda of a scenario, is passed over.",
             examples=([[0, 2.4], [0.8, 1]],),
         ),
         KeyShape(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
@@ -174,11 +174,19 @@ class Transmission(TransmissionFields):
         made._set(**fields | {"mechanisms": others})
         return made
 
-    if TYPE_CHECKING:  # `vstatics/__init__` gives it, from the room that reads
+    if TYPE_CHECKING:  # `vstatics/__init__` gives these, from the rooms that read and vary
 
         @staticmethod
         def from_dict(data: Mapping[str, Any]) -> Transmission:
             """The transmission of plain data, with the keys of YAML and JSON."""
+
+        def part_numbers(self) -> Mapping[str, Any]:
+            """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
+
+        def with_part_numbers(
+            self, numbers: Sequence[Any], values: Sequence[float]
+        ) -> Transmission:
+            """The case with other values of such numbers, in SI."""
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

@@ -259,8 +259,7 @@ class EventRun:
         """Steps up to a time: in closed form where all is straight, or something can swing."""
         equations, state = selected.margins.equations, selected.state
         time = equations.time
-        straight = equations.ports.is_affine or equations.springs
-        if straight and not (self.system.layout.values or self.system.variators):
+        if equations.has_closed_form:
             try:
                 for step in Closed(equations, state, self.scales.torque).stretches(state, end):
                     yield step

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -14,6 +15,7 @@ from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
 from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
 from vstatics.simulation.events.start import start_gear, start_speeds, with_fixed_ratios
+from vstatics.simulation.record.asked import rows_of_tables
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
@@ -30,13 +32,14 @@ _END = ("duration",)
 Method = Literal["events", "tarasik"]
 
 
-def simulate(
+def simulate(  # noqa: PLR0913 - all but the first by name
     scenario: Scenario,
     *,
     step: float | None = None,
     rtol: float = RTOL,
     method: Method = "events",
     watch: Guard | None = None,
+    columns: Sequence[tuple[str, str]] = (),
 ) -> Motion:
     """The motion of a case by a scenario.
 
@@ -51,6 +54,9 @@ def simulate(
         The second is the published one, for comparison; see `tarasik`.
     watch : callable, optional
         Is told the time that is reached [s], again and again; a text stops the run there.
+    columns : sequence of (str, str)
+        Tables and rows that `asked` of the motion is to have besides, such as
+        ``("accelerations", "out")``; of the method `events`.
 
     Returns
     -------
@@ -83,20 +89,27 @@ def simulate(
             from vstatics.simulation.published.tarasik import tarasik
 
             return tarasik(scenario, step=step, rtol=rtol)
-        return _to_its_end(begun(scenario, step=step, rtol=rtol, watch=watch))
+        return _to_its_end(begun(scenario, step=step, rtol=rtol, watch=watch, columns=columns))
 
 
 def begun(
-    scenario: Scenario, *, step: float | None, rtol: float, watch: Guard | None = None
+    scenario: Scenario,
+    *,
+    step: float | None,
+    rtol: float,
+    watch: Guard | None = None,
+    columns: Sequence[tuple[str, str]] = (),
 ) -> EventRun:
     """A run at its start, by the equations of motion; see `simulate`."""
+    asked = rows_of_tables(columns, scenario)
     scenario = with_fixed_ratios(scenario)
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)
     speeds = start_speeds(system, gear)
     system, messages = with_viscous_damping(system, speeds)
-    record = Record(system, start_instant(system, speeds, _twists(system, speeds)), step)
+    start = start_instant(system, speeds, _twists(system, speeds))
+    record = Record(system, start, step, asked)
     told = (Message(one.id, one.message) for one in bare_capacities(scenario.case))
     record.messages += [*told, *messages]
     return EventRun(record, engaged, rtol, watch)

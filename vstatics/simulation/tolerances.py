@@ -117,6 +117,11 @@ EQUAL_EXTREMES = 1e-7
 """Extremes that differ by less, by the range, may be equal: polynomials are as accurate."""
 
 # slopes
+CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
+"""Time over which a change along the motion is told, as a part of the duration, and at most [s]:
+rounding leaves nine digits of a jerk."""
+NO_CHANGE = 1e-14
+"""Part of its terms by which a sum changes by rounding alone."""
 DIFFERENCE_STEP = 1e-6
 """Step of a difference in place of a slope, by the largest speed."""
 NEWTON_STEP = 1e-13

@@ -45,9 +45,9 @@ def solve(  # noqa: PLR0913
     idle : {"exact", "published"}, optional
         Convention for idle mechanisms; the case's own when not given.
     vary : mapping of str to array_like, optional
-        Other numbers by their paths, such as `load.torque` or `gears.low.speeds.motor`; see
-        `vstatics.statics.points.paths`. In rad/s and N*m, without units for ratios and
-        efficiencies. Arrays go together, on one axis.
+        Other numbers by their paths, such as `load.torque`, `gears.low.speeds.motor` or
+        `P1.teeth.sun`; see `vstatics.statics.points`. In rad/s and N*m, without units for
+        ratios and efficiencies. Arrays go together, on one axis.
 
     Returns
     -------

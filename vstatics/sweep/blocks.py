@@ -15,6 +15,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.gear_steps import spread, steps
+from vstatics.statics.points.parts import alike_rows
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.sweep.chunk import (
@@ -270,10 +271,9 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
         yield slice(None), plan.case
         return
     in_si = np.column_stack([path.in_si(values[:, n]) for n, path in paths.items()])
-    rows, kinds = np.unique(in_si, axis=0, return_inverse=True)
     parts = [path.part for path in paths.values() if path.part]
-    for kind, row in enumerate(rows.tolist()):
-        chosen = slice(None) if len(rows) == 1 else np.flatnonzero(kinds.reshape(-1) == kind)
+    for places, row in alike_rows(in_si):
+        chosen = slice(None) if len(places) == len(values) else places
         try:
             yield chosen, with_part_numbers(plan.case, parts, row)
         except CaseError:
@@ -287,8 +287,7 @@ def reason(plan: SweepPlan) -> list[Problem]:
     for n, path in plan.parts.items():
         given = path.in_si(values[:, n])
         if path.part and path.part.impossible(given).any():
-            expected = "a whole number" if path.part.kind == "count" else "a finite number"
-            message = f"read {given[0]:g} in variant 0, expected {expected}"
+            message = f"read {given[0]:g} in variant 0, expected {path.part.expected}"
             return [Problem("E415", message, (path.path,))]
         if path.part:
             numbers[path.part] = float(given[0])

@@ -163,9 +163,11 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
 
 def _check_slopes(made: SweepPlan) -> None:
     """Refuse frequencies where what varies would change the slopes of springs with points."""
+    if not made.modes:
+        return
     bent = [spring.name for spring in made.case.springs if spring.points]
     varied = [path.path for path in made.paths if path.of]
-    if made.modes and bent and varied:
+    if bent and varied:
         message = (
             f"the slope of {bent[0]}, which has `points`, follows what it carries, so there is no "
             f"`{OMEGA}` where {varied[0]} varies: expected other numbers"

@@ -1,7 +1,7 @@
 """The tables of a run of a scenario, as the expressions of a sweep speak of them.
 
->>> sorted(name for name in TABLES if along_time(name))
-['slips', 'speeds', 'time', 'torques']
+>>> [name for name in TABLES if along_time(name)][:5]
+['time', 'speeds', 'slips', 'torques', 'accelerations']
 """
 
 from __future__ import annotations
@@ -13,13 +13,10 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.asked import TABLES as ASKED
 from vstatics.simulation.record.motion import EventKind, Motion
-from vstatics.simulation.scenario.laws import Resistance, Road
-from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.record.rows import Kind
 
-Kind = Literal["link", "shift element", "device", "friction", "loss", "target", "number"]
-"""What has a row; a number has none. Friction is that of shift elements, of links with a resistance
-or a road, of springs with a limit; losses are those of devices and of links with drag."""
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
 """A number of a run by the name of a row, and its place."""
 
@@ -59,6 +56,12 @@ def _events(motion: Motion, row: str, _: int) -> float:
     return float(sum(event.element == row for event in motion.events))
 
 
+def _step(motion: Motion, row: str, _: int) -> float:
+    """When a step was done for the first time."""
+    done = (one.time for one in motion.events if f"{one.element},{one.step}" == row)
+    return next(done, math.nan)
+
+
 def _of_target(field: Literal["time", "distance"]) -> OfRow:
     def number(motion: Motion, _: str, place: int) -> float:
         reached = motion.reached
@@ -74,6 +77,7 @@ TABLES: Mapping[str, MotionTable] = {
     "speeds": MotionTable("link"),
     "slips": MotionTable("shift element"),
     "torques": MotionTable("device"),
+    **{name: MotionTable(table.kind) for name, table in ASKED.items()},
     "heat": MotionTable("friction", _of_energy("heat", 0.0)),
     "heat_per_area": MotionTable("shift element", _of_energy("heat_per_area", math.nan)),
     "losses": MotionTable("loss", _of_energy("losses", 0.0)),
@@ -85,6 +89,7 @@ TABLES: Mapping[str, MotionTable] = {
     "reverses": MotionTable("friction", _of_event("reverses", 0)),
     "impacts": MotionTable("friction", _of_event("impact", 0)),
     "events": MotionTable("friction", _events),
+    "steps": MotionTable("step", _step),
     "time_to": MotionTable("target", _of_target("time")),
     "distance_to": MotionTable("target", _of_target("distance")),
     "work": MotionTable("number"),
@@ -93,40 +98,12 @@ TABLES: Mapping[str, MotionTable] = {
     "impact": MotionTable("number"),
     "balance": MotionTable("number"),
 }
-"""By name; [s], [rad/s], [N*m], [J], [J/m^2], [m]."""
+"""By name; [s], [rad/s], [N*m], [J], [J/m^2], [m], and as tables that are asked for."""
 
 
 def along_time(name: str) -> bool:
     """Whether a table has values at each instant."""
     return name == TIME or (TABLES[name].of_row is None and TABLES[name].kind != "number")
-
-
-def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
-    """The names of the rows of tables of a kind."""
-    case = scenario.case
-    names: list[str] = []
-    if kind == "link":
-        names += case.link_names[: case.own_links]
-    if kind in ("shift element", "friction"):
-        names += [element.name for element in case.shift_elements]
-    if kind == "friction":
-        loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
-        names += [case.link_names[link - 1] for link in sorted(loaded)]
-        names += [spring.name for spring in case.springs if spring.limit is not None]
-    if kind in ("device", "loss"):
-        names += [*case.devices, *(converter.name for converter in scenario.converters)]
-    if kind == "device":
-        names += [case.link_names[link - 1] for link in scenario.speeds]
-    if kind == "loss":
-        dragged = {link for gear in case.gears for link in gear.drag}
-        names += [case.link_names[link - 1] for link in sorted(dragged)]
-    if kind == "target":
-        names += [
-            f"{case.link_names[link - 1]} {speed:.12g}"
-            for link, speeds in scenario.targets.items()
-            for speed in speeds
-        ]
-    return tuple(names)
 
 
 class MotionTables:
@@ -162,14 +139,17 @@ class MotionTables:
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
     """A table of shape (instants, rows); NaN for a row that the run has not."""
-    table, names = {
-        "speeds": (motion.speeds, motion.links),
-        "slips": (motion.slips, motion.elements),
-        "torques": (motion.torques, motion.devices),
-    }[name]
-    if tuple(wanted) == tuple(names):
-        return table
-    places = {one: place for place, one in enumerate(names)}
-    lacking = np.full(len(table), math.nan)
-    columns = [table[:, places[one]] if one in places else lacking for one in wanted]
-    return np.array(columns).reshape(len(columns), len(table)).T
+    if name in ASKED:
+        known = motion.asked.get(name, {})
+    else:
+        table, names = {
+            "speeds": (motion.speeds, motion.links),
+            "slips": (motion.slips, motion.elements),
+            "torques": (motion.torques, motion.devices),
+        }[name]
+        if tuple(wanted) == tuple(names):
+            return table
+        known = dict(zip(names, table.T, strict=True))
+    lacking = np.full(len(motion.time), math.nan)
+    columns = [known.get(one, lacking) for one in wanted]
+    return np.array(columns).reshape(len(columns), len(motion.time)).T

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.simulation.record.asked import TABLES
 from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
-from vstatics.sweep.motion_tables import MotionTables
+from vstatics.sweep.kept.asked import asked_rows
+from vstatics.sweep.motion_tables import MotionTables, along_time
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import VariedScenario
@@ -28,7 +31,8 @@ def piece_of_runs(count: int) -> int:
 
 def calculate(plan: SweepPlan, subject: VariedScenario, start: int, stop: int) -> Chunk:
     """Run the variants from `start` up to `stop`, one after the other."""
-    return joined([_row(plan, subject, number) for number in range(start, stop)])
+    asked = asked_columns(plan, subject)
+    return joined([_row(plan, subject, number, asked) for number in range(start, stop)])
 
 
 def reason(plan: SweepPlan, subject: VariedScenario) -> list[Problem]:
@@ -41,14 +45,28 @@ def reason(plan: SweepPlan, subject: VariedScenario) -> list[Problem]:
     return [motion.stopped] if motion.stopped else []
 
 
-def _row(plan: SweepPlan, subject: VariedScenario, number: int) -> Chunk:
+def asked_columns(plan: SweepPlan, subject: VariedScenario) -> list[tuple[str, str]]:
+    """The columns of a run that a plan asks for, and no run has of itself."""
+    asked = {
+        one
+        for expression in plan.expressions
+        for part in expression.selections
+        if part.table in TABLES and along_time(part.table)
+        for one in asked_rows(part, subject.rows(TABLES[part.table].kind))
+    }
+    return sorted(asked)
+
+
+def _row(
+    plan: SweepPlan, subject: VariedScenario, number: int, asked: Sequence[tuple[str, str]]
+) -> Chunk:
     """The row of a variant, if it passes the plan's condition."""
     values = plan.variants.block(number, number + 1)
     paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
     motion, status = None, np.array([INVALID], dtype=np.uint8)
     if np.isfinite(values).all():
         with suppress(ReadError, CaseError):
-            motion = subject.run(paths, values[0].tolist())
+            motion = subject.run(paths, values[0].tolist(), asked)
     if motion is not None:
         status[0] = STOPPED if motion.stopped else 0
     tables = MotionTables(None if status[0] else motion, subject.rows)

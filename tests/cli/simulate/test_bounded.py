@@ -107,14 +107,14 @@ def test_long_sweeps_and_samples_say_how_far_they_are(monkeypatch: pytest.Monkey
         SCENARIO.replace("DURATION", LONG)[:-1] + ", samples: {duration: {uniform: [1e9, 2e9]}}}",
         encoding="utf-8",
     )
-    sweep = ("sweep", "long.yaml", "--vary", "duration=1e9,2e9", "--out", "work")
+    sweep = ("sweep", "long.yaml", "--vary", "duration=2e9", "--out", "work")
     for command, what in (
         (sweep, "variants: 0 % after a second\n"),
         ((*sweep, "--jobs", "2", "-o", "out.csv"), "variants: 0 % after a second\n"),
-        (("simulate", "few.yaml", "--samples", "2", "--out", "work"), "runs: 0 % after a second\n"),
+        (("simulate", "few.yaml", "--samples", "1", "--out", "work"), "runs: 0 % after a second\n"),
     ):
         assert what in vstatics(*command, "--limit", "0.2").err
-        assert " % after " not in vstatics(*command, "--limit", "0.1", "-q").err
+        assert " % after " not in vstatics(*command, "--limit", "0.06", "-q").err
 
 
 def test_a_short_sweep_is_silent() -> None:

@@ -57,6 +57,32 @@ def document(*options: str) -> Any:
     return found
 
 
+def test_columns_that_are_asked_for_are_in_all_files() -> None:
+    out = 'accelerations[ring], heat[brake], powers["out, too"]'
+    found = document("--out", out)
+    assert list(found["accelerations"]) == ["ring"]
+    assert list(found["powers"]) == ["out, too"]
+    assert found["heat"]["brake"][-1] == pytest.approx(found["energy"]["heat"]["brake"])
+    said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", out)
+    rows = list(csv.DictReader(io.StringIO(said.out)))
+    for heading, row in (
+        ("accelerations[ring]", found["accelerations"]["ring"]),
+        ("heat[brake]", found["heat"]["brake"]),
+        ('powers["out, too"]', found["powers"]["out, too"]),
+    ):
+        assert [float(one[heading]) for one in rows] == row
+    vstatics("simulate", "lock.yaml", "-o", "out.npz", "--out", out)
+    assert np.load("out.npz")["heat[brake]"].tolist() == found["heat"]["brake"]
+
+
+def test_columns_that_there_are_not_are_told_at_once() -> None:
+    said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", "jerk[in], jerks[inn], work")
+    assert (said.status, said.out) == (1, "")
+    assert "--out:1:1: error: read `jerk[in]`, expected columns of accelerations" in said.err
+    assert "--out:1:17: error: there is no link `inn`" in said.err
+    assert "--out:1:23: error: read `work`" in said.err
+
+
 def test_tables_for_people_fit_a_terminal() -> None:
     said = vstatics("simulate", "lock.yaml")
     assert (said.status, said.err) == (0, "")

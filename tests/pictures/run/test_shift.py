@@ -16,10 +16,11 @@ from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
-from vstatics.pictures.run.events import named_events
+from vstatics.pictures.run.events import event_text, named_events
 from vstatics.pictures.run.lines import panels, states, thinned
 from vstatics.pictures.sheet.line_styles import element_look, spring_look
 from vstatics.pictures.sheet.style import Style
+from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 
 LOCK = 34.906585 / 85.126799
@@ -75,6 +76,25 @@ def test_panels_have_what_moves(results: Results) -> None:
     }
 
 
+def test_columns_that_are_asked_for_have_panels_of_their_own(results: Results) -> None:
+    """Heat once: with what is asked for of it. Links and elements look as everywhere."""
+    asked = {
+        "slip_power": {"brake": run().slips[:, 0] * -120.0},
+        "heat": {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]},
+    }
+    found = panels(results.case, run()._replace(asked=asked))
+    assert [panel.english for panel in found[-2:]] == ["slip power, kW", "heat, kJ"]
+    assert sum(panel.english == "heat, kJ" for panel in found) == 1
+    brake, carrier = found[-1].lines
+    assert (brake.element, brake.links, carrier.element, carrier.links) == (0, (), None, (3,))
+    assert found[-2].lines[0].values[0] == pytest.approx(34.906585 * 0.12)
+
+
+def test_each_table_that_can_be_asked_for_can_be_drawn(results: Results) -> None:
+    asked = {name: {"brake": run().time} for name in TABLES}
+    assert len(panels(results.case, run()._replace(asked=asked))) == 3 + len(TABLES)
+
+
 def test_links_of_one_speed_share_a_line(results: Results) -> None:
     speeds = run().speeds[:, [0, 0, 2]]
     speed, *_ = panels(results.case, run()._replace(speeds=speeds))
@@ -93,6 +113,12 @@ def test_of_many_events_impacts_and_locks_are_named() -> None:
     events = [Event(0.1 * n, "C", "slips" if n % 2 else "locks") for n in range(8)]
     events[5] = Event(0.5, "C", "impact", 3.0)
     assert named_events(events, 5) == [one for one in events if one.event != "slips"]
+
+
+def test_steps_of_sequences_are_named_by_their_number() -> None:
+    step, locks = Event(0.1, "up", "step", None, None, 2), Event(0.2, "C", "locks")
+    assert [event_text(step, Style(lang)) for lang in ("en", "ru")] == ["up step 2", "up шаг 2"]
+    assert named_events([step, locks], 1) == [locks]
 
 
 def test_a_thinned_line_keeps_ends_and_extremes() -> None:

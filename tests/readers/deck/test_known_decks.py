@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.commands import MZKT
 from tests.strategies import transmissions
 from vstatics import Transmission, load
@@ -51,7 +52,7 @@ def same_as_alone(before: str, text: str) -> None:
     assert outcome(text) == alone
 
 
-@settings(max_examples=20)
+@settings(max_examples=count(8, 60))
 @given(transmissions(follow=False), st.randoms(use_true_random=False))
 def test_a_deck_of_other_numbers_is_read_as_alone(case: Transmission, rng: random.Random) -> None:
     others = [

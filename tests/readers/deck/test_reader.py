@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from vstatics.errors import Problem, ReadError
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers.deck import reader as deck
@@ -292,7 +293,7 @@ def test_cut_decks(data: bytes, length: int) -> None:
 
 
 @given(DECKS, st.lists(st.tuples(st.integers(0, 3000), st.integers(0, 9), TOKENS), max_size=4))
-@settings(max_examples=150)
+@settings(max_examples=count(60, 450))
 def test_decks_with_bytes_and_tokens_replaced(
     data: bytes, edits: list[tuple[int, int, bytes]]
 ) -> None:
@@ -302,7 +303,7 @@ def test_decks_with_bytes_and_tokens_replaced(
 
 
 @given(DECKS, st.data())
-@settings(max_examples=150)
+@settings(max_examples=count(60, 450))
 def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.DataObject) -> None:
     lines = [line.split(b" ") for line in data.split(b"\n")]
     for _ in range(draws.draw(st.integers(1, 4))):

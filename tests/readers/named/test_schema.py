@@ -13,6 +13,7 @@ import yaml
 from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
+from tests.chance import count
 from tests.strategies import transmissions
 from vstatics.elements.keys import DRAWN
 from vstatics.errors import ReadError
@@ -227,7 +228,7 @@ def test_bad_documents_are_refused_by_both(name: str) -> None:
     assert not VALIDATOR.is_valid(document)
 
 
-@settings(max_examples=20)
+@settings(max_examples=count(8, 60))
 @given(transmissions(torsional=True))
 def test_written_cases_are_valid(case: Transmission) -> None:
     document = json.loads(json.dumps(mapping(case)))

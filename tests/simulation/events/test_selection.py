@@ -159,7 +159,7 @@ def test_random_gears_move_as_by_the_signs_that_fit() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=count(100, 400), deadline=None)
+@settings(max_examples=count(100, 400))
 @given(st.integers(0, 10**6))
 def test_any_random_gear_moves_as_by_the_signs_that_fit(seed: int) -> None:
     assert agrees(seed)

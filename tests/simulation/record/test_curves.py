@@ -150,14 +150,14 @@ def test_runs_with_friction_have_no_values_beyond_their_instants(seed: int) -> N
 
 
 @pytest.mark.slow
-@settings(max_examples=count(60, 200), deadline=None)
+@settings(max_examples=count(60, 200))
 @given(SEEDS)
 def test_extremes_of_any_chain_of_springs(seed: int) -> None:
     check_chain(random_chain(seeded(seed)))
 
 
 @pytest.mark.slow
-@settings(max_examples=count(20, 60), deadline=None)
+@settings(max_examples=count(20, 60))
 @given(SEEDS, st.booleans())
 def test_instants_of_any_run_with_friction(seed: int, losses: bool) -> None:
     check_friction(random_run(seeded(seed), losses=losses))

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import product
+from random import Random
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 
+from tests.chance import seeded
 from vstatics import CaseError, Transmission, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers import loads
@@ -133,3 +138,88 @@ def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
     assert loads(write_json(split())) == split()
     with pytest.raises(CaseError, match="the balance of gear of hold"):
         check_deck(split())
+
+
+GOES_ROUND = """\
+links: [in, A, out, B]
+input: in
+output: out
+load: {{speed: {speed!r} rad/s, torque: {torque!r} N*m}}
+mechanisms:
+  one: {{first: in, second: A, third: out, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
+  two: {{first: B, second: A, third: out, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
+gears:
+  d: {{speeds: {{A: {held!r} rad/s}}, balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}}}
+"""
+"""Two sets share A and the output, so power may go round by machines and battery."""
+
+
+class RoundTrip(NamedTuple):
+    """A case of `GOES_ROUND`."""
+
+    u: list[float]
+    eta: list[float]
+    of: list[float]
+    """Efficiencies of both machines."""
+    speed: float
+    held: float
+    torque: float
+    battery: float
+
+    @property
+    def torques(self) -> set[float]:
+        """All torques on B that balance, with every set of directions that agrees with its flow.
+
+        The sets carry T and M on their first links, so A gets -k1 T - k2 M with k = u eta^s, the
+        output (k1 - 1) T + (k2 - 1) M.
+        """
+        out = (self.speed - self.u[0] * self.held) / (1 - self.u[0])
+        second = out + self.u[1] * (self.held - out)
+        speeds = np.array([self.speed, self.held, out, second])
+        found = set()
+        for s, t, charges, charges_b in product((1, -1), repeat=4):
+            k = self.u[0] * self.eta[0] ** s, self.u[1] * self.eta[1] ** t
+            of_a, of_b = self.of[0] ** charges, self.of[1] ** charges_b
+            fixed = of_a * k[0] * self.torque * self.held
+            m = (self.battery - fixed) / (of_a * k[1] * self.held - of_b * second)
+            power = self._ports(k, m) * speeds
+            ideal = self._ports(self.u, m) * speeds
+            flows = s * self.torque * (self.speed - out), t * m * (second - out)
+            given = -charges * power[1], -charges_b * power[3]
+            passed = -power[ideal < 0].sum() / power[ideal > 0].sum()
+            if min(*flows, *given, passed) > 0:
+                found.add(round(m, 9))
+        return found
+
+    def _ports(self, k: Sequence[float], m: float) -> Floats:
+        """Torques on input, A, output and B from outside."""
+        at_a, at_out = -k[0] * self.torque - k[1] * m, (k[0] - 1) * self.torque + (k[1] - 1) * m
+        return np.array([self.torque, at_a, at_out, m])
+
+
+def random_trip(rng: Random) -> RoundTrip:
+    u = [rng.choice([-1, 1]) * rng.uniform(1.5, 3.5) for _ in range(2)]
+    eta, of = ([rng.uniform(low, 0.99) for _ in range(2)] for low in (0.6, 0.5))
+    speeds = rng.uniform(80, 400), rng.uniform(-600, 600)
+    return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(14, 21), pytest.param(range(100, 400), marks=pytest.mark.slow)]
+)
+def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
+    """Also beside torques at which friction locks the gear, and where there are none, or two."""
+    counts = set()
+    for seed in seeds:
+        trip = random_trip(seeded(seed))
+        results = solve(loads(GOES_ROUND.format(**trip._asdict())))
+        expected = trip.torques
+        counts.add(min(len(expected), 2))
+        said = [one.text.split()[1] for one in results.messages if one.id == "W427"]
+        if len(expected) == 1:
+            found = results.lossy_holding_torques_Nm[0, 3]
+            assert said == [], seed
+            assert found == pytest.approx(expected.pop(), rel=1e-8, abs=1e-8), seed
+        else:
+            assert said == ["two" if expected else "none"], seed
+    assert len(seeds) < 100 or counts == {0, 1, 2}

@@ -270,7 +270,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@pytest.mark.parametrize("seeds", [range(8), pytest.param(range(100, 200), marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seeds", [range(4), pytest.param(range(4, 100), marks=pytest.mark.slow)])
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
@@ -326,6 +326,16 @@ def test_where_two_torques_agree_there_are_none_and_a_message_says_so() -> None:
     state = results.gear(1)
     assert state.status.name == results.status(1).name == "undecided"
     assert all(math.isnan(plain(one)) for one in state.lossy_torques.on_first_link)
+
+
+def test_where_nothing_holds_the_torque_no_law_is_blamed() -> None:
+    """A neutral gear is out of balance with constant efficiencies; with a law it is no other."""
+    law = "{over: torque, points: [[0, .3], [100, .95]]}"
+    neutral = TORQUES.replace("gears: {{a: [B]}}", "gears: {{a: [B], n: []}}")
+    of_law, constant = (solve(loads(neutral.format(efficiency=one))) for one in (law, 0.5))
+    assert [one.id for one in of_law.messages] == [one.id for one in constant.messages]
+    assert not of_law.undecided.any()
+    assert not np.isnan(of_law.efficiency[0])
 
 
 def test_an_efficiency_that_falls_steeply_is_found_by_halves() -> None:

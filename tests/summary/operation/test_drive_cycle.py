@@ -162,6 +162,30 @@ def test_faults_of_a_trace_are_told_with_their_place(tmp_path: Path, text: str, 
     assert said in ran.err
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("speed [rpm],torque [N*m],fuel [kg]\n0,0,1\n", ":1:1: error: fuel: read the unit 'kg'"),
+        ("speed [rpm],torque [N*m],fuel [g/h]\n0,0,-1\n", ":2:1: error: fuel: expected 0 or more"),
+    ],
+)
+def test_faults_of_a_fuel_map_are_told_with_their_place(
+    tmp_path: Path, text: str, said: str
+) -> None:
+    (tmp_path / "t.csv").write_text("time [s],speed [km/h],gear\n0,1,1\n1,2,1\n")
+    (tmp_path / "fuel.csv").write_text(text)
+    case = tmp_path / "car.yaml"
+    case.write_text("""
+links: 2
+mechanisms: {p: {first: 1, second: 2, ratio: 4}}
+gears: {"1": []}
+vehicle: {mass: 1000, radius: 0.5, engine: [[0, 100]], fuel: {file: fuel.csv}}
+""")
+    ran = vstatics("cycle", str(case), str(tmp_path / "t.csv"))
+    assert (ran.status, ran.out) == (1, "")
+    assert f"fuel.csv{said}" in ran.err
+
+
 def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
     (tmp_path / "t.csv").write_text("time [s],speed [km/h]\n0,1\n1,2\n")
     ran = vstatics("cycle", "cases/zf-8hp70.yaml", str(tmp_path / "t.csv"))

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.commands import MZKT
 from tests.strategies import transmissions
 from tests.sweep.asked import (
@@ -99,7 +100,7 @@ def test_columns_hold_what_their_headings_say() -> None:
         np.testing.assert_array_equal(column, value(heading))
 
 
-@settings(max_examples=20)
+@settings(max_examples=count(8, 60))
 @given(transmissions(), st.sampled_from(list(ARRAYS)))
 def test_each_heading_reads_back_as_its_column_whatever_the_names(
     case: Transmission, table: str

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.sweep.asked import (
     RESULTS,
     SET,
@@ -173,7 +174,7 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(max_examples=180)
+@settings(max_examples=count(72, 540))
 @given(st.one_of(st.lists(PIECES, max_size=12).map("".join), st.text(max_size=30)))
 def test_any_text_is_read_or_refused_at_a_place(text: str) -> None:
     for option in ("--where", "--out"):

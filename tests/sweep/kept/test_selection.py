@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.sweep.kept.selection import best, read_objective, read_where
 from vstatics.sweep.variants.targets import target
@@ -29,7 +30,7 @@ RATIOS = np.array([[-2.0], [-2.5], [-3.0]])
 VARIED = [target("D1.ratio", SET)]
 RESULTS = solve(SET, ratios=RATIOS)
 
-RANDOM = settings(max_examples=75)
+RANDOM = settings(max_examples=count(30, 225))
 FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -math.inf])
 ANY_VALUE = st.one_of(FEW_VALUES, st.floats())
 

@@ -17,6 +17,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.sweep.sweeps import CASE, in_parts
 from vstatics.errors import Place, ReadError
 from vstatics.jobs.spool import PREFIX, Spool
@@ -186,7 +187,7 @@ def test_numbers_come_back_to_the_bit(
             assert in_parts(table, cuts).tolist() == [list(row) for row in numbers]
 
 
-@settings(max_examples=120)
+@settings(max_examples=count(48, 360))
 @given(st.binary(max_size=60), st.binary(max_size=60))
 def test_any_bytes_give_a_table_or_problems(head: bytes, rest: bytes) -> None:
     for data in (head + rest, b"D1.ratio,1.ratio\n" + rest, b"D1.ratio;1.ratio\n1;2\n" + rest):

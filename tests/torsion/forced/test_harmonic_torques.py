@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from tests.chance import seeded
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
@@ -49,7 +49,6 @@ def test_two_free_masses() -> None:
     assert gear.resonances == []
 
 
-@settings(max_examples=40, deadline=None)
 @given(branched(damped=True))
 def test_every_system_is_in_balance_and_reciprocal(case: Transmission) -> None:
     """``(K + i w D - w^2 M) q = e``, and q_b under a torque at a is q_a under one at b."""

@@ -101,7 +101,7 @@ def test_a_damping_ratio_is_that_of_a_mode_of_the_device_alone(ratio: float) -> 
     assert only(both.replace(springs=[spring])).modes[0].damping_ratio == pytest.approx(ratio)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=count(20, 150))
 @given(branched(damped=True))
 def test_every_damped_system(case: Transmission) -> None:
     """All eigenvalues of the first-order form of twice the size, but those of rigid modes."""

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import linalg
 
+from tests.chance import count
 from tests.torsion.systems import Array, branched, chain, matrices, with_planetary_set
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.torsion.vibration.gear_modes import GearModes, modes
@@ -52,7 +53,7 @@ def test_a_chain_of_equal_masses_free_at_its_ends() -> None:
     assert [mode.nodes for mode in gear.modes] == list(range(1, 12))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=count(24, 180))
 @given(branched())
 def test_every_system_of_springs(case: Transmission) -> None:
     """Sum of omega^2 = trace of M^-1 K; orthogonal in M and K; shares add up; M^-1 K x = w^2 x."""
@@ -76,7 +77,7 @@ def test_every_system_of_springs(case: Transmission) -> None:
     assert (len(gear.modes), gear.rigid_modes) == (rank, case.links - rank)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=count(12, 90))
 @given(branched(), st.randoms(use_true_random=False))
 def test_renumbering_links_changes_nothing(case: Transmission, random: object) -> None:
     order = list(range(1, case.links + 1))
@@ -286,7 +287,7 @@ def test_a_tied_up_gear_says_why_and_elastic_devices_tie_nothing_up() -> None:
     assert omegas(only(elastic)) == pytest.approx([3.0])
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=count(12, 90))
 @given(branched())
 def test_a_gear_whose_input_is_held_vibrates(case: Transmission) -> None:
     """M and K without the row and the column of the input have its frequencies."""

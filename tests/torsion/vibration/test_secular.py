@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.torsion.systems import Array
 from vstatics.torsion.vibration.secular import Poles, squares_with_device
 
@@ -65,7 +66,7 @@ def any_poles(draw: st.DrawFn) -> tuple[list[float], list[float], float]:
     return poles, weights, draw(decades)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=count(32, 240))
 @given(any_poles())
 def test_roots_are_enclosed_in_exact_fractions(
     given: tuple[list[float], list[float], float],

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.torsion.systems import Array, branched, chain, with_planetary_set
 from vstatics import Spring, Transmission
 from vstatics.torsion.system.coordinates import coordinates
@@ -64,7 +65,7 @@ def numbers(low: float, high: float) -> st.SearchStrategy[Array]:
     return st.lists(size, min_size=VARIANTS, max_size=VARIANTS).map(np.array)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=count(8, 60))
 @given(branched(), st.data())
 def test_any_stiffnesses_and_inertias(case: Transmission, data: st.DataObject) -> None:
     """A link may lose its inertia in some variants, and a stiffness go over eight decades."""

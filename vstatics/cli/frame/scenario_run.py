@@ -35,24 +35,33 @@ def needs(extra: str, purpose: str) -> None:
         raise ReadError([Problem("E014", message)])
 
 
-def run_of(outcome: CalculatedCase) -> Motion | None:
+def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     """The run of what names its case by a scenario, with enough instants for pictures.
 
     What is to be said of it is printed.
 
+    Parameters
+    ----------
+    outcome : CalculatedCase
+    out : str
+        Columns that it is to have besides, such as ``jerks[out]``.
+
     Raises
     ------
     ReadError
-        If it can't begin, with the places of what keeps it from that.
+        If it can't begin, with the places of what keeps it from that; of columns that are not.
     """
     read = outcome.scenario
     if read is None:
         return None
     needs("simulation", "a run")
     from vstatics.simulation.run import simulate as simulated
+    from vstatics.sweep.kept.asked import read_asked
 
+    scenario = read.scenario
+    columns = read_asked(out, scenario) if out else []
     try:
-        motion = simulated(read.scenario, step=read.scenario.duration / INSTANTS)
+        motion = simulated(scenario, step=scenario.duration / INSTANTS, columns=columns)
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
     files.show(outcome.telling.printed(run_problems(read, motion)))

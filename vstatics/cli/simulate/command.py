@@ -18,6 +18,7 @@ from vstatics.cli.frame.scenario_run import needs, run_problems
 from vstatics.cli.simulate.options import SimulateOptions, options
 from vstatics.cli.simulate.watched import watched
 from vstatics.errors import CaseError, ReadError
+from vstatics.tables.suffixes import known
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 MOST_STEPS = 1_000_000
 """So many multiples of a step may be written."""
+WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
+"""Formats that have a run over time."""
 
 
 @click.command()
@@ -35,7 +38,10 @@ def simulate(asked: SimulateOptions) -> int:
     SCENARIO is YAML: the case, the duration, the start, capacities of shift elements and
     outside torques over time, or shifts. Speeds, slips and torques over time go to the file
     of -o; without it events, energy and largest torques are printed. A run that must stop
-    before the end tells when and why, and what was calculated is written.
+    before the end tells when and why, and what was calculated is written. --out adds
+    columns: accelerations, jerks, powers of links; powers of springs; heat, slip_power,
+    temperatures of shift elements; states; vehicle_speed, vehicle_acceleration and
+    vehicle_jerk of a link with a road.
 
     With --samples N numbers are drawn from the distributions that SCENARIO has in
     `samples`; means, deviations and quantiles of torques and energies are printed, and the
@@ -45,6 +51,7 @@ def simulate(asked: SimulateOptions) -> int:
     Examples:
       vstatics simulate upshift.yaml
       vstatics simulate upshift.yaml -o upshift.csv --step 0.01
+      vstatics simulate upshift.yaml -o upshift.csv --out 'accelerations[out], heat[C]'
       vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
       vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
 
@@ -56,25 +63,37 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    if asked.limit is not None and asked.method != "events":
-        raise click.UsageError("--limit is for the method `events`.")
+    for option, given in (("--limit", asked.limit), ("--out", asked.sampling.out)):
+        if given is not None and asked.method != "events":
+            raise click.UsageError(f"{option} is for the method `events`.")
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
         from vstatics.cli.simulate.samples import run_samples
 
         return run_samples(asked)
+    out = asked.sampling.out
+    if out is not None and to.form not in WITH_COLUMNS:
+        expected = " ".join(known(WITH_COLUMNS))
+        raise click.UsageError(f"--out asks for columns over time: expected -o with {expected}.")
     if to.form == "parquet":
         needs("parquet", "Parquet")
     read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
+    from vstatics.sweep.kept.asked import read_asked
 
+    columns = [] if out is None else read_asked(out, read.scenario)
     try:
         with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
             motion = simulated(
-                read.scenario, step=asked.step, rtol=asked.rtol, method=asked.method, watch=watch
+                read.scenario,
+                step=asked.step,
+                rtol=asked.rtol,
+                method=asked.method,
+                watch=watch,
+                columns=columns,
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None

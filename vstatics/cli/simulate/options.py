@@ -44,7 +44,7 @@ class SampleOptions(NamedTuple):
         of_one = [f"--{name}" for name, given in of_one_run.items() if given]
         if self.samples is not None and of_one:
             raise click.UsageError(f"{of_one[0]} is for one run, without --samples.")
-        given = {"seed": self.seed, "out": self.out, **self.sharing._asdict()}
+        given = {"seed": self.seed, **self.sharing._asdict()}
         alone = [name for name, value in given.items() if value not in (None, False)]
         if self.samples is None and alone:
             raise click.UsageError(f"--{alone[0]} belongs to --samples.")
@@ -75,7 +75,11 @@ _SAMPLES = gathered(
         help="N runs with numbers drawn as `samples` says: their statistics; -o has the runs.",
     ),
     click.option("--seed", type=click.IntRange(0), metavar="S", help="Of --samples.  [default: 0]"),
-    click.option("--out", metavar="LIST", help="What is told of --samples, as in a sweep."),
+    click.option(
+        "--out",
+        metavar="LIST",
+        help="More columns, as accelerations[out]; what is told of --samples.",
+    ),
     shared("--samples that were stopped"),
 )
 options = gathered(

@@ -24,6 +24,7 @@ EVENTS_IN_RUSSIAN = {
     "closes": "включается",
     "overruns": "обгоняет",
     "starts": "трогается",
+    "step": "шаг",
 }
 """Kinds of events, and other words for them."""
 
@@ -43,16 +44,19 @@ def event_text(event: Event, style: Style) -> str:
 
     >>> event_text(Event(0.3, "C1", "locks"), Style())
     'C1 locks'
+    >>> event_text(Event(0.3, "up", "step", None, None, 2), Style())
+    'up step 2'
     """
     word = event.word or event.event
-    return f"{short(event.element)} {style.text(word, EVENTS_IN_RUSSIAN[word])}"
+    number = f" {event.step}" if event.step else ""
+    return f"{short(event.element)} {style.text(word, EVENTS_IN_RUSSIAN[word])}{number}"
 
 
 def named_events(events: Sequence[Event], most: int) -> list[Event]:
     """The events that get a label: all, or of many impacts and ends of slip before others."""
     if len(events) <= most:
         return list(events)
-    order = {"impact": 0, "locks": 1, "reverses": 2, "slips": 3}
+    order = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
     first = sorted(range(len(events)), key=lambda place: (order[events[place].event], place))
     return [events[place] for place in sorted(first[:most])]
 

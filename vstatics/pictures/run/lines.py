@@ -26,6 +26,21 @@ PARTS_OF_TIME = 1500
 """Of so many parts of the time the ends and extremes are drawn."""
 
 
+_ASKED = {
+    "accelerations": ("acceleration, rad/s²", "ускорение, рад/с²", 1.0),
+    "jerks": ("jerk, rad/s³", "рывок, рад/с³", 1.0),
+    "powers": ("power, kW", "мощность, кВт", 1e3),
+    "heat": ("heat, kJ", "теплота, кДж", 1e3),
+    "slip_power": ("slip power, kW", "мощность буксования, кВт", 1e3),
+    "temperatures": ("temperature, °C", "температура, °C", 1.0),
+    "states": ("states", "состояния", 1.0),
+    "vehicle_speed": ("speed of vehicle, m/s", "скорость машины, м/с", 1.0),
+    "vehicle_acceleration": ("acceleration of vehicle, m/s²", "ускорение машины, м/с²", 1.0),
+    "vehicle_jerk": ("jerk of vehicle, m/s³", "рывок машины, м/с³", 1.0),
+}
+"""Tables that somebody may ask for: in both languages, by what their values are divided."""
+
+
 class MotionLine(NamedTuple):
     """A number over the time of a run."""
 
@@ -82,9 +97,26 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
         _panel("slip, rad/s", "скольжение, рад/с", slips),
         _torques("elements", "моменты элементов", carried),
         _torques(*_kinds(springs, [line.name for line in elastic]), elastic),
-        _panel("heat, kJ", "теплота, кДж", heat),
+        _panel("heat, kJ", "теплота, кДж", [] if "heat" in motion.asked else heat),
+        *_asked(case, motion),
     ]
     return [panel for panel in found if panel.lines]
+
+
+def _asked(case: Transmission, motion: Motion) -> Iterator[MotionPanel]:
+    """Columns that somebody asks for."""
+    for table, rows in motion.asked.items():
+        english, russian, unit = _ASKED[table]
+        lines = [
+            MotionLine(
+                (short(name),),
+                values / unit,
+                tuple(n for n, one in enumerate(case.link_names, 1) if one == name),
+                next((n for n, one in enumerate(motion.elements) if one == name), None),
+            )
+            for name, values in rows.items()
+        ]
+        yield _panel(english, russian, lines)
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:

@@ -176,11 +176,12 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
         case RowOf():
+            known = (*shape.items, *shape.passed_over)
             return {
                 "type": "array",
-                "prefixItems": list(map(_shape, shape.items)),
+                "prefixItems": list(map(_shape, known)),
                 "minItems": len(shape.items),
-                "maxItems": len(shape.items),
+                "maxItems": len(known),
             }
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}

@@ -107,7 +107,8 @@ def _yield(equations: Equations, time: float, state: Floats) -> None:
     twists, heat = state[equations.twists], state[equations.slipped]
     carried = equations.acting(time, state)[1][equations.layout.spring_ports]
     stiffness = equations.ports.stiffness
-    change = np.where(equations.limited, carried / stiffness - twists, 0.0)
+    yields = equations.limited & (stiffness > 0)
+    change = np.where(yields, carried / np.where(yields, stiffness, 1.0) - twists, 0.0)
     heat -= stiffness * (twists + change / 2) * change
     twists += change
 

@@ -283,7 +283,7 @@ class Margins:
                         made[row, port] = side
         return made
 
-    def limits(self, times: Floats, seen: Sequence[Sequence[float]]) -> Floats:
+    def limits(self, times: Floats, seen: Floats | None) -> Floats:
         """Limits of what sticks at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
             made: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
@@ -313,7 +313,7 @@ class Margins:
         held: Floats = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
-        seen = equations.seen_at(times, states, rates, torques) if self.sees else ()
+        seen = equations.seen_at(times, states, rates, torques) if self.sees else None
         slips = rates[self.slip_ports]
         for row, (link, jump) in self.switches:
             angles = states[equations.angles][layout.angles.index(link)]
@@ -343,39 +343,31 @@ class Margins:
             columns = range(len(times))
             parts.append(np.array([[self._together(slack[:, n], held[:, n]) for n in columns]]))
         if len(self.watches) > self.deciding:
-            seen = seen or equations.seen_at(times, states, rates, torques)
+            if seen is None:
+                seen = equations.seen_at(times, states, rates, torques)
             parts.append(self._of_values(times, states, seen))
         return np.vstack(parts)
 
-    def _of_values(
-        self,
-        times: Floats,
-        states: Floats,
-        seen: Sequence[Sequence[float]],
-    ) -> Floats:
+    def _of_values(self, times: Floats, states: Floats, seen: Floats) -> Floats:
         """Of states at their limits, and of what steps wait for."""
         changes = self.equations.changes
         values = states[self.equations.values]
         made = []
         for index, side, limit in self.limits_of_states:
             if changes.held[index]:
-                look = changes.rates[index]
-                at = zip(times.tolist(), seen, strict=True)
-                made.append([side * look(*one) for one in at])
+                made.append(side * changes.rates[index].along(times, seen))
             else:
-                made.append((side * (limit - values[index])).tolist())
+                made.append(side * (limit - values[index]))
         for one in self.sequences:
             first, second = one.compared
-            found = [first(*at) - second(*at) for at in zip(times.tolist(), seen, strict=True)]
+            found = first.along(times, seen) - second.along(times, seen)
             if one.side == "0":
-                made.append([EQUAL_SIDES * one.size - abs(value) for value in found])
+                made.append(EQUAL_SIDES * one.size - np.abs(found))
             else:
-                made.append([SIGNS[one.side] * value for value in found])
-        return np.array(made).reshape(len(made), len(times))
+                made.append(SIGNS[one.side] * found)
+        return np.array(made)
 
-    def _slack(
-        self, times: Floats, held: Floats, torques: Floats, seen: Sequence[Sequence[float]]
-    ) -> Floats:
+    def _slack(self, times: Floats, held: Floats, torques: Floats, seen: Floats | None) -> Floats:
         """Of contacts that stick, then of meshes, shape (slacks, times)."""
         cones = [self.limits(times, seen) - self.sides[:, None] * held[self.held_rows]]
         if self.by_torques is not None:
@@ -431,7 +423,7 @@ class Margins:
         """What is at its limit in the split that leaves most room."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
-        seen = self.equations.seen_at(at, states, rates, torques) if self.sees else ()
+        seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
         held = (self.equations.structure.torques @ torques)[:, 0]
         found = self._roomiest(self._slack(at, held[:, None], torques, seen)[:, 0], held)
         best = found.slack + found.directions @ widest_place(found.slack, found.directions)
@@ -459,7 +451,7 @@ class Margins:
         held: Floats = self.equations.structure.torques @ torques
         if not self.shared:
             return held
-        seen = self.equations.seen_at(times, states, rates, torques) if self.sees else ()
+        seen = self.equations.seen_at(times, states, rates, torques) if self.sees else None
         slack = self._slack(times, held, torques, seen)
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
@@ -476,7 +468,7 @@ class Margins:
         states: Floats,
         rates: Floats,
         torques: Floats,
-        seen: Sequence[Sequence[float]],
+        seen: Floats | None,
     ) -> list[Floats]:
         equations = self.equations
         first = equations.layout.springs
@@ -507,7 +499,7 @@ def _is_limited(device: Contact | Elastic, time: float) -> bool:
     return programme.look is not None or math.isfinite(programme_at(programme, time))
 
 
-def _limits(contact: Contact, side: int, times: Floats, seen: Sequence[Sequence[float]]) -> Floats:
+def _limits(contact: Contact, side: int, times: Floats, seen: Floats | None) -> Floats:
     if contact.one_way and side == 1:
         return np.zeros(len(times))
     held = programme_along(contact.programme, times, seen)

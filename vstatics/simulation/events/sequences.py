@@ -49,7 +49,7 @@ class Judge:
     def judged(self, one: Compared) -> Awaited:
         """What is compared, with its side."""
         (first, second), (later, other) = (
-            (one.first(*at), one.second(*at)) for at in (self.now, self.ahead)
+            (one.first.at(*at), one.second.at(*at)) for at in (self.now, self.ahead)
         )
         apart, then = first - second, later - other
         size = max(abs(first), abs(second), SOON * abs(then - apart))

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Complex, Floats, largest
+from vstatics.numerics.arrays import Booleans, Complex, Floats, Integers, largest
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
@@ -32,8 +32,6 @@ from vstatics.simulation.tolerances import (
 _NONE = np.zeros(0)
 _TERMS = 22
 """Of the series."""
-_APPLIED = 3
-"""So many squares of a matrix cost more than to apply it again and again."""
 
 
 class Exponential:
@@ -46,7 +44,7 @@ class Exponential:
     array([1.      , 0.049787])
     """
 
-    def __init__(self, matrix: Floats, nodes: Floats = _NONE) -> None:
+    def __init__(self, matrix: Floats, nodes: Floats = _NONE, rows: int | None = None) -> None:
         norm = largest(np.abs(matrix).sum(axis=0))
         self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
         step = matrix / 2.0**self.halvings
@@ -54,49 +52,49 @@ class Exponential:
         for number in range(1, _TERMS + 1):
             terms.append(terms[-1] @ step / number)
         self.series = np.array(terms)
-        self.doubled = [self.at(np.ones(1))[0]]
+        self.halved = [self.series[::-1].sum(axis=0)]  # small ones first: they would be rounded off
+        """For 1, 1/2, 1/4, ... down to that of the series."""
+        for _ in range(self.halvings):
+            self.halved.insert(0, self.halved[0] @ self.halved[0])
+        self.doubled = [self.halved[0]]
         """For 1, 2, 4, ..."""
-        self.nodes = self.at(nodes)
-        """For the parts of the time that are asked for again and again."""
+        self.nodes = self.at(nodes, rows)
+        """For the parts of the time that are asked for again and again, so many rows."""
 
-    def at(self, parts: Floats) -> Floats:
-        """For parts of the time, each 0 to 1; shape (parts, size, size)."""
-        return self._squared(parts, self.halvings)
-
-    def _squared(self, parts: Floats, times: int) -> Floats:
-        """Of halved parts, squared so many times."""
-        factors = parts[:, None] ** np.arange(len(self.series))
-        size = self.series.shape[1]
-        made: Floats = (factors @ self.series.reshape(len(self.series), -1)).reshape(-1, size, size)
-        for _ in range(times):
-            made = made @ made
-        return made
+    def at(self, parts: Floats, rows: int | None = None) -> Floats:
+        """For parts of the time, each 0 to 1: the first rows, or all; shape (parts, rows, size)."""
+        steps, rest = self._split(parts)
+        factors = rest[:, None] ** np.arange(len(self.series))
+        series = self.series[:, :rows]
+        made = (factors @ series.reshape(len(series), -1)).reshape(len(parts), *series.shape[1:])
+        for halved, far in steps:
+            made[far] = made[far] @ halved
+        return np.asarray(made)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
         """States, as columns, each after its part of the time, 0 to 1."""
-        size = len(states)
-        if 2**self.halvings > max(size, 2**_APPLIED):
-            batches = 1 + len(parts) * size**2 // _MOST_NUMBERS
-            some = (np.array_split(one, batches, axis=-1) for one in (parts, states))
-            return np.hstack([self._moved_by_squares(*one) for one in zip(*some, strict=True)])
-        step, made = self.series[1], states
-        for _ in range(2**self.halvings):
-            term = made
-            enough = ENOUGH_TERMS * largest(made)
-            for number in range(1, _TERMS + 1):
-                term = (step @ term) * (parts / number)
-                made = made + term
-                if largest(term) <= enough:
-                    break
+        steps, rest = self._split(parts)
+        made = states.copy()
+        for halved, far in steps:
+            made[:, far] = halved @ made[:, far]
+        term, enough = made, ENOUGH_TERMS * largest(made)
+        for number in range(1, _TERMS + 1):
+            term = (self.series[1] @ term) * (rest / number)
+            made = made + term
+            if largest(term) <= enough:
+                break
         return made
 
-    def _moved_by_squares(self, parts: Floats, states: Floats) -> Floats:
-        """The same by matrices, which are squared until they are to be applied a few times."""
-        squares = self.halvings - _APPLIED
-        moves, made = self._squared(parts, squares), states.T[:, :, None]
-        for _ in range(2**_APPLIED):
-            made = moves @ made
-        return made[:, :, 0].T
+    def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
+        """Parts of the time as sums of halves: each with whose it is; and what is left of them."""
+        steps: list[tuple[Floats, Integers]] = []
+        rest = parts.copy()
+        for number, halved in enumerate(self.halved):
+            far = np.flatnonzero(rest >= 0.5**number)
+            rest[far] -= 0.5**number
+            if len(far):
+                steps.append((halved, far))
+        return steps, rest * 2.0**self.halvings
 
     def repeated(self, first: Floats, count: int) -> Floats:
         """States at the start of each of so many equal parts, shape (size, parts)."""
@@ -175,6 +173,8 @@ _RELAXATION_ROUNDS = 12
 _ORDERS = DEGREE + 1
 
 
+_BALANCINGS = 3
+"""Times that states are balanced, one after the other."""
 _FEW = 64
 """So many states have their eigenvalues calculated at once."""
 _SQUARINGS = 6
@@ -244,7 +244,16 @@ class Closed:
         self.equations, self.large = equations, large
         ports = equations.ports
         timed = {port for port, _, _ in ports.timed}
-        self.bending = np.array(sorted(timed.union(ports.bending)), dtype=int)
+        rates = range(equations.layout.ports, equations.layout.ports + len(equations.layout.values))
+        self.bending = np.array([*sorted(timed.union(ports.bending)), *rates], dtype=int)
+        """Ports whose torques bend, then the rates of values."""
+        self.torques = len(self.bending) - len(rates)
+        """So many of them are torques."""
+        self.is_given = ports.is_affine and not rates
+        looks = {*rates, *equations.seeing}
+        orders = np.array([2 if one in looks else _ORDERS for one in self.bending], dtype=int)
+        self.kept: Booleans = np.arange(_ORDERS) < orders[:, None]
+        """Orders of their polynomials: what is straight in all that it sees leaves a line."""
         self.latest: Floats = np.zeros(len(self.bending))
         """What the torques that bend were at the end of the last stretch."""
         self.size = equations.works.start
@@ -254,21 +263,24 @@ class Closed:
         """Make the matrix with the slopes that torques have in a state."""
         equations = self.equations
         by_rate = equations.slopes_by_rate(time, state)
-        self.slopes: Floats = by_rate[self.bending]
+        self.slopes: Floats = by_rate[self.bending[: self.torques]]
+        by_state = equations.slopes_by_state(time, state)
+        self.by_state = by_state[self.bending]
         try:
-            self.affine = Affine(equations, by_rate)
+            self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
             raise NoFit from None
         self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
         self.balance = self._balanced()
+        self._balance_values(matrix)
         self.matrix: Floats = self.balance[:, None] * matrix / self.balance
         self.rates: Complex | None = None
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Whether the slopes in a state are others than those in the matrix."""
-        slopes = self.equations.slopes_by_rate(time, state)[self.bending]
+        slopes = self.equations.slopes_by_rate(time, state)[self.bending[: self.torques]]
         largest = np.maximum(np.abs(slopes), np.abs(self.slopes))
         return bool((np.abs(slopes - self.slopes) > 0.05 * largest).any())
 
@@ -286,6 +298,17 @@ class Closed:
             factors[driven] = max(1.0, largest(factors[: equations.angles.start]))
         return factors
 
+    def _balance_values(self, matrix: Floats) -> None:
+        """Factors of states: what goes to each grows no larger than all the rest (Osborne)."""
+        for _ in range(_BALANCINGS):
+            for index in range(*self.equations.values.indices(self.size)):
+                made = np.abs(self.balance[:, None] * matrix / self.balance)
+                given, taken = made[:, index].sum(), made[index].sum()
+                made[index] = made[:, index] = 0.0
+                others = largest(made)
+                if others:
+                    self.balance[index] *= np.sqrt((given + others) / (taken + others))
+
     def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:
         """Stretches up to a time.
 
@@ -295,7 +318,7 @@ class Closed:
         """
         time = begin = self.equations.time
         shorter, smooth = 1.0, 0
-        most = _MOST_HALVINGS if self.equations.ports.is_affine else _FIRST_PARTS
+        most = _MOST_HALVINGS if self.is_given else _FIRST_PARTS
         while time < end:
             while True:
                 length, count = self._parts(time - begin, end - time, most, shorter)
@@ -346,23 +369,26 @@ class Closed:
         if known is not None:
             return known
         size, change, ports = self.size, self.affine.change, self.equations.ports
-        made = np.zeros((size + 2 + _ORDERS * len(self.bending),) * 2)
+        made = np.zeros((size + 2 + int(self.kept.sum()),) * 2)
         factors = self.balance * length
         made[:size, :size] = self.matrix * length
-        constant = change.by_given @ ports.c0 + change.by_slope @ ports.c1
-        made[:size, size] = factors * (change.by_given @ ports.c1)
+        count = len(ports.c0)
+        by_torques, by_slopes = change.by_given[:, :count], change.by_slope[:, :count]
+        constant = by_torques @ ports.c0 + by_slopes @ ports.c1
+        made[:size, size] = factors * (by_torques @ ports.c1)
         made[:size, size + 1] = factors * constant
         made[size, size + 1] = length
-        for place, port in enumerate(self.bending):
-            first = size + 2 + _ORDERS * place
+        first = size + 2
+        for port, orders in zip(self.bending, self.kept.sum(axis=1).tolist(), strict=True):
             made[:size, first] = factors * change.by_given[:, port]
             made[:size, first + 1] = self.balance * change.by_slope[:, port]
-            rows = np.arange(first, first + DEGREE)
+            rows = np.arange(first, first + orders - 1)
             made[rows, rows + 1] = 1.0
+            first += orders
         # torques in units in which they push no more than x itself does
         unit = max(largest(np.abs(made[:size, size:]).sum(axis=0)), NOT_ZERO)
         made[:size, size:] /= unit
-        exponential = Exponential(made, NODES), unit
+        exponential = Exponential(made, NODES, size), unit
         self.exponentials[length] = exponential
         return exponential
 
@@ -370,12 +396,11 @@ class Closed:
         """A stretch from a state on; None where torques bend too much for it."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
-        is_given = self.equations.ports.is_affine  # what is not straight is so by the time alone
         given = np.zeros((len(self.bending), _ORDERS))
         given[:, 0] = self.latest
         before: Floats | None = None
         for _ in range(_RELAXATION_ROUNDS):
-            if is_given:
+            if self.is_given:  # what is not straight is so by the time alone
                 now = before = self.affine.given_at(times)[0][self.bending]
             else:
                 at = self._states(self._followed(parts, state, given, to_powers))
@@ -384,12 +409,21 @@ class Closed:
                 return None
             given = now @ to_series
             limit = FITTING_TORQUE * max(self.large, largest(now))
+            self._keep(given, limit)
+            given[~self.kept] = 0.0
             if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
                 fits = largest(given @ to_values - now) <= 4 * limit
                 return self._followed(parts, state, given, to_powers) if fits else None
             before = now
         return None
+
+    def _keep(self, given: Floats, limit: float) -> None:
+        """Keep all orders of what bends after all."""
+        bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
+        if bends.any():
+            self.kept[bends] = True
+            self.exponentials.clear()
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
@@ -400,13 +434,13 @@ class Closed:
         first[:size] = self.balance * state[:size]
         first[size] = parts.begin
         first[size + 1] = 1.0
-        first[size + 2 :] = (given @ to_powers).reshape(-1)
+        first[size + 2 :] = (given @ to_powers)[self.kept]
         first[size:] *= unit
         return TimeStretch(parts, exponential, exponential.repeated(first, parts.number))
 
     def _states(self, stretch: TimeStretch) -> Floats:
         """X at instants of all parts, shape (size, parts, instants)."""
-        nodes = stretch.exponential.nodes.transpose(1, 0, 2)[: self.size]
+        nodes = stretch.exponential.nodes.transpose(1, 0, 2)
         inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
         return inner / self.balance[:, None, None]
 
@@ -419,8 +453,12 @@ class Closed:
         rates += affine.rates.by_slope @ slopes
         whole = np.zeros((equations.works.start, len(times)))
         whole[: self.size] = states
-        torques = equations.torques_at(times, whole, rates)[self.bending]
-        made: Floats = torques - self.slopes[:, None] * rates[self.bending]
+        ports = self.bending[: self.torques]
+        torques = equations.torques_at(times, whole, rates)
+        made: Floats = torques[ports] - self.slopes[:, None] * rates[ports]
+        if len(self.bending) > self.torques:
+            made = np.vstack([made, equations.value_rates_at(times, whole, rates, torques)])
+        made -= self.by_state @ states
         return made
 
     def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:

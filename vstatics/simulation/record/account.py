@@ -49,7 +49,10 @@ def energy_account(
         What impacts took, and the work that was done on links at given speeds. [J]
     """
     system = equations.system
-    heat, losses = _heat_and_losses(equations, state)
+    heat, losses = (
+        {name: float(one) for name, one in energies.items()}
+        for energies in heat_and_losses(equations, state)
+    )
     works, layout = state[equations.works], equations.layout
     impact, impact_work = impacts
     work = float(works[: layout.outside].sum()) + impact_work
@@ -73,14 +76,14 @@ def energy_account(
     return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)
 
 
-def _heat_and_losses(
+def heat_and_losses(
     equations: Equations, state: Floats
-) -> tuple[dict[str, float], dict[str, float]]:
-    """Of everything by its name [J]; what has one name is one sum."""
+) -> tuple[dict[str, Floats], dict[str, Floats]]:
+    """Of everything by its name [J], in a state or in several; what has one name is one sum."""
     system, layout = equations.system, equations.layout
     works = state[equations.works]
-    heat: dict[str, float] = {}
-    losses: dict[str, float] = {}
+    heat: dict[str, Floats] = {}
+    losses: dict[str, Floats] = {}
     for index, contact in enumerate(system.contacts):
         if contact.switch or contact.is_variator:
             continue
@@ -105,5 +108,5 @@ def _heat_and_losses(
     return heat, losses
 
 
-def _add(energies: dict[str, float], name: str, energy: float) -> None:
-    energies[name] = energies.get(name, 0.0) + float(energy)
+def _add(energies: dict[str, Floats], name: str, energy: Floats) -> None:
+    energies[name] = energies[name] + energy if name in energies else energy

@@ -4,12 +4,30 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.statics.result_arrays import Message
-from vstatics.tables.answer import Sometimes, document
+from vstatics.tables.answer import Flat, Sometimes, document
+
+Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
+"""Columns of a table by row, if somebody asks for them."""
+
+
+class AskedAnswer(NamedTuple):
+    """What a run has besides."""
+
+    accelerations: Rows = None
+    jerks: Rows = None
+    powers: Rows = None
+    heat: Rows = None
+    slip_power: Rows = None
+    temperatures: Rows = None
+    states: Rows = None
+    vehicle_speed: Rows = None
+    vehicle_acceleration: Rows = None
+    vehicle_jerk: Rows = None
 
 
 @document("vstatics-simulation")
@@ -21,6 +39,7 @@ class MotionAnswer(NamedTuple):
     speeds: Mapping[str, Floats]
     slips: Mapping[str, Floats]
     torques: Mapping[str, Floats]
+    asked: Flat[AskedAnswer]
     events: Sequence[Event]
     energy: Energy
     peaks: Mapping[str, Peak]
@@ -47,6 +66,7 @@ def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> Motion
         dict(zip(motion.links, motion.speeds.T, strict=True)),
         dict(zip(motion.elements, motion.slips.T, strict=True)),
         dict(zip(motion.devices, motion.torques.T, strict=True)),
+        AskedAnswer(**motion.asked),
         motion.events,
         motion.energy,
         motion.peaks,

@@ -16,7 +16,8 @@ from vstatics.tables.names import written
 def columns(motion: Motion) -> dict[str, Floats]:
     """`time`, then each of speeds, slips and torques by its heading, such as ``speeds[in]``.
 
-    [s], [rad/s], [N*m]; of a run that had to stop also `stopped`, 1 at its last instant.
+    [s], [rad/s], [N*m]; then what was asked for; of a run that had to stop also `stopped`, 1 at its
+    last instant.
     """
     made = {"time": motion.time}
     for table, names, values in (
@@ -26,6 +27,9 @@ def columns(motion: Motion) -> dict[str, Floats]:
     ):
         for index in range(len(names)):
             made[f"{table}[{written(index, names)}]"] = values[:, index]
+    for table, rows in motion.asked.items():
+        names = tuple(rows)
+        made |= {f"{table}[{written(n, names)}]": rows[name] for n, name in enumerate(names)}
     if motion.stopped is not None:
         made["stopped"] = np.zeros(len(motion.time))
         made["stopped"][-1] = 1.0

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, first_largest
-from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.curves import (
     CurveRanges,
@@ -58,10 +57,14 @@ class DrawnRun:
     system : MotionSystem
     every : float, optional
         Its multiples are never left out. [s]
+    asked : mapping of str to sequence of str
+        Rows of tables that somebody asks for.
     """
 
-    def __init__(self, system: MotionSystem, every: float | None) -> None:
-        self.table, self.every = MotionColumns(system), every
+    def __init__(
+        self, system: MotionSystem, every: float | None, asked: Mapping[str, Sequence[str]]
+    ) -> None:
+        self.table, self.every = MotionColumns(system, asked), every
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
         self._of: CurveRanges | None = None
@@ -87,7 +90,7 @@ class DrawnRun:
             states = np.hstack([np.array(piece.states).T, *(one for _, one in more)])
             order = np.argsort(times, kind="stable")
             all_times.append(times[order])
-            all_columns.append(self.table.at(piece.margins, times[order], states[:, order]))
+            all_columns.append(self.table.at(piece, times[order], states[:, order]))
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
         if len(self.times) > most:
             self._thin(most if hurried else most // 2)
@@ -119,7 +122,7 @@ class DrawnRun:
     ) -> Iterator[tuple[_SteppedCourse, Floats]]:
         """Times by which columns are drawn, and those of their extremes."""
         courses = [
-            _SteppedCourse(number, steps, self.table.curves(piece.margins, steps))
+            _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)
             for steps in _alike(piece.steps)
         ]
@@ -128,19 +131,19 @@ class DrawnRun:
         curves = [one.curves for one in courses]
         table = self.table
         moves = slice(table.speeds.start, table.slips.stop)
-        of = self._of = ranges(curves, [moves, table.torques, table.heat], self._of)
+        of = self._of = ranges(curves, [moves, *table.kinds[2:]], self._of)
         parts = sum(len(one.begins) for one in curves)
         self._parts += parts
         room = most * parts // self._parts if self._is_thin else most - len(self.times)
         drawn, extremes = drawn_times(curves, of, room), extreme_times(curves, of)
         for course, *times in zip(courses, drawn, extremes, strict=True):
-            inside, margins = course.inside(np.concatenate(times)), pieces[course.piece].margins
-            if margins.shared and not hurried:
-                inside = self._with_corners(margins, course, inside, of.size)
+            inside, piece = course.inside(np.concatenate(times)), pieces[course.piece]
+            if piece.margins.shared and not hurried:
+                inside = self._with_corners(piece, course, inside, of.size)
             yield course, inside
 
     def _with_corners(
-        self, margins: Margins, course: _SteppedCourse, times: Floats, size: Floats
+        self, piece: Piece, course: _SteppedCourse, times: Floats, size: Floats
     ) -> Floats:
         """Times, and those near corners: where redundant elements begin to share otherwise."""
         edges = np.concatenate([course.curves.begins, times, [course.steps[-1][1]]])
@@ -149,7 +152,7 @@ class DrawnRun:
         for _ in range(_MOST_BISECTIONS):
             middle = 0.5 * (low + high)
             first, at, last = (
-                self.table.at(margins, one, course.states(one)) for one in (low, middle, high)
+                self.table.at(piece, one, course.states(one)) for one in (low, middle, high)
             )
             far = (np.abs(at - 0.5 * (first + last)) > CHORD * size[:, None]).any(axis=0)
             if not far.any() or len(times) > _MOST_NEAR_CORNERS:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Annotated, Literal, NamedTuple
 
 from vstatics.errors import Problem
@@ -100,6 +101,8 @@ class Motion(NamedTuple):
     messages : sequence of Message
     stopped : Problem, optional
         Why the run ends before its duration.
+    asked : mapping of str to mapping of str to ndarray, shape (instants,)
+        Columns that were asked for, by table and row.
     """
 
     time: Floats
@@ -116,3 +119,4 @@ class Motion(NamedTuple):
     reached: tuple[Reached, ...] = ()
     messages: tuple[Message, ...] = ()
     stopped: Problem | None = None
+    asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})

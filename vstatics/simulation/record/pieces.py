@@ -1,4 +1,4 @@
-"""The pieces of a run, and its columns at some instants: speeds, slips, torques, heat."""
+"""The pieces of a run, and its columns at some instants."""
 
 from __future__ import annotations
 
@@ -11,8 +11,11 @@ from vstatics.numerics.arrays import Floats, first_largest
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import element_heat
+from vstatics.simulation.record.asked import TABLES, Moments
+from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.curves import Curves
 from vstatics.simulation.record.motion import Peak
+from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, between
 
 
@@ -27,6 +30,12 @@ class Piece:
         self.steps: list[tuple[TimeStep, float]] = []
         """Each with the time up to which it holds."""
 
+    @property
+    def motion(self) -> PieceMotion:
+        """What moves, from when till when."""
+        end = self.steps[-1][1] if self.steps else self.times[-1]
+        return PieceMotion(self.margins.equations, self.times[0], end)
+
     def add(self, time: float, state: Floats) -> None:
         """Keep an instant."""
         self.times.append(time)
@@ -34,32 +43,40 @@ class Piece:
 
 
 class MotionColumns:
-    """The columns of a motion, one behind the other."""
+    """The columns of a motion, one behind the other.
 
-    def __init__(self, system: MotionSystem) -> None:
+    Parameters
+    ----------
+    system : MotionSystem
+    asked : mapping of str to sequence of str
+        Rows of tables that somebody asks for.
+    """
+
+    def __init__(self, system: MotionSystem, asked: Mapping[str, Sequence[str]]) -> None:
+        self.asked = asked
         elements = system.case.shift_elements
         links = len(system.names)
         self.devices = device_names(system)
         self.rows = system.rows(between(one.first, one.second, links) for one in elements)
-        sizes = (links, len(elements), len(self.devices), len(elements))
+        sizes = (links, len(elements), len(self.devices), *map(len, asked.values()), len(elements))
         ends = np.cumsum((0, *sizes)).tolist()
         self.kinds = [slice(*pair) for pair in pairwise(ends)]
-        """Speeds, slips, torques, heat."""
-        self.speeds, self.slips, self.torques, self.heat = self.kinds
+        """Speeds, slips, torques, tables that are asked for, heat."""
+        self.speeds, self.slips, self.torques, *_, self.heat = self.kinds
 
-    def at(self, margins: Margins, times: Floats, states: Floats) -> Floats:
+    def at(self, piece: Piece, times: Floats, states: Floats) -> Floats:
         """All at several times of a piece, shape (columns, times)."""
-        speeds = margins.equations.speeds_at(times, states)
-        return np.vstack(
-            [
-                speeds,
-                self.rows @ speeds,
-                device_torques(margins, times, states),
-                element_heat(margins.equations, states),
-            ]
-        )
+        margins, equations = piece.margins, piece.margins.equations
+        speeds = equations.speeds_at(times, states)
+        slips = self.rows @ speeds
+        rates, ports = equations.acting_at(times, states)
+        held = margins.split(times, states, rates, ports)
+        torques = device_torques(equations, ports, held)
+        at = Moments(piece.motion, times, states, speeds, slips, torques, ports)
+        asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
+        return np.vstack([speeds, slips, torques, *asked, element_heat(equations, states)])
 
-    def curves(self, margins: Margins, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
+    def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
         """The columns of the parts of steps; the last part goes to where the steps end."""
         (first, _), (last, end) = steps[0], steps[-1]
         size = len(first.nodes)
@@ -71,7 +88,7 @@ class MotionColumns:
         if end < times[-1, -1]:
             times[-1] = begins[-1] + (end - begins[-1]) * first.nodes
             states[:, -size:] = last.between(times[-1])
-        values = self.at(margins, np.append(begins[0], times), states)
+        values = self.at(piece, np.append(begins[0], times), states)
         nodes = np.arange(parts)[:, None] * size + np.arange(size + 1)
         places = (0.0, *first.nodes.tolist())
         return Curves(begins, times[:, -1] - begins, places, values[:, nodes])
@@ -86,14 +103,18 @@ def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str
     }
 
 
-def device_torques(margins: Margins, times: Floats, states: Floats) -> Floats:
-    """Torques of all devices at several times, shape (devices, times) [N*m]."""
-    equations = margins.equations
-    rates, ports = equations.acting_at(times, states)
-    held = margins.split(times, states, rates, ports)
+def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
+    """Torques of all devices, shape (devices, times) [N*m].
+
+    Parameters
+    ----------
+    equations : Equations
+    ports, held : ndarray, shape (ports, times) and (multipliers, times)
+        Torques of ports, and those that follow from what holds. [N*m]
+    """
     system, layout = equations.system, equations.layout
     count = len(system.case.devices)
-    made = np.zeros((len(device_names(system)), len(times)))
+    made = np.zeros((len(device_names(system)), ports.shape[1]))
     row_of = {
         one.of: row
         for row, one in enumerate(equations.structure.multipliers)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,8 +19,8 @@ from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
 from vstatics.simulation.record.pieces import Piece, peaks
+from vstatics.simulation.record.rows import road_radii
 from vstatics.simulation.scenario.formula_code import Seen
-from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
@@ -37,9 +38,25 @@ _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
 
 
 class Record:
-    """A run so far."""
+    """A run so far.
 
-    def __init__(self, system: MotionSystem, start: Instant, step: float | None) -> None:
+    Parameters
+    ----------
+    system : MotionSystem
+    start : Instant
+    step : float, optional
+        Its multiples are instants too. [s]
+    asked : mapping of str to sequence of str
+        Rows of tables that somebody asks for.
+    """
+
+    def __init__(
+        self,
+        system: MotionSystem,
+        start: Instant,
+        step: float | None,
+        asked: Mapping[str, Sequence[str]] = MappingProxyType({}),
+    ) -> None:
         self.system, self.start, self.every = system, start, step
         self.events: list[Event] = []
         self.impact = 0.0
@@ -52,7 +69,7 @@ class Record:
         """Elements whose controls were above their capacity."""
         self.pieces: list[Piece] = []
         """Those that are kept in full: what was before is drawn."""
-        self.drawn, self.numbers = DrawnRun(system, step), 0
+        self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
@@ -70,11 +87,8 @@ class Record:
         """The same up to here, to go on by itself; without the pieces before."""
         made = copy(self)
         made.events, made.messages, made.pieces = [*self.events], [*self.messages], []
-        made.drawn, made.numbers, made.sharing = (
-            DrawnRun(self.system, self.every),
-            0,
-            {*self.sharing},
-        )
+        made.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
+        made.numbers, made.sharing = 0, {*self.sharing}
         made.joined, made.cut, made.reached = {*self.joined}, {*self.cut}, dict(self.reached)
         return made
 
@@ -112,7 +126,7 @@ class Record:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
                 continue
-            if programme.look(*now) > programme.largest * (1 + MADE_CAPACITY):
+            if programme.look.at(*now) > programme.largest * (1 + MADE_CAPACITY):
                 self.cut.add(device.name)
                 text = (
                     f"at {now[0]:.6g} s the control of {device.name} is above the capacity in the "
@@ -196,7 +210,11 @@ class Record:
         times, columns = self.drawn.times, self.drawn.columns
         kept = _different(times, columns[: table.heat.start])
         times, columns = times[kept], columns[:, kept]
-        speeds, slips, torques, heat = (columns[of].T.copy() for of in table.kinds)
+        speeds, slips, torques, *parts, heat = (columns[of].T.copy() for of in table.kinds)
+        asked = {
+            name: dict(zip(rows, part.T, strict=True))
+            for (name, rows), part in zip(table.asked.items(), parts, strict=True)
+        }
         return Motion(
             times,
             system.names,
@@ -218,6 +236,7 @@ class Record:
             tuple(self._reached()),
             tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.allow)),
             stopped,
+            asked,
         )
 
     def _tell_shared(self, equations: Equations) -> None:
@@ -241,15 +260,11 @@ class Record:
         self.messages.append(Message("N602", text))
 
     def _reached(self) -> list[Reached]:
-        radius = {
-            link - 1: law.radius
-            for link, law in self.system.scenario.torques
-            if isinstance(law, Road)
-        }
+        radii = road_radii(self.system.scenario)
         made = []
         for link, speed in self.targets:
             time, angle = self.reached.get((link, speed), (math.nan, math.nan))
-            distance = angle * radius.get(link, math.nan)
+            distance = angle * radii.get(link + 1, math.nan)
             made.append(Reached(self.system.names[link], speed, time, angle, distance))
         return made
 

@@ -166,7 +166,7 @@ def _tried(
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     with np.errstate(all="ignore"):
-        values = law.along(times) * control.scale
+        values = law.along(times, 0.0, 0.0) * control.scale
     most = LARGEST_NUMBER if largest is None else largest
     least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
     wrong = np.flatnonzero(~((values >= least) & (values <= most * (1 + MADE_CAPACITY))))

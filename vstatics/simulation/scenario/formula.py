@@ -26,7 +26,7 @@ from vstatics.simulation.scenario.formula_code import (
     Function,
     Seen,
     compiled,
-    of_times,
+    compiled_along,
     seen_in,
 )
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
@@ -181,9 +181,10 @@ class Formula(NamedTuple):
         """Whether it compares speeds or angles."""
         return _read(*self).switches
 
-    def along(self, times: Floats) -> Floats:
-        """Its values at many times, of a formula of t alone."""
-        return _read(*self).of_times(times)
+    @property
+    def along(self) -> Callable[..., Floats]:
+        """Its values at many times, by these, then as of `function`, arrays or numbers."""
+        return _read(*self).along
 
 
 def read_formula(
@@ -307,7 +308,7 @@ class _Read(NamedTuple):
     variables: frozenset[str]
     seen: tuple[Seen, ...]
     function: Function
-    of_times: Callable[[Floats], Floats]
+    along: Callable[..., Floats]
     breaks: tuple[float, ...]
     switches: bool
     tree: Tree
@@ -323,13 +324,8 @@ def _read(text: str, tree: Tree | None) -> _Read:
         isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
         for part in parts(tree)
     )
-    along = _no_times if seen else of_times(tree)
+    along = compiled_along(tree, seen)
     return _Read(own, seen, compiled(tree, seen), along, tuple(corners(tree, "t")), switches, tree)
-
-
-def _no_times(_: Floats) -> Floats:
-    message = "this formula sees more than the time"
-    raise TypeError(message)
 
 
 def _parsed(text: str) -> Tree:

@@ -75,6 +75,11 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "cos": np.cos,
     "sign": np.sign,
     "pow": np.power,
+    "number": lambda condition: np.asarray(condition, float),
+    "truth": lambda values: np.isfinite(values) & (np.asarray(values) != 0),
+    "and_": np.logical_and,
+    "or_": np.logical_or,
+    "not_": np.logical_not,
 }
 FUNCTIONS = tuple(_PLAIN)
 """Of numbers; `min` and `max` of several."""
@@ -120,31 +125,27 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     return function
 
 
-def of_times(tree: Tree) -> Callable[[Floats], Floats]:
-    """The function of a tree in which t alone stands, for many times at once.
+def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Floats]:
+    """The same function for many times at once: of arrays, or of numbers beside the times.
 
     Examples
     --------
     >>> from vstatics.readers.expressions.excerpt import Excerpt
     >>> from vstatics.readers.expressions.grammar import Language, parse
-    >>> function = of_times(parse(Excerpt("min(2*t, 3)", ""), Language(FUNCTIONS, "t", "t")))
-    >>> function(np.array([1.0, 2.0]))
-    array([2., 3.])
+    >>> tree = parse(Excerpt("min(2*t, 3)*(speed > 1)", ""), Language(FUNCTIONS, "t", "t"))
+    >>> compiled_along(tree)(np.array([1.0, 2.0, 3.0]), np.array([2.0, 2.0, 0.0]), 0.0)
+    array([2., 3., 0.])
     """
-    if _compares(tree):
-        one = compiled(tree)
-        return lambda times: np.array([one(time, 0.0, 0.0) for time in times.tolist()])
     functions = {**_BROAD, **{name: table.along for name, table in _tables(tree).items()}}
-    broad = _evaluated(tree, functions)
+    broad = _evaluated(tree, functions, seen, is_broad=True)
 
-    def function(times: Floats) -> Floats:
+    def function(times: Floats, *known: Floats | float) -> Floats:
         with np.errstate(all="ignore"):
             try:
-                values = broad(times, 0.0, 0.0)
+                values = broad(times, *known)
             except (ArithmeticError, ValueError):  # of numbers alone, as 1/0
-                zeros = np.zeros((1, 1))
-                arrays = [times[:, None, None], zeros, zeros]
-                values = _as_arrays(tree, arrays, ()).reshape(-1)
+                shaped = [np.reshape(one, (-1, 1, 1)) for one in (times, *known)]
+                values = _as_arrays(tree, shaped, seen).reshape(-1)
             return np.broadcast_to(values, times.shape).astype(float)
 
     return function
@@ -173,17 +174,11 @@ def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Flo
     return evaluate(tree, value_of)
 
 
-def _compares(tree: Any) -> bool:
-    """Whether a condition stands in a tree."""
-    if not isinstance(tree, Applied):
-        return False
-    return _is_truth(tree) or any(map(_compares, tree.operands))
-
-
 class _CodeWriter:
     """Writes the syntax tree of a function."""
 
-    def __init__(self, seen: Sequence[Seen]) -> None:
+    def __init__(self, seen: Sequence[Seen], *, is_broad: bool) -> None:
+        self.is_broad = is_broad
         self.names: dict[object, str] = {one: one for one in VARIABLES}
         self.names |= {one: f"seen_{number}" for number, one in enumerate(seen)}
 
@@ -232,16 +227,22 @@ class _CodeWriter:
             left, right = map(self.number, tree.operands)
             return ast.Compare(left, [_COMPARISONS[tree.name]()], [right])
         conditions = [self.condition(operand) for operand in tree.operands]
+        if self.is_broad:
+            return _call(f"{tree.name}_", *conditions)
         if tree.name == "not":
             return ast.UnaryOp(ast.Not(), conditions[0])
         return ast.BoolOp(_LOGIC[tree.name](), conditions)
 
 
 def _evaluated(
-    tree: Tree, functions: Mapping[str, Callable[..., Any]], seen: Sequence[Seen] = ()
+    tree: Tree,
+    functions: Mapping[str, Callable[..., Any]],
+    seen: Sequence[Seen] = (),
+    *,
+    is_broad: bool = False,
 ) -> Any:
     """A function of the variables."""
-    whole = _CodeWriter(seen).function(tree)
+    whole = _CodeWriter(seen, is_broad=is_broad).function(tree)
     own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
     return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
 

@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
+
+import numpy as np
 
 from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Curve, Points, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
 from vstatics.simulation.scenario.tables import LookupTable
 
-Look: TypeAlias = Callable[[float, Sequence[float]], float]
-"""By the time, and by all that is seen."""
+
+class Look(NamedTuple):
+    """What a formula gives, by the time and by all that is seen."""
+
+    at: Callable[[float, Sequence[float]], float]
+    along: Callable[[Floats, Floats], Floats]
+    """At many times, with what is seen as rows."""
 
 
 class Programme(NamedTuple):
@@ -39,8 +47,14 @@ class Programme(NamedTuple):
         """What it gives while it sees something: cut at 0, and at what the case allows."""
         assert self.look is not None  # noqa: S101 - it is asked of these alone
         most = math.inf if self.largest is None else self.largest
-        made = self.factor * min(max(self.look(time, seen), 0.0), most)
-        return made * self.rub(time, seen) if self.rub else made
+        made = self.factor * min(max(self.look.at(time, seen), 0.0), most)
+        return made * self.rub.at(time, seen) if self.rub else made
+
+    def seen_along(self, times: Floats, seen: Floats) -> Floats:
+        """The same at many times, with what is seen as rows."""
+        assert self.look is not None  # noqa: S101 - it is asked of these alone
+        made: Floats = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
+        return made * self.rub.along(times, seen) if self.rub else made
 
 
 OPEN = Programme(constant(0.0))

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Self
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, Integers
 
 
 class LookupTable(NamedTuple):
@@ -58,9 +58,17 @@ class LookupTable(NamedTuple):
 
     def along(self, x: Any, y: Any = 0.0) -> Floats:
         """The values at several places."""
-        xs, ys = np.broadcast_arrays(x, y)
-        places = zip(xs.ravel().tolist(), ys.ravel().tolist(), strict=True)
-        return np.array([self.at(*place) for place in places]).reshape(xs.shape)
+        (row, part), values = _places(self.x, np.asarray(x, float)), np.array(self.values)
+        behind = row + (part > 0)
+        if len(self.columns) == 1:
+            return np.asarray(values[row, 0] + part * (values[behind, 0] - values[row, 0]))
+        column, share = _places(self.columns, np.asarray(y, float))
+        beside = column + (share > 0)
+        first, last = (
+            values[one, column] + share * (values[one, beside] - values[one, column])
+            for one in (row, behind)
+        )
+        return np.asarray(first + part * (last - first))
 
     def line_at(self, x: float) -> tuple[float, float]:
         """Value at 0 and slope of a table of one variable, near a place."""
@@ -95,3 +103,14 @@ def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
         return max(0, behind - 1), 0.0
     first, last = steps[behind - 1 : behind + 1]
     return behind - 1, (x - first) / (last - first)
+
+
+def _places(steps: Sequence[float], x: Floats) -> tuple[Integers, Floats]:
+    """The same of several places."""
+    at = np.array(steps)
+    behind = np.searchsorted(at, x, side="right")
+    inside = (behind > 0) & (behind < len(at))
+    row = np.clip(behind, 1, len(at)) - 1
+    first, last = at[row], at[np.minimum(row + 1, len(at) - 1)]
+    part = np.where(inside, (x - first) / np.where(inside, last - first, 1.0), 0.0)
+    return row, part

@@ -16,6 +16,20 @@ Torque = Callable[[float, float, float], float]
 """By time [s], rate [rad/s] and angle [rad]."""
 
 
+TorqueAlong = Callable[[Floats, Floats, Floats], Floats]
+"""By times, and the rate and the angle at each."""
+
+
+def one_by_one(torque: Torque) -> TorqueAlong:
+    """A torque at many times, each by itself."""
+
+    def along(times: Floats, rates: Floats, angles: Floats) -> Floats:
+        known = (one.tolist() for one in (times, rates, angles))
+        return np.array([torque(*one) for one in zip(*known, strict=True)])
+
+    return along
+
+
 def capacity_at(
     contact: Contact, time: float, slip: float = 0.0, seen: Sequence[float] = ()
 ) -> float:
@@ -39,13 +53,10 @@ def curve_at(curve: Curve, time: float) -> float:
     return curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
 
 
-def programme_along(
-    programme: Programme, times: Floats, seen: Sequence[Sequence[float]] = ()
-) -> Floats:
+def programme_along(programme: Programme, times: Floats, seen: Floats | None = None) -> Floats:
     """The values of a programme at several times, with all that is seen at each."""
-    if programme.look is not None:
-        at = zip(times.tolist(), seen, strict=True)
-        return np.array([programme.seen_at(*one) for one in at])
+    if programme.look is not None and seen is not None:
+        return programme.seen_along(times, seen)
     return programme.factor * curve_along(programme.curve, times)
 
 
@@ -62,7 +73,7 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
     if isinstance(curve, Points):
         made = np.array([curve.at(time) for time in times.tolist()])
     else:
-        made = curve.along(times)
+        made = curve.along(times, 0.0, 0.0)
     _LAST.append((curve, times, made))
     return made
 

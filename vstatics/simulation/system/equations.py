@@ -77,6 +77,9 @@ class Equations:
             if layout.springs + index in looks
         ]
         """Springs that slip at limits which see something: index, torque."""
+        limits = {layout.springs + index for index, _ in self.seen_limits}
+        self.seeing = [port for port in looks if port not in limits]
+        """Ports whose torques see something and count as they are, not by their slopes."""
         self.driving = [
             (layout.contacts + one.of, row)
             for row, one in enumerate(structure.multipliers)
@@ -121,18 +124,24 @@ class Equations:
             )
             raise CaseError("E669", message, ("case", "inertias", name))
 
-    def _unseen(self, changes: Floats) -> CaseError:
-        """That no torque tells the speed of a link, by changes of the balances with speeds."""
-        name = self._name_of(null(changes))
-        message = (
-            f"link {name} has no inertia, and at {self.time:g} s the formulas of what acts on it "
-            "do not tell its speed: give it an inertia, or a damper beside it"
-        )
-        return CaseError("E672", message, ("case", "inertias", name))
+    def check_seen(self, time: float, state: Floats) -> None:
+        """Refuse speeds that no torque tells.
+
+        Raises
+        ------
+        CaseError
+        """
+        if self.light and not np.isfinite(self.rates(time, state)[1]).all():
+            name = self._name_of(np.eye(self.light))
+            message = (
+                f"link {name} has no inertia, and at {time:g} s the formulas of what acts on it do "
+                "not tell its speed: give it an inertia, or a damper beside it"
+            )
+            raise CaseError("E672", message, ("case", "inertias", name))
 
     def _name_of(self, motions: Floats) -> str:
         """Of the link that turns most by motions without inertia."""
-        speeds = np.abs(self.structure.light @ motions).max(axis=1, initial=0.0)
+        speeds = np.abs(self.structure.light @ motions).max(axis=1)
         return self.system.names[int(speeds.argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
@@ -161,9 +170,7 @@ class Equations:
             try:
                 change = np.linalg.solve(changes, left)
             except np.linalg.LinAlgError:
-                if not np.isfinite(changes).all():
-                    return np.full(self.light, np.nan)
-                raise self._unseen(changes) from None
+                return np.full(self.light, np.nan)
             speeds = speeds - change
             left = rest(speeds)
             if largest(change) <= NEWTON_STEP * max(1.0, largest(speeds)):
@@ -207,16 +214,15 @@ class Equations:
             rates += self.structure.light_rates @ self._light_at(times, states)
         return rates, self.torques_at(times, states, rates)
 
-    def seen_at(
-        self, times: Floats, states: Floats, rates: Floats, torques: Floats
-    ) -> list[list[float]]:
-        """All that is seen at several times, a list for each."""
-        seen = np.vstack([rates, states[self.motions : self.values.stop]]).T.tolist()
-        if self.layout.derived:
-            for number, time in enumerate(times.tolist()):
-                at = states[:, number], rates[:, number], torques[:, number]
-                seen[number] += [one(time, *at) for one in self.changes.derived]
-        return list(seen)
+    def seen_at(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
+        """All that is seen, at several times, as rows."""
+        seen = np.vstack([rates, states[self.motions : self.values.stop]])
+        if not self.layout.derived:
+            return seen
+        at = zip(times.tolist(), states.T, rates.T, torques.T, strict=True)
+        return np.vstack(
+            [seen, np.array([[f(*one) for f in self.changes.derived] for one in at]).T]
+        )
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Changes of the works and losses of a state at several times, of straight equations."""
@@ -291,6 +297,15 @@ class Equations:
         along = np.abs(self.structure.balances[:, self.ports.bending])
         return bool((along <= STRAIGHT_BALANCE).all())
 
+    @property
+    def has_closed_form(self) -> bool:
+        """Whether matrices can tell the motion, as far as torques are straight on the way."""
+        if self.system.variators:
+            return False
+        if self.light and not self.light_is_straight and self.ports.looks:
+            return False
+        return self.ports.is_affine or bool(self.springs)
+
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
         """Change of each torque with its rate, in a state [N*m*s/rad]."""
         rates, _ = self.rates(time, state)
@@ -304,6 +319,42 @@ class Equations:
             low, high = (self.torques(time, state, one)[port] for one in near)
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
+
+    def slopes_by_state(self, time: float, state: Floats) -> Floats:
+        """Changes, with the state, of torques that see the box and of the rates of values.
+
+        Returns
+        -------
+        ndarray, shape (ports + values, size of what moves)
+        """
+        looks, first = self.seeing, self.layout.ports
+        made = np.zeros((first + len(self.layout.values), self.works.start))
+        if not looks and not self.layout.values:
+            return made
+
+        def seen(at: Floats) -> Floats:
+            rates, torques = self.acting(time, at)
+            change = self.derivative(time, at) if self.layout.hot else at
+            return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
+
+        rows = [*looks, *range(first, len(made))]
+        for index in range(self.works.start):
+            near = [state.copy(), state.copy()]
+            step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
+            near[0][index] -= step
+            near[1][index] += step
+            low, high = (seen(at) for at in near)
+            made[rows, index] = (high - low) / (2 * step)
+        return np.where(np.isfinite(made), made, 0.0)
+
+    def value_rates_at(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats
+    ) -> Floats:
+        """Changes of states and temperatures at several times, shape (values, times)."""
+        if self.layout.hot:
+            at = zip(times.tolist(), states.T, strict=True)
+            return np.array([self.derivative(*one)[self.values] for one in at]).T
+        return self.changes.along(times, self.seen_at(times, states, rates, torques))
 
     @cached_property
     def affine(self) -> Affine:
@@ -363,14 +414,14 @@ class Equations:
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
         """Of limits too that see something: straight ahead, by the motion that follows of them."""
-        slopes = slopes.copy()
+        slopes, moving = slopes.copy(), slice(self.works.start)
         for _ in range(_LIMIT_ROUNDS):
             change, before = self.derivative(time, state, slopes), slopes.copy()
 
             def torques(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
-                seen = self.changes.seen_at(then, state + ahead * change)
-                return np.array([look(then, seen) for _, look in self.seen_limits])
+                seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
+                return np.array([look.at(then, seen) for _, look in self.seen_limits])
 
             now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
             slopes[[index for index, _ in self.seen_limits]] = (
@@ -412,8 +463,9 @@ class Map(NamedTuple):
 class Affine:
     """Equations whose torques are straight in rates, twists and angles, as maps.
 
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi] and the torques c of ports that are given by
-    the time alone; rates of ports and speeds of motions without inertia are such maps too.
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values] and c, what is given by the time
+    alone of torques of ports and of the rates of values; rates of ports and speeds of motions
+    without inertia are such maps too.
 
     Parameters
     ----------
@@ -421,23 +473,32 @@ class Affine:
     by_rate : ndarray, shape (ports,), optional
         Slopes of torques by their rates, where other than those that are straight.
         [N*m*s/rad]
+    by_state : ndarray, shape (ports + values, size), optional
+        Slopes by the state, of torques and of rates of values.
     """
 
-    def __init__(self, equations: Equations, by_rate: Floats | None = None) -> None:
+    def __init__(
+        self,
+        equations: Equations,
+        by_rate: Floats | None = None,
+        by_state: Floats | None = None,
+    ) -> None:
         self.equations = equations
         self.by_rate: Floats = equations.ports.by_rate if by_rate is None else by_rate
         structure, ports, layout = equations.structure, equations.ports, equations.layout
-        size, count = equations.works.start, layout.ports
-        identity = np.eye(count)
+        size, count = equations.works.start, layout.ports + len(layout.values)
+        if by_state is None:
+            by_state = np.zeros((count, size))
+        identity = np.eye(layout.ports, count)
         moved = np.zeros((equations.motions, size))
         moved[:, : equations.motions] = np.eye(equations.motions)
         still = np.zeros((equations.motions, count))
         motions = Map(moved, still, still)
-        elastic = np.zeros((count, size))
-        elastic[layout.spring_ports, equations.twists] = np.diag(ports.elastic)
+        elastic = by_state[: layout.ports].copy()
+        elastic[layout.spring_ports, equations.twists] += np.diag(ports.elastic)
         for port, place, slope in ports.by_angle:
             elastic[port, equations.angles.start + place] += slope
-        given = Map(elastic, identity, np.zeros((count, count)))
+        given = Map(elastic, identity, np.zeros((layout.ports, count)))
         rates = motions.times(structure.rates)
         if equations.light:
             self.light = self._light(rates, given)
@@ -453,7 +514,8 @@ class Affine:
                 rows = structure.light[list(layout.angles)]
                 turning = turning.plus(self.light.times(rows))
             parts.append(turning)
-        parts.append(Map(*(np.zeros((len(layout.values), one.shape[1])) for one in parts[0])))
+        given_rates = np.eye(len(layout.values), count, k=layout.ports)
+        parts.append(Map(by_state[layout.ports :], given_rates, np.zeros_like(given_rates)))
         self.change = Map(*(np.vstack(one) for one in zip(*parts, strict=True)))
 
     def _light(self, rates: Map, given: Map) -> Map:
@@ -469,7 +531,7 @@ class Affine:
             elastic = ports.all_elastic
             by_speeds.append(steep @ (elastic[:, None] * structure.light_rates))
             slopes = rates.times(np.diag(elastic))
-            identity = np.eye(len(elastic))
+            identity = np.eye(*slopes.by_slope.shape)
             rest.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
         matrix = np.vstack(by_speeds)
         stacked = Map(*(np.vstack(one) for one in zip(*rest, strict=True)))
@@ -502,4 +564,6 @@ class Affine:
         """Torques that are given by the time alone, and their slopes where they count."""
         equations = self.equations
         count = bool(equations.light) or bool(self.change.by_slope.any())
-        return equations.given_at(times, slopes_count=count)
+        more = np.zeros((len(equations.layout.values), len(times)))
+        given, slopes = equations.given_at(times, slopes_count=count)
+        return np.vstack([given, more]), np.vstack([slopes, more])

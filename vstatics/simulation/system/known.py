@@ -18,6 +18,7 @@ class KnownMotion(Protocol):
     structure: MotionStructure
     ports: Ports
     motions: int
+    twists: slice
     values: slice
     works: slice
     slipped: slice

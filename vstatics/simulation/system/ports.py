@@ -26,7 +26,14 @@ from vstatics.simulation.scenario.programme import (
     friction_at,
     friction_points,
 )
-from vstatics.simulation.system.curves import Torque, curve_along, programme_at, slope_of
+from vstatics.simulation.system.curves import (
+    Torque,
+    TorqueAlong,
+    curve_along,
+    one_by_one,
+    programme_at,
+    slope_of,
+)
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.sight import looking
 
@@ -72,8 +79,8 @@ class Ports:
         """Slope by the port's own rate. [N*m*s/rad]"""
         self.by_angle: list[tuple[int, int, float]] = []
         """Port, place of the angle, slope. [N*m/rad]"""
-        self.special: list[tuple[int, int, Torque]] = []
-        """Port, place of the angle or -1, its torque."""
+        self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
+        """Port, place of the angle or -1, its torque, and the same at many times."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
         """Port, and its torque by its rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
@@ -102,7 +109,7 @@ class Ports:
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
         self.bending = sorted(
-            {port for port, _, _ in self.special}
+            {port for port, *_ in self.special}
             | {port for port, _ in self.roads}
             | {port for port, _ in self.looks}
             | set(range(layout.pumps, layout.sensors))
@@ -149,13 +156,13 @@ class Ports:
             torques[port] += factor * formula.function(time, 0.0, 0.0)
         for port, on_road in self.roads:
             torques[port] = on_road(rates[port])
-        for port, place, function in self.special:
+        for port, place, function, _ in self.special:
             angle = float(angles[place]) if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
         if self.looks:
             seen = [*rates.tolist(), *twists.tolist(), *angles.tolist(), *values.tolist()]
             for port, look in self.looks:
-                torques[port] = look(time, seen)
+                torques[port] = look.at(time, seen)
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             torques[pump], torques[turbine] = converter_torques(
@@ -181,14 +188,13 @@ class Ports:
             torques[port] += factor * curve_along(formula, times)
         for port, on_road in self.roads:
             torques[port] = on_road(rates[port])
-        for port, place, function in self.special:
-            turned = angles[place].tolist() if place >= 0 else [0.0] * len(times)
-            at = zip(times.tolist(), rates[port].tolist(), turned, strict=True)
-            torques[port] = [function(*one) for one in at]
+        for port, place, _, along in self.special:
+            turned = angles[place] if place >= 0 else np.zeros(len(times))
+            torques[port] = along(times, rates[port], turned)
         if self.looks:
-            seen = np.vstack([rates, twists, angles, values]).T.tolist()
+            seen_along = np.vstack([rates, twists, angles, values])
             for port, look in self.looks:
-                torques[port] = [look(*one) for one in zip(times.tolist(), seen, strict=True)]
+                torques[port] = look.along(times, seen_along)
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
             made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
@@ -209,7 +215,7 @@ class Ports:
         slopes[springs] += self.elastic * rates[springs]
         for port, formula, factor in self.timed:
             slopes[port] = factor * slope_of(formula.function, time, within)
-        for port, place, function in self.special:
+        for port, place, function, _ in self.special:
             angle = float(angles[place]) if place >= 0 else 0.0
             slopes[port] = slope_of(function, time, within, float(rates[port]), angle)
         return slopes
@@ -226,7 +232,7 @@ class Ports:
         elif isinstance(law, Formula) and not law.variables & {"speed", "angle"}:
             self.timed.append((port, law, 1.0))
         elif isinstance(law, Formula):
-            self.special.append((port, place, law.function))
+            self.special.append((port, place, law.function, law.along))
             self.senses_rate[port] = "speed" in law.variables
             if law.switches:
                 self.switching.append(port)
@@ -287,7 +293,7 @@ class Ports:
         def torque(at: float, slip: float, _angle: float) -> float:
             return programme_at(contact.programme, at) * (SIGNS[state] * value + slope * slip)
 
-        self.special.append((port, -1, torque))
+        self.special.append((port, -1, torque, one_by_one(torque)))
 
     def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
         def torque(_time: float, slip: float, _angle: float) -> float:
@@ -297,7 +303,7 @@ class Ports:
                 raise CaseError("E268", f"the drag of {name}: {message}", ("case",))
             return sign * found
 
-        self.special.append((port, -1, torque))
+        self.special.append((port, -1, torque, one_by_one(torque)))
         self.senses_rate[port] = True
 
     def _controlled(self, port: int, programme: Programme, value: float, slope: float) -> None:
@@ -306,7 +312,11 @@ class Ports:
         def torque(time: float, seen: Sequence[float]) -> float:
             return programme.seen_at(time, seen) * (value + slope * seen[port])
 
-        self.looks.append((port, torque))
+        def torques(times: Floats, seen: Floats) -> Floats:
+            made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
+            return made
+
+        self.looks.append((port, Look(torque, torques)))
         self.senses_rate[port] = True
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:

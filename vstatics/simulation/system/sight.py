@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import parts, variables
@@ -19,7 +21,7 @@ from vstatics.simulation.scenario.corners import BENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
-from vstatics.simulation.system.curves import curve_at
+from vstatics.simulation.system.curves import curve_along, curve_at
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 
 
@@ -64,7 +66,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
     angle : int
         The place of its own angle among those that are followed; -1: it has none.
     """
-    function = formula.function
+    function, along = formula.function, formula.along
     places = [place_of(system, one) for one in formula.seen]
     turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
 
@@ -72,7 +74,11 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         own = seen[turned] if turned >= 0 else 0.0
         return function(time, seen[rate], own, *[seen[place] for place in places])
 
-    return value
+    def values(times: Floats, seen: Floats) -> Floats:
+        own = seen[turned] if turned >= 0 else 0.0
+        return along(times, seen[rate], own, *[seen[place] for place in places])
+
+    return Look(value, values)
 
 
 class Compared(NamedTuple):
@@ -123,17 +129,18 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
             for one in device.programme.table.columns:
-                yield Compared(partial(_seen_at, temperature), partial(_constant, one))
+                yield Compared(_place_seen(temperature), fixed(one))
             for one in (way * x for way in (1, -1) for x in device.programme.table.x if x):
-                yield Compared(partial(_seen_at, slip), partial(_constant, one))
+                yield Compared(_place_seen(slip), fixed(one))
 
 
-def _seen_at(place: int, _time: float, seen: Sequence[float]) -> float:
-    return seen[place]
+def _place_seen(place: int) -> Look:
+    return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place])
 
 
-def _constant(value: float, _time: float, _seen: Sequence[float]) -> float:
-    return value
+def fixed(value: float) -> Look:
+    """A number that changes with nothing."""
+    return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
@@ -162,11 +169,14 @@ def _seeing(
         return programme
     slip, temperature = _rubbing_places(system, device)
 
-    def rub(_time: float, seen: Sequence[float]) -> float:
-        return table.at(abs(seen[slip]), seen[temperature])
-
-    look = programme.look or (lambda time, _seen: curve_at(curve, time))
-    return programme._replace(look=look, rub=rub)
+    rub = Look(
+        lambda _time, seen: table.at(abs(seen[slip]), seen[temperature]),
+        lambda _times, seen: table.along(np.abs(seen[slip]), seen[temperature]),
+    )
+    timed = Look(
+        lambda time, _seen: curve_at(curve, time), lambda times, _seen: curve_along(curve, times)
+    )
+    return programme._replace(look=programme.look or timed, rub=rub)
 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:

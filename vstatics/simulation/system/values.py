@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
 from vstatics.simulation.system.known import KnownMotion
-from vstatics.simulation.system.sight import looking
+from vstatics.simulation.system.sight import fixed, looking
 from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
 
 
@@ -31,7 +31,7 @@ class ValueChanges:
         self.rates = [
             looking(system, one.rate.knowing(system.settings))
             if isinstance(one.rate, Formula)
-            else _constant(one.rate.y[0])
+            else fixed(one.rate.y[0])
             for one in states
         ]
         self.held = np.zeros(len(states), dtype=int)
@@ -59,7 +59,13 @@ class ValueChanges:
         made = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen = self.seen(time, state, rates, torques)
-            made[: len(self.rates)] = [look(time, seen) for look in self.rates]
+            made[: len(self.rates)] = [look.at(time, seen) for look in self.rates]
+        return made
+
+    def along(self, times: Floats, seen: Floats) -> Floats:
+        """The changes of states at several times, with what is seen as rows."""
+        made = np.array([look.along(times, seen) for look in self.rates])
+        made[self.held != 0] = 0.0
         return made
 
     def seen(self, time: float, state: Floats, rates: Floats, torques: Floats) -> list[float]:
@@ -108,10 +114,6 @@ def _side(state: ControlState, value: float, near: float) -> int:
     return 0
 
 
-def _constant(value: float) -> Callable[[float, Sequence[float]], float]:
-    return lambda _time, _seen: value
-
-
 def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
     """The power of the friction of a shift element [W]."""
     power = 0.0
@@ -131,20 +133,41 @@ Derived = Callable[[float, Floats, Floats, Floats], float]
 
 def _derived(equations: KnownMotion, seen: Seen) -> Derived:
     """What follows from torques."""
-    system, names = equations.system, equations.system.names
+    names = equations.system.names
     if seen.word == "acceleration":
         return _acceleration(equations, names.index(seen.of))
     if seen.word == "torque":
         return _torque(equations, seen.of)
     if seen.of in names:
         link = names.index(seen.of)
-        ports = [index for index, one in enumerate(system.outside) if one.link == link]
-        return lambda _time, _state, rates, torques: float(rates[ports] @ torques[ports])
+        row = outside_torques(equations)[link]
+        return lambda time, state, _rates, torques: float(
+            row @ torques * equations.speeds(time, state)[link]
+        )
     torque = _torque(equations, seen.of)
     [place] = _ports_of(equations, seen.of)[:1]
     return lambda time, state, rates, torques: float(
         rates[place] * torque(time, state, rates, torques)
     )
+
+
+def outside_torques(equations: KnownMotion) -> Floats:
+    """Outside torques on links by the torques of ports, shape (links, ports).
+
+    Loads, torques that jump and those that speeds which are given take are among them.
+    """
+    system, structure = equations.system, equations.structure
+    made, by_ports = np.zeros((len(system.names), system.layout.ports)), np.eye(system.layout.ports)
+    for port, one in enumerate(system.outside):
+        made[one.link, port] = 1.0
+    row_of = {one.of: n for n, one in enumerate(structure.multipliers) if one.kind == "contact"}
+    for index, contact in enumerate(system.contacts):
+        if contact.device is None and not contact.is_drag and not contact.is_variator:
+            row = row_of.get(index)
+            port = system.layout.contacts + index
+            taken = by_ports[port] if row is None else structure.torques[row]
+            made -= np.outer(contact.row, taken)
+    return made
 
 
 def _acceleration(equations: KnownMotion, link: int) -> Derived:
@@ -153,10 +176,11 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
     if not equations.light or not structure.light[link].any():
         return lambda _time, _state, _rates, torques: float(row @ torques)
 
-    def with_light(time: float, state: Floats, _rates: Floats, torques: Floats) -> float:
+    def with_light(time: float, state: Floats, rates: Floats, torques: Floats) -> float:
         """Of a link without inertia, by what its speed is a moment later."""
         ahead = state.copy()
         ahead[: equations.motions] += equations.within * (structure.accelerations @ torques)
+        ahead[equations.twists] += equations.within * rates[equations.layout.spring_ports]
         later = equations.speeds(time + equations.within, ahead)[link]
         return float(later - equations.speeds(time, state)[link]) / equations.within
 

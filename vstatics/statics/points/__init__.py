@@ -1,8 +1,9 @@
 """Operating points: any number of a case varied, in SI, with all that follows from a load.
 
-`paths` tells which numbers a path names, `relative` what they are relative to the load, and
-which points go alike; `laws` follows drags and efficiencies that depend on speed or torque,
-`balance` looks for the torque that balances a battery.
+`paths` tells which numbers a path names, `parts` which points are of a case of their own,
+`relative` what numbers are relative to the load, and which points go alike; `laws` follows drags
+and efficiencies that depend on speed or torque, `balance` looks for the torque that balances a
+battery.
 """
 
 from __future__ import annotations
@@ -21,7 +22,14 @@ from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
 from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
-from vstatics.statics.points.paths import CaseNumber, Columns, columns_of
+from vstatics.statics.points.parts import cases_of_points, joined
+from vstatics.statics.points.paths import (
+    CaseNumber,
+    Columns,
+    columns_of,
+    numbers_of,
+    together,
+)
 from vstatics.statics.points.relative import solve_points, with_numbers
 from vstatics.statics.result_arrays import ARRAYS, Message, OperatingPoints
 from vstatics.statics.results import Results
@@ -36,9 +44,16 @@ SAID = frozenset({"W418", "W420", "W423", "W424"})
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Every gear of a case at many points; see `vstatics.solve`."""
-    columns, variants = columns_of(case, vary)
+    arrays, variants = together(vary)
+    known = case.part_numbers() if vary.keys() - numbers_of(case).keys() else {}
+    parts = {path: arrays.pop(path) for path in vary if path in known}
+    columns = columns_of(case, arrays, known)
     with np.errstate(all="ignore"):
-        return _at_points(case, columns, variants)
+        if not parts:
+            return _at_points(case, columns, variants)
+        made = [*cases_of_points(case, parts)]
+        found = [_at_points(one.case, one.columns(columns), one.chosen.size) for one in made]
+    return joined(case, [one.chosen for one in made], found)
 
 
 def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:

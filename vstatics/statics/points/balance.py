@@ -8,7 +8,7 @@ torques of both signs and of all sizes, and wherever it changes its sign a solut
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,6 +29,8 @@ WIDEST = 100.0
 """The largest of them, by that which the powers of the gear would need."""
 FINEST = 1000.0
 """The larger, the closer they stand at 0."""
+EDGE_STEPS = 50
+"""Halves to a torque at which friction begins to lock."""
 MOST_STEPS = 100
 """Steps to a solution."""
 MOST_SOLUTIONS = 3
@@ -81,15 +83,21 @@ def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) 
     scales = _scales(case, asked, follow(columns, variants).results, columns)
     grid = np.sinh(np.linspace(-1, 1, TRIED) * np.arcsinh(FINEST)) / FINEST * WIDEST
     surplus = _tried(asked, columns, scales, grid, follow)
+    tried = {
+        one: _with_edges(one, columns, np.outer(grid, scales[one]), surplus[one], follow)
+        for one in asked
+    }
     unknown = np.zeros((variants, len(case.gears)), np.int8)
     counts = {one: np.zeros(variants, np.int64) for one in asked}
     for turn in range(MOST_SOLUTIONS):
-        ends = {one: _ends(surplus[one], grid, scales[one], turn) for one in asked}
-        if turn and not any(ends[one][-1].any() for one in asked):
-            break
-        for one, (torque, stands) in _solutions(asked, columns, ends, follow).items():
-            columns[one.number] = np.where(stands & (counts[one] == 0), torque, columns[one.number])
-            counts[one] += stands
+        searches = {one: _Between(*_ends(*tried[one], turn)) for one in asked}
+        while any(search.is_there.any() for search in searches.values()):
+            _solve(searches, columns, follow)
+            for one, search in searches.items():
+                first = search.stands & (counts[one] == 0)
+                columns[one.number] = np.where(first, search.best, columns[one.number])
+                counts[one] += search.stands
+            searches = {one: search.beyond_gap() for one, search in searches.items()}
     for one, count in counts.items():
         unknown[count == 0, one.gear] = NO_BALANCE
         unknown[count > 1, one.gear] = TWO_BALANCES
@@ -142,8 +150,33 @@ def _tried(
     return {one: np.concatenate(parts) for one, parts in found.items()}
 
 
+def _with_edges(
+    one: OpenBalance, columns: Columns, torques: Floats, surplus: Floats, follow: Follow
+) -> tuple[Floats, Floats]:
+    """Torques and surplus, both (torques, points), with one more row between each two.
+
+    Where friction locks the gear at one of the two, it is the last torque at which it does not:
+    what changes its sign before it locks is seen so. Else it is the first of the two again.
+    """
+    lacks = np.isnan(surplus)
+    cell, point = np.nonzero(lacks[1:] != lacks[:-1])
+    is_second = lacks[cell, point]
+    known, beyond = torques[cell + is_second, point], torques[cell + ~is_second, point]
+    last = surplus[cell + is_second, point]
+    own = {number: column[point] for number, column in columns.items()}
+    there = replace(one, battery=one.battery[point])
+    for _ in range(EDGE_STEPS if len(cell) else 0):
+        middle = (known + beyond) / 2
+        found = there.surplus(follow({**own, one.number: middle}, len(cell)).results)
+        known, last = np.where(np.isnan(found), (known, last), (middle, found))
+        beyond = np.where(np.isnan(found), middle, beyond)
+    torques, surplus = (np.repeat(array, 2, axis=0)[:-1] for array in (torques, surplus))
+    torques[2 * cell + 1, point], surplus[2 * cell + 1, point] = known, last
+    return torques, surplus
+
+
 def _ends(
-    surplus: Floats, grid: Floats, scale: Floats, turn: int
+    torques: Floats, surplus: Floats, turn: int
 ) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
     """The ends of one change of sign, with the surplus there; and where there is that change."""
     signs = np.sign(surplus)
@@ -152,15 +185,12 @@ def _ends(
     place = np.argmax(np.cumsum(change, axis=0) == turn + 1, axis=0)
     is_there = change.sum(axis=0) > turn
     at = np.arange(surplus.shape[1])
-    low, high = grid[place] * scale, grid[place + 1] * scale
+    low, high = torques[place, at], torques[place + 1, at]
     return low, high, surplus[place, at], surplus[place + 1, at], is_there
 
 
-def _solutions(
-    asked: list[OpenBalance], columns: Columns, ends: Any, follow: Follow
-) -> dict[OpenBalance, tuple[Floats, Booleans]]:
-    """The torque between ends of unlike sign; where it balances."""
-    searches = {one: _Between(*ends[one][:4], is_there=ends[one][4]) for one in asked}
+def _solve(searches: Mapping[OpenBalance, _Between], columns: Columns, follow: Follow) -> None:
+    """Search for all torques at once."""
     for step in range(MOST_STEPS):
         guess = {one: search.guess(halve=step % 4 == 3) for one, search in searches.items()}
         tried = {**columns, **{one.number: torque for one, torque in guess.items()}}
@@ -170,19 +200,31 @@ def _solutions(
             searches[one].take(torque, one.surplus(results), powers + np.abs(one.battery))
         if all(search.done for search in searches.values()):
             break
-    return {one: (search.best, search.stands) for one, search in searches.items()}
 
 
 class _Between:
-    """The zeros between ends, of all points at once, by the rule of Illinois and by halves."""
+    """The zeros between ends, of all points at once, by the rule of Illinois and by halves.
 
-    def __init__(
-        self, low: Floats, high: Floats, at_low: Floats, at_high: Floats, *, is_there: Booleans
+    What friction locks between them counts as beyond the zero, or as before it.
+    """
+
+    def __init__(  # noqa: PLR0913
+        self,
+        low: Floats,
+        high: Floats,
+        at_low: Floats,
+        at_high: Floats,
+        is_there: Booleans,
+        *,
+        beyond: bool = True,
     ) -> None:
+        self.ends = low, high, at_low, at_high
+        self.beyond, self.gap = beyond, np.zeros(low.shape, np.bool_)
         self.low, self.high = low, high
         self.at_low, self.at_high = at_low, at_high
         self.is_there = is_there
         self.best, self.left = low, np.full(low.shape, np.inf)
+        self.sign = np.sign(at_low)
         self.side = np.zeros(low.shape, np.int8)
         """The end that was moved last."""
 
@@ -201,7 +243,9 @@ class _Between:
         left = np.nan_to_num(np.abs(surplus / powers), nan=np.inf)
         self.best = np.where(left < self.left, torque, self.best)
         self.left = np.minimum(left, self.left)
-        same = np.sign(surplus) == np.sign(self.at_low)
+        locked = np.isnan(surplus)
+        self.gap |= locked
+        same = np.where(locked, not self.beyond, np.sign(surplus) == self.sign)
         self.at_high = np.where(same, self.at_high / np.where(self.side > 0, 2, 1), surplus)
         self.at_low = np.where(same, surplus, self.at_low / np.where(self.side < 0, 2, 1))
         self.low, self.high = np.where(same, torque, self.low), np.where(same, self.high, torque)
@@ -213,6 +257,10 @@ class _Between:
         width = np.abs(self.high - self.low)
         narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
         return bool((~self.is_there | narrow | (self.left <= 2 * EPSILON)).all())
+
+    def beyond_gap(self) -> _Between:
+        """The search on the other side of what is locked, where something was."""
+        return _Between(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
 
     @property
     def stands(self) -> Booleans:

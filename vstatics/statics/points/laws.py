@@ -216,31 +216,33 @@ class _Search:
         sizes = self.sizes(results)
         return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
 
-    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans]:
-        """The numbers that stand still from one end on, and where they do, by gear."""
+    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
+        """The numbers that stand still from one end on; by gear where they do, where none is."""
         guess = {
             number: np.full(self.variants, float(end(y for _, y in law.points)))
             for number, law in self.laws.items()
         }
-        still = np.zeros((self.variants, len(self.case.gears)), np.bool_)
+        still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
         for _ in range(MOST_PASSES):
             _, found = self._tried(guess)
-            still[:] = True
+            still[:], lacking[:] = True, False
             for number, values in found.items():
                 moved = np.abs(values - guess[number]) > STANDS_STILL
                 still[:, number.gear or 0] &= ~moved
+                lacking[:, number.gear or 0] |= np.isnan(values)
                 guess[number] = np.where(np.isnan(values), guess[number], values)
             if still.all():
                 break
-        return guess, still
+        return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
         """Results with the one solution, its numbers, and where there is none or another."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
-        best, still = starts[0]
+        best, still, lacking = starts[0]
         state = np.where(still, 0, NONE).astype(np.int8)
-        for numbers, stands in starts[1:]:
+        for numbers, stands, lacks in starts[1:]:
+            lacking &= lacks
             for number in self.laws:
                 gear = number.gear or 0
                 apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
@@ -249,6 +251,7 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
+        state[lacking & (state == NONE)] = 0  # no torque to agree with: the gear says why
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state

@@ -5,7 +5,7 @@ Names stand as the case has them; the power of a battery is in W. Gears may be `
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -39,44 +39,66 @@ Columns = Mapping[CaseNumber, Floats]
 """Of shape (variants,): rad/s, N*m, or without a unit."""
 
 
-def columns_of(case: Transmission, vary: Mapping[str, ArrayLike]) -> tuple[Columns, int]:
-    """The numbers that vary, and how many variants there are.
+def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
+    """Arrays of one length, and that length.
 
     Raises
     ------
-    CaseError
-        If a path names nothing, or a number can't be.
     ValueError
         If the arrays do not go together, on one axis.
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism
-    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
-    >>> columns_of(case, {"load.torque": [100.0, 200.0]})
-    ({CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}, 2)
+    >>> together({"load.torque": [100.0, 200.0], "load.speed": 50})
+    ({'load.torque': array([100., 200.]), 'load.speed': array([50., 50.])}, 2)
     """
     arrays = {path: np.asarray(numbers, dtype=np.float64) for path, numbers in vary.items()}
     shape = np.broadcast_shapes((1,), *(array.shape for array in arrays.values()))
     if len(shape) > 1:
         shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
         raise ValueError(f"vary: expected arrays of one axis, read {shapes}")
+    return {path: np.broadcast_to(array, shape) for path, array in arrays.items()}, shape[0]
+
+
+def columns_of(
+    case: Transmission, arrays: Mapping[str, Floats], others: Iterable[str] = ()
+) -> Columns:
+    """The numbers that vary.
+
+    Parameters
+    ----------
+    case : Transmission
+    arrays : mapping of str to ndarray, shape (variants,)
+        By their paths.
+    others : iterable of str
+        Paths that may be meant by one that names nothing.
+
+    Raises
+    ------
+    CaseError
+        If a path names nothing, or a number can't be.
+
+    Examples
+    --------
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> columns_of(case, {"load.torque": np.array([100.0, 200.0])})
+    {CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}
+    """
     known = dict(_named(case))
     columns: dict[CaseNumber, Floats] = {}
-    for path, array in arrays.items():
+    for path, column in arrays.items():
         numbers = known.get(path)
         if not numbers:
-            advice = nearest(path, known) or "; teeth and the like vary in `vstatics.sweep`"
-            message = f"the case has no number {quoted(path)}{advice}"
+            message = f"the case has no number {quoted(path)}{nearest(path, [*known, *others])}"
             raise CaseError([Problem("E421", message, ("vary",))])
-        column = np.broadcast_to(array, shape)
         _check(path, numbers[0].quantity, column)
         for number in numbers:
             if number in columns:
                 message = f"{quoted(path)} is varied twice, expected each number once"
                 raise CaseError([Problem("E706", message, ("vary",))])
             columns[number] = column
-    return columns, shape[0]
+    return columns
 
 
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:

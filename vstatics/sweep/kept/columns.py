@@ -29,7 +29,7 @@ from vstatics.sweep.kept.expressions import (
 from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, Selection, Tables, VariedNumber
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
-from vstatics.tables.names import NAME, written
+from vstatics.tables.names import NAME
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import GEAR
 
@@ -132,7 +132,7 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
     parts: list[ColumnGroup] = []
     problems: list[Problem] = []
     named: dict[str, ResolvedPart] = {}
-    for start, stop in _items(text):
+    for start, stop in items(text):
         own = _NAMED.match(text, start, stop)
         source = Excerpt(text, OPTION, own.end() if own else start, stop)
         try:
@@ -184,7 +184,7 @@ def output_headings(
     return ["variant", *names, "status", *[GEAR] * by_gear, *headings]
 
 
-def _items(text: str) -> Iterator[tuple[int, int]]:
+def items(text: str) -> Iterator[tuple[int, int]]:
     """The ends of the parts between commas that stand outside brackets and quotes."""
     start, depth, quote = 0, 0, ""
     for at, letter in enumerate(text):
@@ -225,5 +225,7 @@ def _headings(
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):
             picked = ((own_row, row, rows), (own_gear, gear, gears))
-            keys = [written(n if own is None else own, names) for own, n, names in picked if names]
+            keys = [
+                names.key(n if own is None else own, every) for own, n, every in picked if every
+            ]
             yield (gear, row), f"{before}[{','.join(keys)}]" if keys else text

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from vstatics.errors import Place, listed, nearest, quoted, typed_number
 from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.simulation.record.rows import Kind
 from vstatics.sweep.kept.meanings import Selection, VariedNumber
 from vstatics.sweep.motion_tables import TABLES, along_time
 from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Varied
+from vstatics.tables.names import written
 
 LANGUAGE = Language(
     (*FUNCTIONS, LAST),
@@ -23,36 +25,33 @@ LANGUAGE = Language(
 )
 
 
-class MotionNames:
-    """Finds what names in a text mean, for a scenario and what is varied of it."""
+class RunNames:
+    """Finds what tables of a run a text means.
+
+    Parameters
+    ----------
+    source : Excerpt
+    rows_of : callable
+        Gives the names of the rows of a kind.
+    """
 
     language = LANGUAGE
     gears: Sequence[str] = ()
     """None: the first axis of the tables is that of time."""
 
-    def __init__(self, source: Excerpt, subject: VariedScenario, targets: Sequence[Varied]) -> None:
+    def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
-        self.subject = subject
-        self.targets = targets
+        self.rows_of = rows_of
 
-    def number(self, name: DottedName) -> VariedNumber | Constant:
-        """A number of the scenario or its case: varied, or else as it is written."""
-        place = self.source.place(name.at)
-        return self._number(name.written, place)
+    def selection(self, read: TableName) -> Selection:
+        """A table, or a part of it.
 
-    def _number(self, written: str, place: Place) -> VariedNumber | Constant:
-        found = self.subject.target(written, place)
-        for column, varied in enumerate(self.targets):
-            if varied.numbers == found.numbers:
-                return VariedNumber(column)
-        return Constant(self.subject.written_number(found, place))
-
-    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """A table, or a part of it; or the duration."""
+        Raises
+        ------
+        ReadError
+        """
         known = TABLES.get(read.name)
         if known is None:
-            if read.name == "duration" and not read.subscripts:
-                return self._number(read.name, self.source.place(read.at))
             raise self.source.error(self._no_table(read.name), read.at)
         gear = None if along_time(read.name) else 0
         subscripts = list(read.subscripts)
@@ -65,6 +64,9 @@ class MotionNames:
         if not rows:
             message = f"there is no {known.kind}, so `{read.name}` is empty"
             raise self.source.error(message, read.at)
+        if known.kind == "step" and len(subscripts) == 2:  # its row has both names
+            (sequence, at), (step, _) = subscripts
+            subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
         if subscripts:
             message = f"read one part too many, expected {read.name}[{known.kind}]"
@@ -73,7 +75,7 @@ class MotionNames:
 
     def rows(self, table: str) -> Sequence[str]:
         """The names of a table's rows; none if it has no rows."""
-        return self.subject.rows(TABLES[table].kind)
+        return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
         """The same: all variants have the names of the scenario itself."""
@@ -83,12 +85,19 @@ class MotionNames:
         """What a row of a table is."""
         return TABLES[table].kind
 
+    def key(self, index: int, rows: Sequence[str]) -> str:
+        """A row as it is written between brackets: of a step its sequence and its number."""
+        if tuple(rows) != self.rows_of("step"):
+            return written(index, rows)
+        sequence, _, number = rows[index].rpartition(",")
+        return f"{written(0, [sequence])},{number}"
+
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
         """What a subscript stands for: by its name first, then by its number; None for all."""
         written = subscript.written
         if written == ":":
             return None
-        name = written[1:-1] if written[0] in "\"'" else written
+        name = _bare(written)
         found = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
         if not found and kind == "target":  # the one speed that is asked for of a link
             found = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
@@ -111,3 +120,35 @@ class MotionNames:
         hint = hint or nearest(name, (*TABLES, *FUNCTIONS, LAST))
         hint = hint or f", expected one of {listed(list(TABLES), 30)}"
         return f"a run has no table {quoted(name)}{hint}"
+
+
+class MotionNames(RunNames):
+    """Finds what names in a text mean, for a scenario and what is varied of it."""
+
+    def __init__(self, source: Excerpt, subject: VariedScenario, targets: Sequence[Varied]) -> None:
+        super().__init__(source, subject.rows)
+        self.subject = subject
+        self.targets = targets
+
+    def number(self, name: DottedName) -> VariedNumber | Constant:
+        """A number of the scenario or its case: varied, or else as it is written."""
+        place = self.source.place(name.at)
+        return self._number(name.written, place)
+
+    def _number(self, written: str, place: Place) -> VariedNumber | Constant:
+        found = self.subject.target(written, place)
+        for column, varied in enumerate(self.targets):
+            if varied.numbers == found.numbers:
+                return VariedNumber(column)
+        return Constant(self.subject.written_number(found, place))
+
+    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
+        """A table, or a part of it; or the duration."""
+        if read.name == "duration" and not read.subscripts:
+            return self._number(read.name, self.source.place(read.at))
+        return self.selection(read)
+
+
+def _bare(written: str) -> str:
+    """A subscript without its quotes."""
+    return written[1:-1] if written[0] in "\"'" else written

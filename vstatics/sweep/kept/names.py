@@ -18,7 +18,15 @@ from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, STEP, Selection, Var
 from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
 from vstatics.sweep.variants.subject import number_of_case
 from vstatics.sweep.variants.targets import Target, Varied, own_number
-from vstatics.tables.names import ROWS, nearest_quantity, no_row, rows_called, several, table_rows
+from vstatics.tables.names import (
+    ROWS,
+    nearest_quantity,
+    no_row,
+    rows_called,
+    several,
+    table_rows,
+    written,
+)
 from vstatics.tables.quantities import BY_NAME
 
 LANGUAGE = Language(
@@ -40,6 +48,9 @@ class SweepNames:
     >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))
     Selection(table='losses', gear=None, row=0, rows=1)
     """
+
+    key = staticmethod(written)
+    """A row or a gear as it is written between brackets."""
 
     def __init__(
         self,

@@ -47,6 +47,11 @@ class PartNumber(NamedTuple):
             return "si_torque"
         return self.kind if self.kind in get_args(Measure) else None  # type: ignore[return-value] # as it says
 
+    @property
+    def expected(self) -> str:
+        """What may stand there."""
+        return "a whole number" if self.kind == "count" else "a finite number"
+
     def impossible(self, values: Floats) -> Booleans:
         """Which values can't stand there, whatever stands beside them."""
         wrong = ~np.isfinite(values)

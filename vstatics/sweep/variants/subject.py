@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from vstatics.readers import Format
     from vstatics.readers.reading import Reading
     from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.record.rows import Kind
     from vstatics.simulation.scenario.file import ScenarioFile
-    from vstatics.sweep.motion_tables import Kind
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
@@ -119,8 +119,13 @@ class VariedScenario:
             reading = read_case_tree(trees.case, decode(*self.case))
         return self._read(trees.scenario, reading)
 
-    def run(self, paths: Sequence[NumberPath], values: Sequence[float]) -> Motion:
-        """What a variant does.
+    def run(
+        self,
+        paths: Sequence[NumberPath],
+        values: Sequence[float],
+        columns: Sequence[tuple[str, str]] = (),
+    ) -> Motion:
+        """What a variant does, with columns that are asked for; see `simulate`.
 
         Raises
         ------
@@ -133,11 +138,12 @@ class VariedScenario:
         from vstatics.simulation.run import simulate
 
         watch = None if self.limit is None else wall_limit(self.limit)
-        return simulate(self.variant(paths, values).scenario, rtol=self.rtol, watch=watch)
+        scenario = self.variant(paths, values).scenario
+        return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
         """The names of what tables of a kind have a row for."""
-        from vstatics.sweep.motion_tables import rows_of_kind
+        from vstatics.simulation.record.rows import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)
 

@@ -92,19 +92,17 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
     begin, values = behind(place, end + 1), text[end + 1 :]
     if not values.strip():
         raise refusal(f"read no values, expected {FORMS}", begin)
-    if isinstance(varied, NumberPath) and not isinstance(subject, Transmission):
-        try:
-            values, unit = common_unit(values)
-        except ValueError as error:
-            raise refusal(str(error), begin) from None
-        varied = subject.in_unit(varied, unit, begin)
-    if isinstance(varied, CasePath):
-        try:
-            values, unit = common_unit(values)
+    try:
+        values, unit = (
+            common_unit(values) if isinstance(varied, NumberPath | CasePath) else (values, "")
+        )
+        read = _range(values, begin) if ":" in values else _list(values, begin)
+        if isinstance(varied, CasePath):
             varied = varied.in_unit(unit)
-        except ValueError as error:
-            raise refusal(str(error), begin) from None
-    read = _range(values, begin) if ":" in values else _list(values, begin)
+    except ValueError as error:
+        raise refusal(str(error), begin) from None
+    if isinstance(varied, NumberPath) and not isinstance(subject, Transmission):
+        varied = subject.in_unit(varied, unit, begin)
     return Variation(varied, read, place)
 
 

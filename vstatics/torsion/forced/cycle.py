@@ -21,7 +21,7 @@ MOST_POINTS = 1_000_000
 
 
 class Sum(NamedTuple):
-    """Of one link or device, at each speed: all orders together."""
+    """All orders together, of one link or device at each speed, or of several."""
 
     largest: Floats
     """Over a cycle."""
@@ -35,7 +35,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
     Parameters
     ----------
     orders : sequence of float
-    amplitudes : sequence of ndarray, shape (speeds,)
+    amplitudes : sequence of ndarray, shape (..., speeds)
         Complex, one of each order.
 
     Examples
@@ -56,8 +56,9 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
         return Sum(sizes.sum(axis=0), rms)
     count = math.ceil(POINTS_PER_PERIOD * max(orders) * cycle)
     angles = 2 * math.pi * cycle * np.arange(count) / count
-    turning = 1j * np.asarray(orders)
-    largest = np.array([_largest(turning, column, angles) for column in stacked.T])
+    known = np.isfinite(stacked).all(axis=0)
+    largest = np.full(known.shape, np.nan)
+    largest[known] = _largest(1j * np.asarray(orders), stacked[:, known], angles)
     return Sum(largest, rms)
 
 
@@ -75,19 +76,21 @@ def _cycle(orders: Sequence[float]) -> float | None:
     return float(revolutions) if revolutions <= MOST_REVOLUTIONS else None
 
 
-def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> float:
-    """The largest absolute value over a cycle."""
-    if not np.isfinite(amplitudes).all():
-        return math.nan
-    values = np.abs((amplitudes[:, None] * np.exp(turning[:, None] * angles)).sum(axis=0).real)
-    best = np.sort(np.argsort(values)[-4:])
-    angle = angles[best]
+def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
+    """The largest absolute value over a cycle, of each column of amplitudes."""
+    waves = np.exp(turning[:, None] * angles)
+    highest = np.empty(amplitudes.shape[1])
+    angle = np.empty((amplitudes.shape[1], 4))
+    for number, column in enumerate(amplitudes.T):
+        values = np.abs((column[:, None] * waves).sum(axis=0).real)
+        highest[number], angle[number] = values.max(), angles[np.argsort(values)[-4:]]
+    amplitudes, turning = amplitudes[:, :, None], turning[:, None, None]
     for _ in range(8):  # to the top of each of the highest points
-        terms = amplitudes[:, None] * np.exp(turning[:, None] * angle)
-        slope = (turning[:, None] * terms).sum(axis=0).real
-        bend = (turning[:, None] ** 2 * terms).sum(axis=0).real
+        terms = amplitudes * np.exp(turning * angle)
+        slope = (turning * terms).sum(axis=0).real
+        bend = (turning**2 * terms).sum(axis=0).real
         step = np.where(bend != 0, -slope / np.where(bend, bend, 1.0), 0.0)
-        limit = angles[1] if len(angles) > 1 else 0.0
-        angle = angle + np.clip(step, -limit, limit)
-    tops = np.abs((amplitudes[:, None] * np.exp(turning[:, None] * angle)).sum(axis=0).real)
-    return float(max(values.max(), tops.max()))
+        angle += np.clip(step, -angles[1], angles[1])
+    tops = np.abs((amplitudes * np.exp(turning * angle)).sum(axis=0).real)
+    largest: Floats = np.maximum(highest, tops.max(axis=1))
+    return largest

@@ -97,7 +97,8 @@ class GearResponse(NamedTuple):
         orders = [one.order for one in self.orders]
 
         def total(by_order: Sequence[Mapping[str, Complex]]) -> dict[str, Sum]:
-            return {name: summed(orders, [one[name] for one in by_order]) for name in by_order[0]}
+            sums = summed(orders, [np.array([*one.values()]) for one in by_order])
+            return dict(zip(by_order[0], map(Sum, *sums), strict=True))
 
         parts = [one.amplitudes for one in self.orders], [one.torques for one in self.orders]
         return self._replace(sum=SummedResponse(*map(total, parts))) if orders else self

@@ -1,0 +1,221 @@
+"""Columns that are asked for: closed forms, sums of energy, differences of the speeds themselves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import written
+from tests.simulation.runs import random_run
+from vstatics import CaseError
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.answer import AskedAnswer
+from vstatics.simulation.record.asked import TABLES
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.run import simulate
+
+WHEEL = "links: [o]\ninertias: {o: 2}\ngears: {g: []}\n"
+OSCILLATOR = """links: [m, o]
+inertias: {o: 2}
+springs:
+  soft: {links: [m, housing], stiffness: 300 N*m/rad}
+  hard: {links: [o, m], stiffness: 600 N*m/rad}
+gears: {g: []}
+"""
+"""2 kg*m^2 on two springs in a row, of 200 N*m/rad together; the link between has no inertia."""
+AT_REST = "start: {speeds: {o: 0}}"
+OMEGA = 10.0
+
+
+def asked(scenario: str, case: str, *columns: str) -> tuple[Motion, list[Floats]]:
+    """A motion and its columns, as in `accelerations[o]`."""
+    names = [tuple(one[:-1].split("[")) for one in columns]
+    motion = simulate(written(scenario, case), columns=[(table, row) for table, row in names])
+    assert motion.stopped is None
+    return motion, [motion.asked[table][row] for table, row in names]
+
+
+def test_a_constant_torque_accelerates_evenly() -> None:
+    """T/J, no jerk, the power is T times T t/J."""
+    columns = ("accelerations[o]", "jerks[o]", "powers[o]")
+    motion, [acceleration, jerk, power] = asked(
+        f"duration: 3\n{AT_REST}\ntorques: {{o: 8}}", WHEEL, *columns
+    )
+    assert acceleration == pytest.approx(np.full_like(motion.time, 4.0), rel=1e-12)
+    assert not jerk.any()
+    assert power == pytest.approx(32 * motion.time, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("torque", ["[[0, 0], [1, 10], [2, 10]]", '"min(10*t, 10)"'])
+def test_a_ramp_has_a_jerk_that_ends_with_it(torque: str) -> None:
+    """T = 10 t on 2 kg*m^2: 5 rad/s^3 up to the instant of its end, then nothing."""
+    motion, [acceleration, jerk] = asked(
+        f"duration: 2\n{AT_REST}\ntorques: {{o: {torque}}}", WHEEL, "accelerations[o]", "jerks[o]"
+    )
+    assert acceleration == pytest.approx(np.minimum(5 * motion.time, 5.0), abs=1e-9)
+    [end] = np.flatnonzero(np.diff(motion.time) == 0)
+    assert motion.time[end] == pytest.approx(1.0, abs=1e-9)
+    assert jerk[: end + 1] == pytest.approx(np.full(end + 1, 5.0), rel=1e-7)
+    assert jerk[end + 1 :] == pytest.approx(np.zeros(len(jerk) - end - 1), abs=1e-7)
+
+
+def test_a_jump_of_a_torque_stands_twice() -> None:
+    """No speed jumps there, and no torque of a device, but the acceleration does: 0, then 3."""
+    motion, [acceleration] = asked(
+        f"duration: 2\n{AT_REST}\ntorques: {{o: [[0, 0], [1, 0], [1, 6]]}}",
+        WHEEL,
+        "accelerations[o]",
+    )
+    assert acceleration[motion.time == 1.0].tolist() == [0.0, 3.0]
+
+
+def test_a_vibration_is_told_at_its_extremes_though_no_point_lies_there() -> None:
+    """Speed cos 10 t: -10 sin 10 t, -100 cos 10 t, and of the link between two thirds of that."""
+    columns = ("accelerations[o]", "jerks[o]", "accelerations[m]", "jerks[m]", "powers[hard]")
+    motion, found = asked(
+        "duration: 2\nstart: {speeds: {o: 1, m: 0.6666666666666666}}", OSCILLATOR, *columns
+    )
+    angle = OMEGA * motion.time
+    bends, swings = -OMEGA * np.sin(angle), -(OMEGA**2) * np.cos(angle)
+    parts = [1.0, 1.0, 2 / 3, 2 / 3]
+    for column, part, exact in zip(found, parts, [bends, swings] * 2, strict=False):
+        assert column == pytest.approx(part * exact, abs=1e-5 * np.abs(exact).max())
+        assert column.max() == pytest.approx(part * np.abs(exact).max(), rel=1e-5)
+    torque = 20 * np.sin(angle)  # 200 N*m/rad by sin(10 t)/10
+    assert found[4] == pytest.approx(torque * np.cos(angle) / 3, abs=1e-6)
+    between = np.linspace(0, 2, 5001)
+    drawn = np.interp(between, motion.time, found[1])
+    assert np.abs(drawn + 100 * np.cos(OMEGA * between)).max() < 1e-3 * 200
+
+
+def test_a_clutch_turns_energy_into_heat() -> None:
+    """Two wheels of 2 and 3 kg*m^2 at 100 rad/s and at rest, 60 N*m between: 1/2 J w^2."""
+    motion, [heat, power, given] = asked(
+        "duration: 3\nstart: {speeds: {e: 100, o: 0}}\ncontrols: {C: 60}",
+        "links: [e, o]\ninertias: {e: 2, o: 3}\nshift_elements: {C: {links: [e, o]}}\n"
+        "gears: {g: [C]}\n",
+        "heat[C]",
+        "slip_power[C]",
+        "powers[o]",
+    )
+    slip = np.maximum(100 - (60 / 2 + 60 / 3) * motion.time, 0.0)
+    assert power == pytest.approx(60 * slip, abs=1e-5)
+    assert heat == pytest.approx(1.2 / 2 * (100**2 - slip**2), rel=1e-8, abs=1e-6)
+    assert heat[-1] == pytest.approx(motion.energy.heat["C"], rel=1e-12)
+    assert not given.any()
+
+
+def test_springs_have_heat_of_their_friction_and_of_limits() -> None:
+    """Two wheels at given 3 rad/s on springs to the housing: 7 N*m that rub, 50 N*m that slip."""
+    motion, [rubbed, slipped] = asked(
+        "duration: 2\nstart: {speeds: {e: 3, o: 3}}\nspeeds: {e: 3, o: 3}\nlimits: {s: 50}",
+        "links: [e, o]\ninertias: {e: 2, o: 2}\ngears: {g: []}\nsprings:\n"
+        "  r: {links: [e, housing], stiffness: 100 N*m/rad, friction: 7 N*m}\n"
+        "  s: {links: [o, housing], stiffness: 100 N*m/rad}\n",
+        "heat[r]",
+        "heat[s]",
+    )
+    assert rubbed == pytest.approx(7 * 3 * motion.time, rel=1e-9, abs=1e-9)
+    assert slipped == pytest.approx(np.maximum(150 * motion.time - 25, 0), rel=1e-9, abs=1e-6)
+
+
+def test_a_vehicle_goes_by_its_radius_and_rolling_takes_of_the_power() -> None:
+    """90 kg*m^2 are 1000 kg on .3 m, which roll with .01 g: F = m a."""
+    case = "links: [o]\ninertias: {o: 90}\ngears: {g: []}\n"
+    road = "{road: {mass: 1000, radius: 0.3, rolling: 0.01}}"
+    columns = [f"vehicle_{one}[o]" for one in ("speed", "acceleration", "jerk")]
+    motion, [speed, acceleration, jerk, power] = asked(
+        f"duration: 2\nstart: {{speeds: {{o: 10}}}}\ntorques: {{o: {road}}}",
+        case,
+        *columns,
+        "powers[o]",
+    )
+    rolling = 0.01 * 9.81
+    assert speed == pytest.approx(3 - rolling * motion.time, rel=1e-9)
+    assert acceleration == pytest.approx(np.full_like(speed, -rolling), rel=1e-9)
+    assert not jerk.any()
+    assert power == pytest.approx(-1000 * rolling * speed, rel=1e-9)
+
+
+def test_formulas_see_the_same_power() -> None:
+    """A load that turns a wheel down, and one that its given speed takes: dW/dt = power."""
+    motion, [work, of_load, of_speed] = asked(
+        "duration: 2\nstart: {speeds: {e: 20, o: 10}}\nspeeds: {e: [[0, 20], [2, 30]]}\n"
+        "controls: {C: 15}\ntorques: {o: {resistance: 40}}\n"
+        "states: {w: {rate: \"power('e') + power('o')\"}}",
+        "links: [e, o]\ninertias: {e: 2, o: 3}\nshift_elements: {C: {links: [e, o]}}\n"
+        "gears: {g: [C]}\n",
+        "states[w]",
+        "powers[o]",
+        "powers[e]",
+    )
+    assert of_load[0] == pytest.approx(-40 * 10)
+    assert of_speed[0] == pytest.approx((2 * 5 + 15) * 20)  # J dw/dt, and the clutch
+    assert work[-1] == pytest.approx(motion.energy.work - motion.energy.heat["o"], rel=1e-8)
+
+
+def test_formulas_see_the_acceleration_of_a_link_without_inertia_behind_a_damper() -> None:
+    """Its integral is the change of the speed; spring and damper share what the link carries."""
+    motion, [speed] = asked(
+        "duration: 1\nstart: {speeds: {o: 1, m: 1}}\nstates: {v: {rate: \"acceleration('m')\"}}",
+        OSCILLATOR.replace("600 N*m/rad}", "600 N*m/rad, damping: 30 N*m*s/rad}"),
+        "states[v]",
+    )
+    assert speed == pytest.approx(motion.speeds[:, 0] - motion.speeds[0, 0], abs=1e-8)
+
+
+def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
+    """dx/dt = 2; 600 W heat 50 J/K: 12 K/s."""
+    _, [state, temperature] = asked(
+        "duration: 2\nstart: {speeds: {o: 20}}\nspeeds: {o: 20}\ncontrols: {B: 30}\n"
+        "states: {x: {start: 1, rate: 2}}",
+        "links: [o]\ninertias: {o: 1}\ngears: {g: []}\n"
+        "shift_elements: {B: {links: [o, housing], friction: {heat_capacity: 50 J/K, "
+        "cooling: 0, ambient: 20}}}\n",
+        "states[x]",
+        "temperatures[B]",
+    )
+    assert (state[0], state[-1]) == pytest.approx((1.0, 5.0), rel=1e-9)
+    assert (temperature[0], temperature[-1]) == pytest.approx((20.0, 44.0), rel=1e-8)
+
+
+def test_json_has_a_key_for_each_table() -> None:
+    assert AskedAnswer._fields == tuple(TABLES)
+
+
+def test_what_there_is_not_is_told() -> None:
+    scenario = written(f"duration: 1\n{AT_REST}", WHEEL)
+    for column, said in (
+        (("jerk", "o"), "a run has no table `jerk`; did you mean `jerks`?"),
+        (("jerks", "p"), "a run has no link `p`, expected one of o"),
+        (("states", "x"), "a run has no state `x`"),
+    ):
+        with pytest.raises(CaseError) as caught:
+            simulate(scenario, columns=[column])
+        assert caught.value.problems[0].message == said
+
+
+@pytest.mark.parametrize("seed", range(count(6, 40)))
+def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
+    """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
+    scenario = random_run(seeded(seed), losses=True)
+    links = scenario.case.link_names[: scenario.case.own_links]
+    columns = [(one, link) for one in ("accelerations", "jerks", "powers") for link in links]
+    motion = simulate(scenario, step=scenario.duration / 1000, columns=columns)
+    lengths = np.diff(motion.time)
+    inside = lengths > 0
+    for number, link in enumerate(links):
+        acceleration, jerk, speed = (
+            motion.asked["accelerations"][link],
+            motion.asked["jerks"][link],
+            motion.speeds[:, number],
+        )
+        sums = (acceleration[1:] + acceleration[:-1]) / 2
+        grown = lengths * sums - lengths**2 * np.diff(jerk) / 12
+        apart = np.abs(np.diff(speed) - grown)[inside]
+        assert apart.max() < 1e-7 * max(1.0, float(np.abs(speed).max()))
+    power = np.sum([*motion.asked["powers"].values()], axis=0)
+    work = float((lengths * (power[1:] + power[:-1])).sum()) / 2
+    resisted = sum(heat for name, heat in motion.energy.heat.items() if name in links)
+    assert work == pytest.approx(motion.energy.work - resisted, rel=1e-4, abs=1e-2)

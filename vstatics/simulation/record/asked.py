@@ -1,0 +1,145 @@
+"""Columns of a run that somebody asks for, beside its speeds, slips and torques."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from operator import attrgetter
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from vstatics.errors import CaseError, listed, nearest, quoted
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.record.account import heat_and_losses
+from vstatics.simulation.record.changes import PieceMotion
+from vstatics.simulation.record.rows import Kind, road_radii, rows_of_kind
+from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.values import outside_torques
+
+
+class Moments(NamedTuple):
+    """What is known of a run at some times of a piece, which are the last axis of all arrays."""
+
+    motion: PieceMotion
+    times: Floats
+    states: Floats
+    speeds: Floats
+    """Of links. [rad/s]"""
+    slips: Floats
+    """Of shift elements. [rad/s]"""
+    torques: Floats
+    """Of devices. [N*m]"""
+    ports: Floats
+    """Torques of ports. [N*m]"""
+
+    @property
+    def system(self) -> MotionSystem:
+        """Of which it is a motion."""
+        return self.motion.equations.system
+
+    def accelerations(self) -> Floats:
+        """Of links [rad/s^2]."""
+        return self.motion.accelerations(self.times, self.states)
+
+    def jerks(self) -> Floats:
+        """Of links [rad/s^3]."""
+        return self.motion.jerks(self.times, self.states)
+
+
+def _powers(at: Moments, rows: Sequence[str]) -> Floats:
+    """Of links and springs."""
+    system = at.system
+    of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
+    springs = {one.name: one for one in system.springs}
+
+    def power(name: str) -> Floats:
+        if name in system.names:
+            made: Floats = of_links[system.names.index(name)]
+        else:
+            spring = springs[name]
+            made = at.torques[spring.device] * (spring.row @ at.speeds)
+        return made
+
+    return np.array([power(name) for name in rows])
+
+
+def _of_links(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
+    return values(at)[[at.system.names.index(name) for name in rows]]
+
+
+def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
+    radii = road_radii(at.system.scenario)
+    own = [radii[at.system.names.index(name) + 1] for name in rows]
+    return np.array(own)[:, None] * _of_links(values, at, rows)
+
+
+def _heat(at: Moments, rows: Sequence[str]) -> Floats:
+    heat, _ = heat_and_losses(at.motion.equations, at.states)
+    return np.array([heat.get(name, np.zeros(len(at.times))) for name in rows])
+
+
+def _slip_power(at: Moments, rows: Sequence[str]) -> Floats:
+    names = [one.name for one in at.system.case.shift_elements]
+    places = [names.index(name) for name in rows]
+    return at.torques[places] * at.slips[places]
+
+
+def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
+    equations = at.motion.equations
+    places = [equations.layout.values.index(Seen(word, name)) for name in rows]
+    return at.states[equations.values][places]
+
+
+Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
+
+
+class AskedTable(NamedTuple):
+    """What has a row in a table, and how its rows are made."""
+
+    kind: Kind
+    make: Maker
+
+
+TABLES: Mapping[str, AskedTable] = {
+    "accelerations": AskedTable("link", partial(_of_links, Moments.accelerations)),
+    "jerks": AskedTable("link", partial(_of_links, Moments.jerks)),
+    "powers": AskedTable("link or spring", _powers),
+    "heat": AskedTable("friction", _heat),
+    "slip_power": AskedTable("shift element", _slip_power),
+    "temperatures": AskedTable("element with a heat_capacity", partial(_values, "temperature")),
+    "states": AskedTable("state", partial(_values, "value")),
+    "vehicle_speed": AskedTable("link with a road", partial(_of_vehicles, attrgetter("speeds"))),
+    "vehicle_acceleration": AskedTable(
+        "link with a road", partial(_of_vehicles, Moments.accelerations)
+    ),
+    "vehicle_jerk": AskedTable("link with a road", partial(_of_vehicles, Moments.jerks)),
+}
+"""By name; [rad/s^2], [rad/s^3], [W], [J], [W], [degrees Celsius], any unit, [m/s], [m/s^2],
+[m/s^3]."""
+
+
+def rows_of_tables(
+    asked: Sequence[tuple[str, str]], scenario: Scenario
+) -> Mapping[str, tuple[str, ...]]:
+    """The rows that are asked for, each once, by their tables in the order of `TABLES`.
+
+    Raises
+    ------
+    CaseError
+        Of what there is not.
+    """
+    for table, row in asked:
+        known: Sequence[str] = tuple(TABLES)
+        what, read = "table", table
+        if table in TABLES:
+            kind = TABLES[table].kind
+            known, what, read = rows_of_kind(kind, scenario), kind, row
+        if read not in known:
+            expected = f", expected one of {listed(known)}" if known else ""
+            hint = nearest(read, known) or expected
+            raise CaseError("E679", f"a run has no {what} {quoted(read)}{hint}")
+    made = {name: tuple(dict.fromkeys(row for one, row in asked if one == name)) for name in TABLES}
+    return {name: rows for name, rows in made.items() if rows}

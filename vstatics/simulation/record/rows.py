@@ -1,0 +1,108 @@
+"""What the tables of a run have rows for, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import Literal
+
+from vstatics.simulation.scenario.laws import Resistance, Road
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.words import vocabulary
+
+Kind = Literal[
+    "link",
+    "shift element",
+    "device",
+    "friction",
+    "loss",
+    "link or spring",
+    "element with a heat_capacity",
+    "state",
+    "link with a road",
+    "step",
+    "target",
+    "number",
+]
+"""What has a row; a number has none. Friction is that of shift elements, of links with a resistance
+or a road, of springs with a limit or friction; losses those of devices and of links with drag."""
+
+
+def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
+    """The names of the rows of tables of a kind."""
+    return tuple(_ROWS[kind](scenario))
+
+
+def road_radii(scenario: Scenario) -> dict[int, float]:
+    """Number of each link with a road -> by what its speed is that of the vehicle [m]."""
+    return {link: law.radius for link, law in scenario.torques if isinstance(law, Road)}
+
+
+def _links(scenario: Scenario) -> Sequence[str]:
+    case = scenario.case
+    return case.link_names[: case.own_links]
+
+
+def _links_and_springs(scenario: Scenario) -> Iterable[str]:
+    """A name is that of a link first, as in formulas."""
+    return dict.fromkeys([*_links(scenario), *vocabulary(scenario.case).rows["twist"]])
+
+
+def _named(scenario: Scenario, links: Iterable[int]) -> list[str]:
+    """The names of links by their numbers."""
+    return [scenario.case.link_names[link - 1] for link in links]
+
+
+def _elements(scenario: Scenario) -> list[str]:
+    return [element.name for element in scenario.case.shift_elements]
+
+
+def _friction(scenario: Scenario) -> list[str]:
+    loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
+    springs = [
+        one.name
+        for number, one in enumerate(scenario.case.springs, 1)
+        if one.limit is not None or one.friction or number in scenario.limits
+    ]
+    return [*_elements(scenario), *_named(scenario, sorted(loaded)), *springs]
+
+
+def _devices(scenario: Scenario) -> list[str]:
+    return [*scenario.case.devices, *(converter.name for converter in scenario.converters)]
+
+
+def _losses(scenario: Scenario) -> list[str]:
+    dragged = {link for gear in scenario.case.gears for link in gear.drag}
+    return [*_devices(scenario), *_named(scenario, sorted(dragged))]
+
+
+def _steps(scenario: Scenario) -> list[str]:
+    sequences = scenario.sequences
+    return [f"{one.name},{number}" for one in sequences for number, _ in enumerate(one.steps, 1)]
+
+
+def _targets(scenario: Scenario) -> list[str]:
+    asked = scenario.targets.items()
+    speeds = [(link, speed) for link, speeds in asked for speed in speeds]
+    names = _named(scenario, (link for link, _ in speeds))
+    return [f"{name} {speed:.12g}" for name, (_, speed) in zip(names, speeds, strict=True)]
+
+
+def _of_formulas(word: str) -> Callable[[Scenario], Collection[str]]:
+    """Of what formulas may speak with a word."""
+    return lambda scenario: vocabulary(scenario.case).rows[word]
+
+
+_ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
+    "link": _links,
+    "shift element": _elements,
+    "device": lambda scenario: [*_devices(scenario), *_named(scenario, scenario.speeds)],
+    "friction": _friction,
+    "loss": _losses,
+    "link or spring": _links_and_springs,
+    "element with a heat_capacity": _of_formulas("temperature"),
+    "state": lambda scenario: [state.name for state in scenario.states],
+    "link with a road": lambda scenario: _named(scenario, road_radii(scenario)),
+    "step": _steps,
+    "target": _targets,
+    "number": lambda _scenario: (),
+}
