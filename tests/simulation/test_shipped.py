@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
+from vstatics import solve
 from vstatics.simulation import Motion, simulate
 from vstatics.simulation.scenario.file import load_scenario
 
@@ -117,3 +118,34 @@ def test_automatics_shift_with_an_overlap() -> None:
         ("3-4 clutch", "locks"),
     ]
     assert speed(motion, "output")[-1] / speed(motion, "input")[-1] == pytest.approx(1 / 0.7)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "off", "on", "gears"),
+    [("8hp70-upshift", "A", "C", ("2", "3")), ("8hp70-downshift", "C", "A", ("3", "2"))],
+)
+def test_a_controlled_shift_hands_over_slips_and_locks(
+    name: str, off: str, on: str, gears: tuple[str, str]
+) -> None:
+    """Input by output turn by the ratio of the gear until one slips, and after the other locks."""
+    scenario = load_scenario(CASES / "scenarios" / f"{name}.yaml")
+    motion = simulate(scenario)
+    steps = [one.step for one in motion.events if one.event == "step"]
+    assert steps == [1, 2, 3, 4, 5, 6, 7]
+    others = [(one.element, one.event) for one in motion.events if one.event != "step"]
+    assert others == [(off, "slips"), (on, "locks")]
+    results = solve(scenario.case)
+    slips, locks = (one.time for one in motion.events if one.event != "step")
+    engine, output = motion.speeds[:, 0], speed(motion, "output")
+    turbine = speed(motion, "input")
+    for gear, chosen in zip(gears, (motion.time < slips, motion.time > locks), strict=True):
+        number = scenario.case.gear_number(gear) - 1
+        ratio = 1 / results.speeds[number][scenario.case.link_names.index("output")]
+        ratio *= results.speeds[number][scenario.case.link_names.index("input")]
+        assert turbine[chosen] == pytest.approx(ratio * output[chosen], rel=1e-8)
+        assert engine[chosen] == pytest.approx(turbine[chosen], rel=0.05)  # by its dampers
+    index = motion.elements.index(on)
+    power = motion.torques[:, motion.devices.index(on)] * motion.slips[:, index]
+    heat = 0.5 * (power[1:] + power[:-1]) @ np.diff(motion.time)
+    assert motion.energy.heat[on] == pytest.approx(heat, rel=1e-3)
