@@ -13,9 +13,10 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
 from tests.chance import count, seeded
-from tests.simulation.control.written import faults, simulated
+from tests.simulation.control.written import faults, simulated, written
 from tests.simulation.test_golden import closes
 from vstatics.numerics.arrays import Floats
+from vstatics.simulation.run import simulate
 
 WHEEL = "{links: [w], inertias: {w: 2}, springs: {S: {links: [w, housing], stiffness: 3000%s}}}"
 """A wheel on a spring to the housing, J = 2 and k = 3000: under T it carries T (1 - cos(q t))."""
@@ -129,6 +130,28 @@ def test_a_kink_at_equal_speeds_is_passed() -> None:
     )
     assert [one.event for one in made.events] == ["slips", "locks", "slips"]
     assert closes(made)
+
+
+@pytest.mark.parametrize("damping", ["", ", damping: 3"])
+def test_a_link_without_inertia_needs_a_damper_beside_a_limit_that_sees(damping: str) -> None:
+    case = (
+        "{links: [w, m, v], inertias: {w: 2, v: 30}, springs: {Z: {links: [w, m], stiffness: 2000"
+        f"{damping}}}, S: {{links: [m, v], stiffness: 3000}}}}}}"
+    )
+    made = simulate(
+        written(
+            "duration: 0.2\nstart: {speeds: {w: 0, v: 0}}\ntorques: {w: 500}\n"
+            "limits: {S: \"100 + 2*speed('v')\"}\n",
+            case,
+        )
+    )
+    assert np.isfinite(made.speeds).all()
+    if damping:
+        assert made.stopped is None
+        assert closes(made)
+    else:
+        assert made.stopped is not None
+        assert made.stopped.id == "E672"
 
 
 class Tyre(NamedTuple):

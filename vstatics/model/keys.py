@@ -13,6 +13,7 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     MECHANISM_KINDS,
+    CoefficientTable,
     Friction,
     Gear,
     ShiftElement,
@@ -46,6 +47,28 @@ from vstatics.model.shape import (
 from vstatics.model.torsional_keys import ABOVE_0, DUMP, ELASTIC, SPRING
 from vstatics.model.vehicle_keys import VEHICLE
 
+COEFFICIENTS = ByKey(
+    "Coefficients",
+    "Coefficients of friction by slip and temperature, straight between, constant outside.",
+    (
+        KeyShape(
+            "columns",
+            ListOf(NUMBER, "temperatures", unique=False),
+            "Temperatures in degrees Celsius in ascending order.",
+            required=True,
+            examples=([20, 120],),
+        ),
+        KeyShape(
+            "rows",
+            ListOf(ListOf(NUMBER, "numbers", unique=False), "rows", unique=False),
+            "Slip in rad/s in ascending order, then the coefficient at each temperature.",
+            required=True,
+            examples=([[0, 0.13, 0.11], [20, 0.11, 0.10]],),
+        ),
+    ),
+    CoefficientTable,
+)
+
 FRICTION = ByKey(
     "Friction",
     "The friction pack of a shift element, whose controls are then pressures; what warms it.",
@@ -78,9 +101,9 @@ FRICTION = ByKey(
         ),
         KeyShape(
             "coefficient",
-            ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient")),
+            ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient"), COEFFICIENTS),
             "Coefficient of friction: a number, or points [slip in rad/s, coefficient] in "
-            "ascending order, straight between.",
+            "ascending order, straight between; or by temperature, too.",
             required=True,
             unless="heat_capacity",
             examples=(0.12, [[0, 0.12], [10, 0.1]]),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from vstatics.errors import Path, Problem, type_and_value
 from vstatics.model.fields import TransmissionFields
@@ -13,6 +14,7 @@ from vstatics.model.parts import (
     GEAR_KINDS,
     HOUSING,
     MECHANISM_KINDS,
+    CoefficientTable,
     Friction,
     Gear,
     Law,
@@ -94,10 +96,16 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     right = surfaces >= 1 and surfaces == int(surfaces)
     yield from expect(surfaces, what, (*path, "surfaces"), right=right)
     here = (*path, "coefficient")
-    if not friction.coefficient:
+    table = friction.table
+    rows: Sequence[tuple[float, ...]] = table.rows if table else friction.points
+    if table:
+        yield from _of_temperatures(table, friction.heat_capacity, here)
+        here = (*here, "rows")
+    if not rows:
         yield Problem("E219", "there is no point, expected one at least", here)
     least = 0.0
-    for number, (slip, coefficient) in enumerate(friction.coefficient, 1):
+    for number, row in enumerate(rows, 1):
+        slip, *coefficients = row or (least,)
         if not 0 <= slip < math.inf:
             yield Problem(
                 "E220", f"read {slip:g}, expected a slip of 0 or more", (*here, number, 1)
@@ -105,9 +113,35 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
         elif slip < least:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
             yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
-        right = 0 < coefficient < math.inf
-        yield from expect(coefficient, "a coefficient above 0", (*here, number, 2), right=right)
+        for column, coefficient in enumerate(coefficients, 2):
+            place = (*here, number, column)
+            right = 0 < coefficient < math.inf
+            yield from expect(coefficient, "a coefficient above 0", place, right=right)
         least = max(least, slip)
+
+
+def _of_temperatures(
+    table: CoefficientTable, heat_capacity: float | None, path: Path
+) -> Iterator[Problem]:
+    """Temperatures in ascending order, a coefficient for each, and what is known to warm up."""
+    if heat_capacity is None:
+        message = "the coefficient depends on temperature, expected a `heat_capacity` beside it"
+        yield Problem("E261", message, path)
+    here = (*path, "columns")
+    if not table.columns:
+        yield Problem("E219", "there is no temperature, expected one at least", here)
+    for number, one in enumerate(table.columns, 1):
+        right = math.isfinite(one)
+        yield from expect(one, "a finite number", (*here, number), right=right)
+    for number, (one, other) in enumerate(pairwise(table.columns), 2):
+        if not other > one:
+            message = f"read {other:g} behind {one:g}, expected temperatures in ascending order"
+            yield Problem("E262", message, (*here, number))
+    for number, row in enumerate(table.rows, 1):
+        if len(row) != len(table.columns) + 1:
+            message = f"read {len(row)} numbers, expected {len(table.columns) + 1}"
+            more = "the slip, and a coefficient for each temperature"
+            yield Problem("E263", f"{message}: {more}", (*path, "rows", number))
 
 
 def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ the case names: here stands how the one follows from the other.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, get_args
@@ -91,6 +92,35 @@ MechanismKind = Literal["variator", "converter"]
 MECHANISM_KINDS: tuple[MechanismKind, ...] = get_args(MechanismKind)
 
 
+class CoefficientTable(NamedTuple):
+    """Coefficients of friction by slip and temperature: straight between, constant outside."""
+
+    columns: tuple[float, ...]
+    """Temperatures in ascending order. [degC]"""
+    rows: tuple[tuple[float, ...], ...]
+    """Slip [rad/s] in ascending order, each with its coefficient at every temperature [-]."""
+
+    def at(self, temperature: float) -> tuple[tuple[float, float], ...]:
+        """Slips with their coefficients at a temperature.
+
+        >>> table = CoefficientTable((20, 120), ((0, 0.12, 0.10),))
+        >>> table.at(70), table.at(0)
+        (((0, 0.11),), ((0, 0.12),))
+        """
+        right = min(max(bisect_right(self.columns, temperature), 1), len(self.columns) - 1)
+        left = max(right - 1, 0)
+        width = self.columns[right] - self.columns[left] if right else 1.0
+        part = min(max((temperature - self.columns[left]) / width, 0.0), 1.0)
+        return tuple(
+            (row[0], row[1 + left] + part * (row[1 + right] - row[1 + left])) for row in self.rows
+        )
+
+    def completed(self) -> CoefficientTable:
+        """A checked one with its numbers as floats."""
+        rows = tuple(tuple(map(float, row)) for row in self.rows)
+        return CoefficientTable(tuple(map(float, self.columns)), rows)
+
+
 class Friction(NamedTuple):
     """The friction pack of a shift element: its capacity is by pressure, its heat warms it.
 
@@ -104,9 +134,9 @@ class Friction(NamedTuple):
     """Of the piston. [m^2]"""
     surfaces: int = 0
     """Pairs of friction surfaces."""
-    coefficient: tuple[tuple[float, float], ...] = ()
+    coefficient: tuple[tuple[float, float], ...] | CoefficientTable = ()
     """Slip [rad/s] in ascending order, each with its coefficient of friction [-]; none: only its
-    heat is known."""
+    heat is known. In a scenario it may depend on temperature."""
     heat_capacity: float | None = None
     """[J/K]"""
     cooling: float = 0.0
@@ -119,15 +149,28 @@ class Friction(NamedTuple):
         """``area radius surfaces``: the capacity by the pressure, for a coefficient of 1 [m^3]."""
         return self.area * self.radius * self.surfaces
 
+    @property
+    def table(self) -> CoefficientTable | None:
+        """The coefficient, if it depends on temperature."""
+        return self.coefficient if isinstance(self.coefficient, CoefficientTable) else None
+
+    @property
+    def points(self) -> tuple[tuple[float, float], ...]:
+        """Slips with their coefficients, where it is as warm as at the beginning."""
+        if isinstance(self.coefficient, CoefficientTable):
+            return self.coefficient.at(self.ambient)
+        return self.coefficient
+
     def completed(self) -> Friction:
         """A checked one with its numbers as floats."""
-        points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.coefficient)
+        table = self.table
+        points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.points)
         heat = None if self.heat_capacity is None else float(self.heat_capacity)
         return Friction(
             float(self.radius),
             float(self.area),
             int(self.surfaces),
-            points,
+            table.completed() if table else points,
             heat,
             float(self.cooling),
             float(self.ambient),

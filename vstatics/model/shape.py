@@ -175,9 +175,10 @@ class RowOf(NamedTuple):
 
 
 class ByPoints(NamedTuple):
-    """A number, or points in order of which it is the constant one: rows of two."""
+    """A number, or points in order of which it is the constant one: rows of two; or a mapping."""
 
     row: RowOf
+    mapping: ByKey
 
 
 class Parsed(NamedTuple):

@@ -96,7 +96,8 @@ def plan(
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
         made = _with_expressions(subject, options, variants)
-        _check_slopes(made)
+        if isinstance(subject, Transmission):
+            _check_slopes(made)
     except BaseException:
         if isinstance(variants, VariantTable):
             variants.close()

@@ -202,7 +202,7 @@ def _control(case: Transmission, one: ShiftElement) -> _Control:
         largest = _capacity(case, one)
         parameters = f"fn_max = {largest!r}, cgeo = 1, mu_pos = [0, 1]{peak}"
         return _Control("N.m", "Capacity", largest, parameters)
-    radius, area, surfaces, points = one.pack[:4]
+    radius, area, surfaces, points = *one.pack[:3], one.pack.points
     points = ((0.0, points[0][1]), *(point for point in points if point[0] > 0))
     if len(points) > 1:  # the library goes on straight behind the last
         points = (*points, (points[-1][0] + 1, points[-1][1]))

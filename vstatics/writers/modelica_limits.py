@@ -45,6 +45,8 @@ def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     unknown = [one.name for one in relative if not hasattr(one.capacity, "given")]
     yield "the capacity, by a torque that no load tells, of", unknown
     yield "the jump of speeds of", [one.name for one in elements if one.kind == "dog_clutch"]
+    warmed = [one.name for one in elements if one.pack and one.pack.table]
+    yield "the coefficient of friction by temperature of", warmed
     yield "the limit of", [one.name for one in case.springs if one.limit is not None]
     yield "the points of", [one.name for one in case.springs if one.points]
     yield "the friction of", [one.name for one in case.springs if one.friction]

@@ -210,7 +210,9 @@ class _Writer:
         return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
 
     def by_points(self, value: Any, shape: ByPoints) -> Any:
-        """Points, or the number that holds everywhere."""
+        """Points, or the number that holds everywhere; or by the keys of a mapping."""
+        if hasattr(value, "_asdict"):
+            return self.by_key(value, shape.mapping)
         rows = [self.row(one, shape.row) for one in value]
         return rows[0][1] if len(rows) == 1 and rows[0][0] == 0 else rows
 

@@ -78,10 +78,10 @@ FAULTS = [
         "shift_elements.FH.friction.coefficient[2]: read a list of 3, expected 2 numbers: [slip, coefficient]",
     ),
     (
-        "friction-points-a-mapping.yaml",
+        "friction-table-without-rows.yaml",
         7,
         70,
-        "shift_elements.FH.friction.coefficient: read a mapping, expected a number, or points: [[slip, coefficient], ...]",
+        "shift_elements.FH.friction.coefficient: `rows` is missing",
     ),
     (
         "friction-slip-negative.yaml",

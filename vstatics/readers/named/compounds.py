@@ -92,13 +92,15 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
 
 
 def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
-    """Rows in order; one number is a row at 0."""
+    """Rows in order; one number is a row at 0; or what the mapping makes."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
         if not node.items:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
         return tuple(walk.items(spot, node.items, shape.row))
-    if isinstance(node, Mapping) or is_null(node):
+    if isinstance(node, Mapping):
+        return walk.read(spot, shape.mapping)
+    if is_null(node):
         return walk.refuse(spot, shape, f"expected a number, or points: [[{shape.row.kind}], ...]")
     return ((0.0, walk.read(spot._replace(path=(*spot.path, 1, 2)), leaf)),)
 

@@ -185,7 +185,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             }
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
-            return {"anyOf": [_shape(shape.row.items[-1]), points]}
+            return {"anyOf": [_shape(shape.row.items[-1]), points, _record(shape.mapping)]}
         case Balances() | ByLaw():
             return _of_law(shape)
         case Parsed():

@@ -13,7 +13,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, MotionSystem
+from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
@@ -96,25 +96,27 @@ def state_of(equations: Equations, at: Instant) -> Floats:
     state[equations.angles] = at.angles
     state[equations.values] = at.values
     state[equations.works.start :] = at.accounts
-    if equations.limited.any():
-        _yield(equations, at, state)
+    _yield(equations, at.time, state)
     return state
 
 
-def _yield(equations: Equations, at: Instant, state: Floats) -> None:
+def _yield(equations: Equations, time: float, state: Floats) -> None:
     """Twist springs without dampers that slip as far as their limits are; the rest is heat."""
-    now, seen = math.nextafter(at.time, math.inf), seen_at(equations.system, at)
+    if not equations.limited.any():
+        return
     twists, heat = state[equations.twists], state[equations.slipped]
-    for index in np.flatnonzero(equations.limited & (equations.ports.stiffness > 0)).tolist():
-        spring, side = equations.system.springs[index], equations.states.springs[index]
-        limit = programme_at(spring.programme, now, seen)
-        twist = SIGNS.get(side, 0.0) * limit / spring.stiffness
-        heat[index] += spring.stiffness * (twists[index] ** 2 - twist**2) / 2
-        twists[index] = twist
+    carried = equations.acting(time, state)[1][equations.layout.spring_ports]
+    stiffness = equations.ports.stiffness
+    yields = equations.limited & (stiffness > 0)
+    change = np.where(yields, carried / np.where(yields, stiffness, 1.0) - twists, 0.0)
+    heat -= stiffness * (twists + change / 2) * change
+    twists += change
 
 
 def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
     """The instant that a state of equations stands for."""
+    state = state.copy()
+    _yield(equations, time, state)
     return Instant(
         time,
         equations.speeds(time, state),

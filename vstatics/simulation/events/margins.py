@@ -257,7 +257,7 @@ class Margins:
         lines = []
         for contact, _, side in self.holding:
             curve = contact.programme.curve
-            if not isinstance(curve, Points):
+            if contact.programme.look is not None or not isinstance(curve, Points):
                 return None
             value, slope = curve.piece(curve.piece_at(time))
             if contact.one_way and side == 1:

@@ -200,6 +200,7 @@ class ModeSelection:
             if self._jumps(equations.structure, at, state, scales):
                 return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
+            equations.check_seen(at.time, state)
             equations.changes.hold_limits(at.time, state)
             margins = Margins(equations)
             failing = self._failing(margins, at.time, state, scales)

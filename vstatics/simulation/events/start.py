@@ -133,7 +133,8 @@ def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Pr
     """Freewheels that hold anything, and turn in the way in which they hold."""
     for contact in system.contacts:
         slip = float(contact.row @ speeds)
-        if contact.one_way and slip < -STANDING * scale and math.isinf(capacity_at(contact, 0.0)):
+        limited = contact.programme.look is not None or not math.isinf(capacity_at(contact, 0.0))
+        if contact.one_way and slip < -STANDING * scale and not limited:
             message = (
                 f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel holds in "
                 "this direction: expected a slip of 0 or more"

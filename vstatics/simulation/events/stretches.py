@@ -266,7 +266,10 @@ class Closed:
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         by_state = equations.slopes_by_state(time, state)
         self.by_state = by_state[self.bending]
-        self.affine = Affine(equations, by_rate, by_state)
+        try:
+            self.affine = Affine(equations, by_rate, by_state)
+        except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
+            raise NoFit from None
         self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
         self.balance = self._balanced()

@@ -31,6 +31,7 @@ from vstatics.simulation.published.record_of_phases import TarasikRecord
 from vstatics.simulation.published.two_masses import NotTwoError, two_masses
 from vstatics.simulation.record.motion import EventKind, Motion
 from vstatics.simulation.record.words import event_of
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Dog, Scenario
 from vstatics.simulation.scenario.programme import programmes
@@ -262,6 +263,13 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
     for converter in system.converters:
         text = f"(12) has no converter: {_INSTEAD}"
         yield Problem("E619", text, ("converters", converter.name))
+    for one in system.outside:
+        if isinstance(one.law, Formula) and one.law.seen:
+            name = system.names[one.link]
+            text = (
+                f"the torque on {name} goes by more than its own motion, which (12) does not know"
+            )
+            yield Problem("E611", f"{text}: {_INSTEAD}", ("torques", name))
     controls = system.scenario.controls or {}
     for contact in system.contacts:
         if contact.element is not None and isinstance(controls.get(contact.element + 1), Dog):
@@ -287,6 +295,9 @@ def _of_contact(contact: Contact) -> Iterator[Problem]:
     elif contact.one_way and contact.element is not None:
         text = f"{contact.name} is a freewheel, which (14) does not know: {_INSTEAD}"
         yield Problem("E624", text, ("case", "shift_elements", contact.element + 1))
+    elif contact.programme.look is not None:
+        text = f"{contact.name} goes by more than its slip and the time, which (12) does not know"
+        yield Problem("E611", f"{text}: {_INSTEAD}", ("controls", contact.name))
     elif contact.programme.is_dog and _changes(contact):
         text = (
             f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "

@@ -24,7 +24,7 @@ Kind = Literal[
     "number",
 ]
 """What has a row; a number has none. Friction is that of shift elements, of links with a resistance
-or a road, of springs with a limit or friction; losses are of devices and of links with drag."""
+or a road, of springs with a limit or friction; losses those of devices and of links with drag."""
 
 
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Curve, Points, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
+from vstatics.simulation.scenario.tables import LookupTable
 
 
 class Look(NamedTuple):
@@ -36,19 +37,24 @@ class Programme(NamedTuple):
     largest: float | None = None
     """Which the capacity of the case allows. [N*m or Pa]"""
     look: Look | None = None
-    """Of a formula that sees more than the time: its value then."""
+    """Where more than the time is seen: the value of the curve then."""
+    table: LookupTable | None = None
+    """Of coefficients of friction by slip and temperature, where these count."""
+    rub: Look | None = None
+    """The coefficient of the table."""
 
     def seen_at(self, time: float, seen: Sequence[float]) -> float:
         """What it gives while it sees something: cut at 0, and at what the case allows."""
         assert self.look is not None  # noqa: S101 - it is asked of these alone
         most = math.inf if self.largest is None else self.largest
-        return self.factor * min(max(self.look.at(time, seen), 0.0), most)
+        made = self.factor * min(max(self.look.at(time, seen), 0.0), most)
+        return made * self.rub.at(time, seen) if self.rub else made
 
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
         """The same at many times, with what is seen as rows."""
         assert self.look is not None  # noqa: S101 - it is asked of these alone
         made: Floats = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
-        return made
+        return made * self.rub.along(times, seen) if self.rub else made
 
 
 OPEN = Programme(constant(0.0))
@@ -89,7 +95,16 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
                 problems += error.problems
     if problems:
         raise CaseError(problems)
-    return found
+    return [*map(_warmed, found, scenario.case.shift_elements)]
+
+
+def _warmed(programme: Programme, element: ShiftElement) -> Programme:
+    """With its coefficients by temperature, if it rubs and they do depend on it."""
+    table = element.pack.table if element.pack and not programme.is_dog else None
+    if table is None:
+        return programme
+    slips, values = zip(*((row[0], row[1:]) for row in table.rows), strict=True)
+    return programme._replace(table=LookupTable(slips, values, table.columns))
 
 
 def newton_metres(number: float | None, case: Transmission) -> float | None:
@@ -144,7 +159,7 @@ def slip_points(friction: Friction | Law | None) -> tuple[tuple[float, float], .
     """Slips with what there is at each; none of a formula."""
     if friction is None or isinstance(friction, Law):
         return () if friction is None else friction.points
-    return friction.coefficient
+    return friction.points
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:

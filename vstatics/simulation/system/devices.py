@@ -178,7 +178,7 @@ def _elements(
                 element.name,
                 rows[index],
                 programme,
-                element.pack,
+                None if programme.table else element.pack,
                 element.static,
                 one_way=element.is_freewheel,
                 overrun_drag=drag,
@@ -243,12 +243,14 @@ def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> l
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
     """At which an elastic shift element slips."""
     pack = element.pack
-    if element.static != 1 or (pack and len(pack.coefficient) > 1):
+    if element.static != 1 or (pack and len(pack.points) > 1):
         message = (
             f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
             "one coefficient of friction, or a spring beside it in place of `stiffness`"
         )
         raise CaseError("E667", message, ("case",))
+    if capacity.table:
+        return capacity
     return capacity._replace(factor=capacity.factor * friction_at(pack))
 
 

@@ -117,13 +117,32 @@ class Equations:
         scale = largest(self.stiff)
         undetermined = null(self.stiff / scale) if scale else np.eye(self.along.shape[1])
         if undetermined.shape[1]:
-            speeds = np.abs(self.structure.light @ self.along @ undetermined).max(axis=1)
-            name = self.system.names[int(speeds.argmax())]
+            name = self._name_of(self.along @ undetermined)
             message = (
                 f"link {name} has no inertia, and nothing determines its speed at "
                 f"{self.time:g} s: give it an inertia, or hold it"
             )
             raise CaseError("E669", message, ("case", "inertias", name))
+
+    def check_seen(self, time: float, state: Floats) -> None:
+        """Refuse speeds that no torque tells.
+
+        Raises
+        ------
+        CaseError
+        """
+        if self.light and not np.isfinite(self.rates(time, state)[1]).all():
+            name = self._name_of(np.eye(self.light))
+            message = (
+                f"link {name} has no inertia, and at {time:g} s the formulas of what acts on it do "
+                "not tell its speed: give it an inertia, or a damper beside it"
+            )
+            raise CaseError("E672", message, ("case", "inertias", name))
+
+    def _name_of(self, motions: Floats) -> str:
+        """Of the link that turns most by motions without inertia."""
+        speeds = np.abs(self.structure.light @ motions).max(axis=1)
+        return self.system.names[int(speeds.argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
         """Speeds of the motions without inertia, by the rates that those with inertia give."""
@@ -395,13 +414,13 @@ class Equations:
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
         """Of limits too that see something: straight ahead, by the motion that follows of them."""
-        slopes = slopes.copy()
+        slopes, moving = slopes.copy(), slice(self.works.start)
         for _ in range(_LIMIT_ROUNDS):
             change, before = self.derivative(time, state, slopes), slopes.copy()
 
             def torques(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
-                seen = self.changes.seen_at(then, state + ahead * change)
+                seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
                 return np.array([look.at(then, seen) for _, look in self.seen_limits])
 
             now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))

@@ -11,6 +11,8 @@ from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple
 
+import numpy as np
+
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
@@ -19,7 +21,8 @@ from vstatics.simulation.scenario.corners import BENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
-from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.curves import curve_along, curve_at
+from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -112,12 +115,32 @@ def corners(system: MotionSystem) -> list[Compared]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
-    made = []
+    made = [*_rubbing_corners(system)]
     for formula, pair, rate, angle in found:
         tree = Applied("-", pair, 0, 0)
         if variables(tree) - {"t"} - {*system.settings}:
             made.append(compared(system, formula._replace(tree=tree), rate, angle))
     return made
+
+
+def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
+    """Temperatures and slips at which coefficients of friction bend."""
+    for device in system.may_slip:
+        if device.programme.table is not None:
+            slip, temperature = _rubbing_places(system, device)
+            for one in device.programme.table.columns:
+                yield Compared(_place_seen(temperature), fixed(one))
+            for one in (way * x for way in (1, -1) for x in device.programme.table.x if x):
+                yield Compared(_place_seen(slip), fixed(one))
+
+
+def _place_seen(place: int) -> Look:
+    return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place])
+
+
+def fixed(value: float) -> Look:
+    """A number that changes with nothing."""
+    return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
@@ -130,16 +153,33 @@ def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
     """The system with numbers for what its formulas call so; its controls look by them."""
-    contacts = (
-        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.contacts
-    )
-    springs = (
-        one._replace(programme=_seeing(system, one.programme, settings)) for one in system.springs
-    )
+    contacts = (one._replace(programme=_seeing(system, one, settings)) for one in system.contacts)
+    springs = (one._replace(programme=_seeing(system, one, settings)) for one in system.springs)
     return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
 
 
-def _seeing(system: MotionSystem, programme: Programme, settings: Mapping[str, float]) -> Programme:
-    if not isinstance(programme.curve, Formula) or not programme.curve.seen:
+def _seeing(
+    system: MotionSystem, device: Contact | Elastic, settings: Mapping[str, float]
+) -> Programme:
+    programme, curve = device.programme, device.programme.curve
+    if isinstance(curve, Formula) and curve.seen:
+        programme = programme._replace(look=looking(system, curve.knowing(settings)))
+    table = programme.table
+    if table is None:
         return programme
-    return programme._replace(look=looking(system, programme.curve.knowing(settings)))
+    slip, temperature = _rubbing_places(system, device)
+
+    rub = Look(
+        lambda _time, seen: table.at(abs(seen[slip]), seen[temperature]),
+        lambda _times, seen: table.along(np.abs(seen[slip]), seen[temperature]),
+    )
+    timed = Look(
+        lambda time, _seen: curve_at(curve, time), lambda times, _seen: curve_along(curve, times)
+    )
+    return programme._replace(look=programme.look or timed, rub=rub)
+
+
+def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
+    """Where the slip and the temperature of a shift element stand among all that is seen."""
+    temperature = place_of(system, Seen("temperature", device.name))
+    return _slip(system, device.name), temperature

@@ -11,9 +11,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
-from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.known import KnownMotion
-from vstatics.simulation.system.sight import looking
+from vstatics.simulation.system.sight import fixed, looking
 from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
 
 
@@ -32,7 +31,7 @@ class ValueChanges:
         self.rates = [
             looking(system, one.rate.knowing(system.settings))
             if isinstance(one.rate, Formula)
-            else _constant(one.rate.y[0])
+            else fixed(one.rate.y[0])
             for one in states
         ]
         self.held = np.zeros(len(states), dtype=int)
@@ -113,10 +112,6 @@ def _side(state: ControlState, value: float, near: float) -> int:
         if math.isfinite(limit) and side * (value - limit) >= -max(near, EQUAL_SIDES * abs(limit)):
             return side
     return 0
-
-
-def _constant(value: float) -> Look:
-    return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
