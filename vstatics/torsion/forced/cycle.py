@@ -92,4 +92,5 @@ def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
         step = np.where(bend != 0, -slope / np.where(bend, bend, 1.0), 0.0)
         angle += np.clip(step, -angles[1], angles[1])
     tops = np.abs((amplitudes * np.exp(turning * angle)).sum(axis=0).real)
-    return np.maximum(highest, tops.max(axis=1))
+    largest: Floats = np.maximum(highest, tops.max(axis=1))
+    return largest
