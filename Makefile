@@ -42,13 +42,18 @@ test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allow
 # Other processors: other kernels of OpenBLAS, and NumPy without what it has for this processor.
 PROCESSORS := Haswell Zen Nehalem
 NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath import __cpu_dispatch__ as own; print(*own)")
-# The slow tests try other and more examples; the same again: VSTATICS_TEST_SEED=N make test-slow.
+# Random tests try other and more examples; the same again: make test-random FRESH_SEED=N, or
+# VSTATICS_TEST_SEED=N make test-slow.
 FRESH_SEED := $(shell date +%s)
 nightly: .venv/dev.stamp ## the fast tests on other processors and with the oldest versions, more and fresh random examples
 	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
 	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
 	$(MAKE) test-oldest ALL=1
+	$(MAKE) test-random FRESH_SEED=$(FRESH_SEED)
 	VSTATICS_TEST_SEED=$(FRESH_SEED) $(MAKE) test-slow
+
+test-random: .venv/dev.stamp ## the fast tests of random examples, with more and fresh ones
+	VSTATICS_TEST_SEED=$(FRESH_SEED) $(BIN)/pytest -q -n $(TEST_JOBS) -m "hypothesis and not slow"
 
 coverage: .venv/dev.stamp ## the fast tests, with the lines that they miss
 	$(BIN)/pytest -q -m "not slow" --cov=vstatics --cov-report=term-missing
@@ -100,4 +105,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest nightly coverage lint types golden schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden schema bench boxes dist clean

@@ -5,12 +5,15 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tomllib
 import zipfile
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -106,6 +109,17 @@ LESS = {
 """What does the rest and says what it leaves out."""
 
 
+IN_ONE_PROCESS = """\
+import json, shlex, sys
+from click.testing import CliRunner
+from vstatics.cli import main
+for command in sys.argv[1:]:
+    done = CliRunner().invoke(main, shlex.split(command)[1:])
+    print(json.dumps([done.exit_code, done.output]))
+"""
+"""Calls commands; to start a process for each takes longer."""
+
+
 class Done(NamedTuple):
     """What a command did."""
 
@@ -138,9 +152,10 @@ class Fresh:
     def __init__(self, folder: Path, wheel: Path) -> None:
         self.folder = folder
         self.programs = folder / "environment" / "bin"
-        subprocess.run([sys.executable, "-m", "venv", self.programs.parent], check=True)
-        pip = self.programs / "pip"
-        subprocess.run([pip, "install", "-q", "--disable-pip-version-check", wheel], check=True)
+        made = self.programs.parent
+        subprocess.run([sys.executable, "-m", "venv", "--without-pip", made], check=True)
+        pip = [sys.executable, "-m", "pip", "--python", str(made), "install", "--no-compile"]
+        subprocess.run([*pip, "-q", "--disable-pip-version-check", wheel], check=True)
 
     def run(self, command: str) -> Done:
         """What a command of the shell does, or a Python expression behind `@`."""
@@ -164,6 +179,16 @@ class Fresh:
             timeout=60,
         )
         return Done(done.returncode, done.stdout.decode())
+
+    def answers(self, commands: Sequence[str]) -> Iterator[tuple[str, Done]]:
+        """The same for several: commands of vstatics alone share a process."""
+        shared = [command for command in commands if command.startswith("vstatics ")]
+        called = self.run(shlex.join(["python", "-c", IN_ONE_PROCESS, *shared]))
+        for command, line in zip(shared, called.printed.splitlines(), strict=True):
+            yield command, Done(*json.loads(line))
+        for command in commands:
+            if command not in shared:
+                yield command, self.run(command)
 
 
 @pytest.fixture(scope="module")
@@ -207,8 +232,7 @@ def does_the_daily_work_without_extras(fresh: Fresh) -> None:
 
 def refuses_in_one_line_what_an_extra_brings(fresh: Fresh) -> None:
     for extra, commands in REFUSED.items():
-        for command in commands:
-            done = fresh.run(command)
+        for command, done in fresh.answers(commands):
             assert done.status == 1, f"{command}: {done}"
             [line] = done.printed.splitlines()
             assert ID.sub("", line).endswith(asks_for(extra)), f"{command}: {done}"
@@ -216,8 +240,7 @@ def refuses_in_one_line_what_an_extra_brings(fresh: Fresh) -> None:
 
 def says_what_is_left_out_without_an_extra(fresh: Fresh) -> None:
     for extra, commands in LESS.items():
-        for command in commands:
-            done = fresh.run(command)
+        for command, done in fresh.answers(commands):
             assert done.status == 0, f"{command}: {done}"
             assert asks_for(extra) in done.printed.replace('\\"', '"'), f"{command}: {done}"
             assert "Traceback" not in done.printed

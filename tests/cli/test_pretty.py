@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
+from tests.chance import some
 from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, vstatics
 
 
@@ -28,13 +29,7 @@ def words(text: str) -> set[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "case",
-    [
-        pytest.param(case, id=case.name, marks=[pytest.mark.slow] * (number % 4 > 0))
-        for number, case in enumerate(SHIPPED)
-    ],
-)
+@pytest.mark.parametrize("case", some(SHIPPED), ids=lambda case: case.name)
 def test_lines_fit_and_words_are_whole_at_every_width(
     case: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -50,6 +51,21 @@ def put(cache: Path) -> str:
     return made.stdout.strip()
 
 
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with machine code, which is made once and found then."""
+    made = tmp_path_factory.mktemp("kept")
+    assert put(made) == "0 False"
+    assert put(made) == "0 True"
+    return made
+
+
+@pytest.fixture
+def cache(tmp_path: Path, kept: Path) -> Path:
+    """A copy of it."""
+    return shutil.copytree(kept, tmp_path / "cache")
+
+
 def garbage(file: Path) -> None:
     file.write_bytes(b"garbage")
 
@@ -66,28 +82,25 @@ def folder(file: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("damage", [garbage, cut, folder])
 def test_machine_code_that_is_damaged_is_compiled_again(
-    tmp_path: Path, damage: Callable[[Path], None]
+    cache: Path, damage: Callable[[Path], None]
 ) -> None:
-    assert put(tmp_path) == "0 False"
-    assert put(tmp_path) == "0 True"
-    for file in [path for path in tmp_path.rglob("*") if path.suffix == ".nbc"]:
+    for file in [path for path in cache.rglob("*") if path.suffix == ".nbc"]:
         damage(file)
-    assert put(tmp_path) == "1 False"
-    assert put(tmp_path) == ("1 False" if damage is folder else "0 True")
+    assert put(cache) == "1 False"
+    assert put(cache) == ("1 False" if damage is folder else "0 True")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", ["vstatics", "vstatics/*"])
-def test_machine_code_where_others_may_write_is_not_read(tmp_path: Path, part: str) -> None:
-    assert put(tmp_path) == "0 False"
-    [shared] = tmp_path.glob(part)
+def test_machine_code_where_others_may_write_is_not_read(cache: Path, part: str) -> None:
+    [shared] = cache.glob(part)
     shared.chmod(0o777)
-    assert put(tmp_path) == "1 False"
+    assert put(cache) == "1 False"
     shared.chmod(0o700)
-    assert put(tmp_path) == "0 True"
+    assert put(cache) == "0 True"
     if os.geteuid() == 0:
         os.chown(shared, 65534, 65534)
-        assert put(tmp_path) == "1 False"
+        assert put(cache) == "1 False"
 
 
 @pytest.mark.slow

@@ -328,7 +328,7 @@ def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=count(40, 150))
+@settings(max_examples=count(15, 150))
 @given(st.integers(0, 10**6))
 def test_slides_of_any_law_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     check_switches(seeded(seed))

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.simulation.runs import random_capacity
 from tests.simulation.test_closed_forms import links, run
 from vstatics.errors import CaseError
@@ -102,7 +102,7 @@ def test_an_elastic_clutch_begins_to_slip_either_way() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(200))
+@pytest.mark.parametrize("number", range(count(60, 400)))
 def test_energy_of_any_chain_closes(number: int) -> None:
     """Also of a run that had to stop: what could not be chosen is no loss of energy."""
     try:

@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.oracle.drag import solve_gear as exact_with_drag
 from tests.statics.test_dragged import much_drag
 from tests.statics.test_freewheels import with_freewheels
@@ -101,7 +101,9 @@ def test_the_efficiency_of_several_ports_is_by_their_flows_with_losses() -> None
     assert results.efficiency[1] == pytest.approx(ratio[1], rel=1e-9)
 
 
-@pytest.mark.parametrize("seeds", [range(5), pytest.param(range(5, 200), marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "seeds", [range(5), pytest.param(range(5, count(60, 400)), marks=pytest.mark.slow)]
+)
 def test_all_quadrants_with_drag_are_those_of_exact_fractions(seeds: range) -> None:
     """The load's signs alone tell it here; the oracle, which tries all signs, is told by a flag."""
     seen = 0

@@ -93,7 +93,7 @@ def test_a_table_has_numbers_at_the_ends_of_a_field_as_they_are_alone(value: flo
     assert fixed_rows([[value, 0.0]], 7) == [f"{text:>7} {'.000':>{max(7, len(text))}}"]
 
 
-@given(st.integers(-9999, 9999), st.integers(-8, 8))
+@given(st.integers(-9999, 9999), st.integers(-8, 7))  # above 5.6e11 the bits are decimals
 def test_the_last_bits_of_a_number_choose_none_of_its_digits(digits: int, power: int) -> None:
     """What another processor calculates a few units in the last place off looks the same."""
     value = float(f"{digits}e{power}")

@@ -14,6 +14,7 @@ from vstatics.model.part_checks import (
     of_link,
     of_load,
     of_mechanism,
+    of_missing_ratios,
     sets_side_by_side,
 )
 from vstatics.model.parts import (
@@ -56,6 +57,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_gear(case, gear, path)
         if gear.load:
             yield from of_load(case.gear_load(gear), path)
+    yield from of_missing_ratios(case)
     yield from _laws(case)
     for number, identity in enumerate(case.allow, 1):
         if why := why_not_allowed(identity):

@@ -242,7 +242,7 @@ def _torque_ratios(points: Sequence[tuple[float, float]], path: Path) -> Iterato
 
 
 def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """The speed ratio of every variator and converter, by the gear or by itself."""
+    """Those that a gear gives to variators and converters."""
     own = case.mechanisms[case.own_mechanisms]
     for number, ratio in gear.speed_ratios.items():
         inner = (*path, "speed_ratios", number)
@@ -255,13 +255,19 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             yield Problem("E276", message, inner)
         elif not math.isfinite(ratio):
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
-    for number, one in enumerate(own, 1):
-        if one.kind and math.isnan(one.ratio) and number not in gear.speed_ratios:
+
+
+def of_missing_ratios(case: TransmissionFields) -> Iterator[Problem]:
+    """Variators and converters that have a speed ratio neither by themselves nor by a gear."""
+    for number, one in enumerate(case.mechanisms[case.own_mechanisms], 1):
+        if one.kind and math.isnan(one.ratio):
             message = (
                 f"`speed_ratio` of {one.kind} {one.name or number} is missing: give it in this "
                 "gear under `speed_ratios`, or in the mechanism for all gears"
             )
-            yield Problem("E277", message, path)
+            for place, gear in enumerate(case.gears, 1):
+                if number not in gear.speed_ratios:
+                    yield Problem("E277", message, ("gears", place))
 
 
 def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:

@@ -174,7 +174,7 @@ OTHER_SIDE = (9, 10, 27, 38)
         10,
         *(
             pytest.param(n, marks=pytest.mark.slow)
-            for n in sorted({*OTHER_SIDE, *range(count(25, 100))} - {10})
+            for n in sorted({*OTHER_SIDE, *range(count(8, 100))} - {10})
         ),
     ],
 )

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.statics.batches import ARRAYS, alike
@@ -270,7 +270,9 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@pytest.mark.parametrize("seeds", [range(4), pytest.param(range(4, 100), marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "seeds", [range(4), pytest.param(range(4, count(24, 200)), marks=pytest.mark.slow)]
+)
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
