@@ -115,8 +115,8 @@ def read_account(directory: str, piece: int) -> Account | None:
             file.seek(size - _END.size - length)
             fields = json.loads(file.read(length))
             segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
-            told = {name: tuple(fields.pop(name)) for name in ("removed", "outside")}
-            account = Account(segments=segments, **told, **fields)
+            fields |= {name: tuple(fields[name]) for name in ("removed", "outside")}
+            account = Account(segments=segments, **fields)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
     except (OSError, ValueError, KeyError, TypeError, struct.error):

@@ -176,8 +176,8 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    said = {"removed": removed_in(parts), "outside": outside_in(parts)}
-    return parts[0]._replace(**rows, **said, counts=counted(parts))
+    rows |= {"counts": counted(parts), "removed": removed_in(parts), "outside": outside_in(parts)}
+    return parts[0]._replace(**rows)
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
