@@ -217,3 +217,25 @@ def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) ->
     found = [float(line.split(",")[-1]) for line in ran.out.splitlines()[1:]]
     assert found == pytest.approx([2 * (-3 * torque + 4) for torque in (10, -20)])
     assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
+
+
+@pytest.mark.parametrize(
+    "options", [(), ("-o", "out.npz", "--jobs", "2"), ("--max", "efficiency[one]")]
+)
+@pytest.mark.parametrize(("most", "is_outside"), [(100, 0), (101, 1)])
+def test_one_note_tells_that_variants_are_outside_a_law(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    options: tuple[str, ...],
+    most: int,
+    is_outside: int,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    law = "drag: {in: [[0, 1], [100, 3]]}"
+    Path("case.yaml").write_text(
+        "\n".join(law if line.startswith("drag") else line for line in CASE.splitlines())
+    )
+    vary = "--vary", f"load.speed=50 rad/s,{most} rad/s"
+    ran = run("sweep", "case.yaml", *vary, "--out", "efficiency[one]", *options)
+    assert ran.status == 0
+    assert ran.err.count("note: outside the points of in the last one counts") == is_outside

@@ -11,7 +11,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, tell_outside
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
@@ -115,6 +115,8 @@ def _shown(
             f"{outcome.file}: in {made.beyond} of {len(made.gears)} steps the engine would have "
             "to give more than at full load"
         )
+
+    tell_outside(made.outside, results.case, outcome.file)
 
     def tables() -> Iterator[Grid]:
         energy = made.energy

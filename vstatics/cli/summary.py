@@ -10,7 +10,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, tell_outside
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
@@ -212,7 +212,11 @@ def _summarized(
 
     with files.problems_of_file(outcome.file, "; see --at-most"):
         summary = summarize(results, at_most=at_most, output_torque=output_torque, reserve=reserve)
-    return summary if duty is None else summary._replace(cycle=duty.of(results))
+    if duty is None:
+        return summary
+    made = duty.of(results)
+    tell_outside(getattr(made, "outside", ()), results.case, outcome.file)
+    return summary._replace(cycle=made)
 
 
 def _shown(

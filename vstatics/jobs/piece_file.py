@@ -42,6 +42,8 @@ class Account(NamedTuple):
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
     """How many of those that are left each part of a condition removed."""
+    outside: tuple[str, ...] = ()
+    """What was asked outside its points."""
 
     @property
     def variants(self) -> int:
@@ -63,12 +65,13 @@ class Copy(NamedTuple):
     length: int
 
 
-def piece_bytes(
+def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     piece: int,
     rows: int,
     counts: dict[str, int],
     data: Sequence[Any],
     removed: tuple[int, ...] = (),
+    outside: tuple[str, ...] = (),
 ) -> tuple[Account, list[Any]]:
     """A finished piece as buffers to write one behind the other.
 
@@ -79,11 +82,11 @@ def piece_bytes(
         See `Account`.
     data : sequence of bytes-like
         A segment each.
-    removed : tuple of int
+    removed, outside : tuple
         See `Account`.
     """
     segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
-    account = Account(piece, rows, counts, segments, removed)
+    account = Account(piece, rows, counts, segments, removed, outside)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), _MAGIC)]
 
@@ -112,8 +115,8 @@ def read_account(directory: str, piece: int) -> Account | None:
             file.seek(size - _END.size - length)
             fields = json.loads(file.read(length))
             segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
-            removed = tuple(fields.pop("removed"))
-            account = Account(segments=segments, removed=removed, **fields)
+            fields |= {name: tuple(fields[name]) for name in ("removed", "outside")}
+            account = Account(segments=segments, **fields)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
     except (OSError, ValueError, KeyError, TypeError, struct.error):

@@ -82,7 +82,12 @@ def _messages(results: Results) -> Iterator[Message]:
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)
     if outside := _outside(results):
-        yield Message("N414", f"outside the points of {spoken(outside)} the last one counts")
+        yield outside_message(outside)
+
+
+def outside_message(names: Sequence[str]) -> Message:
+    """That what these have was asked outside its points."""
+    return Message("N414", f"outside the points of {spoken(names)} the last one counts")
 
 
 def _outside(results: Results) -> list[str]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from types import MappingProxyType
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -31,6 +32,11 @@ class Message(NamedTuple):
         return f"{self.severity}: {gear}{self.text} [{self.id}]"
 
 
+Outside: TypeAlias = Mapping[str, Booleans]
+"""By the name of what has a law, (variants, gears): where it is asked outside its points."""
+NOWHERE: Outside = MappingProxyType({})
+
+
 class OperatingPoints(NamedTuple):
     """Loads that vary, and the gears with numbers that vary: arrays over the variants."""
 
@@ -46,8 +52,8 @@ class OperatingPoints(NamedTuple):
     open: Integers | None = None
     """(variants, gears): 0, or 1 where no, 2 where several torques agree with efficiencies that
     depend on them."""
-    outside: Sequence[str] = ()
-    """Of one case: laws that were asked outside their points."""
+    outside: Outside = NOWHERE
+    """Laws that were asked outside their points."""
 
 
 class ResultFields(NamedTuple):

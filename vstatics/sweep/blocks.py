@@ -107,6 +107,12 @@ class OfCases(NamedTuple):
         """A table by its name, in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Laws that were asked outside their points."""
+        points = [part.results.points for part in self.parts if part.results]
+        return tuple(dict.fromkeys(name for one in points if one for name in one.outside))
+
 
 def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
     """One array of several, whose rows are of these places."""
@@ -243,7 +249,7 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
         elif not is_assembled(made, parts):
             status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
     status[invalid] = INVALID
-    return rows_of(plan, start, values, status, tables, invalid)
+    return rows_of(plan, start, values, status, tables, invalid)._replace(outside=tables.outside)
 
 
 def _groups(

@@ -68,6 +68,8 @@ class Chunk(NamedTuple):
     """Of those that are left, how many each part of the condition removed."""
     gears: tuple[str, ...] = ()
     """Names of the gears of a variant, where each has a row."""
+    outside: tuple[str, ...] = ()
+    """Laws that were asked outside their points."""
 
     @property
     def variants(self) -> Integers:
@@ -174,7 +176,8 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    return parts[0]._replace(**rows, counts=counted(parts), removed=removed_in(parts))
+    rows |= {"counts": counted(parts), "removed": removed_in(parts), "outside": outside_in(parts)}
+    return parts[0]._replace(**rows)
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
@@ -188,6 +191,11 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
     """How many variants of several parts each part of the condition removed."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
+
+
+def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
+    """Laws that were asked outside their points in any of several parts."""
+    return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 
 def _existing(columns: Floats, unknown: Booleans) -> Floats:

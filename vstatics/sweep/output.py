@@ -33,6 +33,8 @@ class SweepReport(NamedTuple):
     """How many variants, or gears of them, have a status."""
     removed: tuple[int, ...] = ()
     """How many of those that are left each part of the condition removed."""
+    outside: tuple[str, ...] = ()
+    """Laws that were asked outside their points."""
 
     @property
     def variants(self) -> int:
@@ -126,7 +128,7 @@ class Output:
         """
         plan = self.task.plan
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        counts, removed = chunk.counted(accounts), chunk.removed_in(accounts)
+        told = chunk.counted(accounts), chunk.removed_in(accounts), chunk.outside_in(accounts)
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
@@ -138,7 +140,7 @@ class Output:
             self.store.discard(piece_file.ASSEMBLED)  # what is there of it may fill a disk
             raise
         self.store.finish()
-        return SweepReport(sum(account.rows for account in accounts), counts, removed)
+        return SweepReport(sum(account.rows for account in accounts), *told)
 
     def _write(self, accounts: Sequence[Account]) -> None:
         """Write what is made of all rows together."""
@@ -226,12 +228,14 @@ def stream(
             rows += len(selected.variants)
             put(text.rows(form, selected))
         put()
-        return SweepReport(rows, dict(counts), kept[0].removed)
+        return SweepReport(rows, dict(counts), kept[0].removed, kept[0].outside)
     removed: Counter[int] = Counter()
+    outside: dict[str, None] = {}
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
         removed.update(dict(enumerate(account.removed)))
+        outside |= dict.fromkeys(account.outside)
         rows += account.rows
         put(data)
         advance(account.variants)
-    return SweepReport(rows, dict(counts), tuple(removed.values()))
+    return SweepReport(rows, dict(counts), tuple(removed.values()), tuple(outside))

@@ -80,7 +80,8 @@ def _number(item: Any) -> Any:
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """An account of a piece, and its rows as text."""
     rows = calculate(task, item)
-    account = Account(_number(item), len(rows.variants), dict(rows.counts), (), rows.removed)
+    told = rows.removed, rows.outside
+    account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *told)
     return account, text.rows(task.form, rows)
 
 
@@ -89,7 +90,8 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, rows.removed)
+    told = rows.removed, rows.outside
+    return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *told)
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:

@@ -180,6 +180,17 @@ def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
     assert solve(case.replace(allow=["N414"])).messages == ()
 
 
+def test_points_tell_where_a_law_is_asked_outside_its_points() -> None:
+    """Of the gears only the one with the law, of the speeds only those above 100 rad/s."""
+    gears = [Gear(drag={1: PointLaw([(0, 1), (100, 3)])}), Gear()]
+    case = pair().replace(gears=gears, link_names=["engine", "out"])
+    points = solve(case, vary={"load.speed": [50, -101, 100, 400]}).points
+    assert points is not None
+    assert {name: at.tolist() for name, at in points.outside.items()} == {
+        "engine": [[False, False], [True, False], [False, False], [True, False]]
+    }
+
+
 def test_ratios_vary_beside_laws() -> None:
     case = pair(Load(200 * RPM, 80), drag={2: DragFormula("1 + 0.01*w")})
     found = solve(case, ratios=[[-2.0], [-4.0]])

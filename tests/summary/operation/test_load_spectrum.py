@@ -138,3 +138,33 @@ def test_faults_of_a_table_are_told_with_their_place(tmp_path: Path, text: str, 
     ran = vstatics("summary", str(tmp_path / "case.json"), "--duty", str(tmp_path / "duty.csv"))
     assert (ran.status, ran.out) == (1, "")
     assert said in ran.err
+
+
+BEYOND = """
+links: [engine, a, out]
+shift_elements: {A: [engine, a], B: [a, out]}
+load: {speed: 1000 rpm, torque: 50 N*m}
+drag: {a: [[0, 1], [100, 3]]}
+mechanisms: {pair: {first: engine, second: out, ratio: 4}}
+gears: {fast: [A], slow: [B]}
+vehicle: {mass: 1000, radius: 0.5}
+"""
+"""The speed of `a` is that of the engine, or a quarter of it."""
+
+
+@pytest.mark.parametrize("command", ["duty", "cycle"])
+@pytest.mark.parametrize(("gear", "speed", "is_outside"), [("fast", 120, 1), ("slow", 120, 0)])
+def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
+    tmp_path: Path, command: str, gear: str, speed: float, is_outside: int
+) -> None:
+    case, file = tmp_path / "case.yaml", tmp_path / "points.csv"
+    case.write_text(BEYOND)
+    if command == "duty":
+        file.write_text(f"time [s],gear,speed [rad/s],torque [N*m]\n1,{gear},{speed},90\n")
+        given = ["summary", str(case), "--duty", str(file)]
+    else:  # v = w r / 4
+        file.write_text(f"time [s],speed [m/s],gear\n0,{speed / 8},{gear}\n1,{speed / 8},{gear}\n")
+        given = ["cycle", str(case), str(file)]
+    said = "note: outside the points of a the last one counts"
+    assert vstatics(*given).err.count(said) == is_outside
+    assert said not in vstatics(*given, "--allow", "N414").err

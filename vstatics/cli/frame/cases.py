@@ -158,6 +158,14 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
         yield outcome
 
 
+def tell_outside(names: Sequence[str], case: Transmission, file: str) -> None:
+    """Say which laws were asked outside their points, if any and nobody allowed it."""
+    from vstatics.statics.diagnosis import outside_message
+
+    for one in not_allowed([outside_message(names)] if names else [], case.allow):
+        files.say(f"{file}: {one}")
+
+
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
     """Print problems of a file on stderr, and that it fails by what is not printed."""
     files.show(telling.printed(problems))

@@ -62,7 +62,9 @@ def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
     answer = _followed(case, columns, variants)
     points = answer.results.points
     assert points is not None  # noqa: S101 - for mypy
-    return answer.results._replace(case=case, points=points._replace(open=answer.open))
+    return answer.results._replace(
+        case=case, points=points._replace(open=answer.open, outside=answer.outside)
+    )
 
 
 def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
@@ -108,8 +110,9 @@ def _shaped(points: Any, axes: tuple[int, ...]) -> OperatingPoints:
         for gear in points.gears
     ]
     scales = {unit: turned(scale) for unit, scale in points.scales.items()}
+    outside = {name: turned(where) for name, where in points.outside.items()}
     loaded, is_open = turned(points.loaded), turned(points.open)
-    return points._replace(scales=scales, loaded=loaded, gears=gears, open=is_open)  # type: ignore[no-any-return] # a named tuple
+    return points._replace(scales=scales, loaded=loaded, gears=gears, open=is_open, outside=outside)  # type: ignore[no-any-return] # a named tuple
 
 
 def _alone(case: Transmission, answer: Followed) -> Results:
@@ -123,7 +126,7 @@ def _alone(case: Transmission, answer: Followed) -> Results:
         gears=[*map(_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
         open=answer.open[0],
-        outside=answer.outside,
+        outside={name: where[0] for name, where in answer.outside.items()},
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
     own = results._replace(case=settled, points=points, **arrays)

@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.statics.points.paths import CaseNumber, Columns
 from vstatics.statics.points.relative import loads_of, solve_points
-from vstatics.statics.result_arrays import ARRAYS, row_names
+from vstatics.statics.result_arrays import ARRAYS, Outside, row_names
 from vstatics.statics.results import Results
 
 MOST_PASSES = 100
@@ -50,7 +50,7 @@ class Followed(NamedTuple):
     columns: Columns
     """With all numbers that follow from laws."""
     open: Any
-    outside: list[str]
+    outside: Outside
 
 
 def laws_of(case: Transmission) -> Laws:
@@ -109,12 +109,20 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
         results = with_efficiencies
         sizes |= search.sizes(results)
     results = _without_values(results, unsettled)
-    outside = [
-        _called(case, number)
-        for number, law in laws.items()
-        if law.points and bool(np.any(law.is_outside(sizes[number])))  # type: ignore[attr-defined] # it has points
-    ]
-    return Followed(results, columns, unsettled, list(dict.fromkeys(outside)))
+    return Followed(results, columns, unsettled, _outside(case, laws, sizes))
+
+
+def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats]) -> Outside:
+    """Where laws are asked outside their points."""
+    found: dict[str, Any] = {}
+    for number, law in laws.items():
+        if not law.points:
+            continue
+        wrong = law.is_outside(sizes[number])  # type: ignore[attr-defined] # it has points
+        if wrong.any():
+            none = np.zeros((len(wrong), len(case.gears)), np.bool_)
+            found.setdefault(_called(case, number), none)[:, number.gear] |= wrong
+    return found
 
 
 def _with_speeds(

@@ -88,6 +88,10 @@ def joined(case: Transmission, places: Sequence[Integers], parts: Sequence[Resul
         scales={unit: whole([one.scales[unit] for one in told]) for unit in first.scales},
         loaded=whole([one.loaded for one in told]),
         gears=gears,
+        outside={
+            name: whole([one.outside.get(name, np.zeros_like(one.loaded)) for one in told])
+            for name in dict.fromkeys(name for one in told for name in one.outside)
+        },
         open=None if first.open is None else whole([one.open for one in told]),
     )
     arrays = {name: whole([part.in_own_unit(name) for part in parts]) for name in ARRAYS}

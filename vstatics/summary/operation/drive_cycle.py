@@ -55,6 +55,8 @@ class DriveCycle(NamedTuple):
     """Of each step."""
     beyond: int
     """Steps in which the engine would have to give more than at full load."""
+    outside: Sequence[str] = ()
+    """Laws that steps ask outside their points."""
 
 
 class GearChoice(NamedTuple):
@@ -92,7 +94,7 @@ def drive(
     steps = _CycleSteps.of(bare(case), case.vehicle, trace, choice)
     moving = np.flatnonzero(trace.speed > 0)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
-    lost: dict[str, float] = {}
+    lost = _Lost({}, {})
     brakes = 0.0
     if moving.size:
         engine[moving] = steps.engine_torques(moving)
@@ -100,7 +102,6 @@ def drive(
         over &= trace.speed > 0
         if over.any():
             engine[over] = case.vehicle.overrun_torque(speeds[over])
-        lost = {}
         steps.add_losses(np.flatnonzero((trace.speed > 0) & ~over), lost)
         if over.any():
             brakes = steps.braked(np.flatnonzero(over), engine, lost)
@@ -109,7 +110,7 @@ def drive(
         float((steps.forces * trace.speed) @ trace.duration),
         steps.inertia_energy,
         brakes,
-        lost,
+        lost.energies,
     )
     full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
     beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
@@ -118,11 +119,27 @@ def drive(
         taken = float(fuel.at(np.where(trace.speed > 0, speeds, 0.0), engine) @ trace.duration)
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
-    return DriveCycle(float(trace.duration.sum()), distance, taken, energy, gears, beyond)
+    duration = float(trace.duration.sum())
+    return DriveCycle(duration, distance, taken, energy, gears, beyond, [*lost.outside])
 
 
 SAME_ENGINE_TORQUE = 1e-9
 """Torques of the engine that differ by no more are one. [N*m]"""
+
+
+class _Lost(NamedTuple):
+    """What steps lose."""
+
+    energies: dict[str, float]
+    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH`` [J]."""
+    outside: dict[str, None]
+    """Laws that are asked outside their points."""
+
+    def add(self, loads: PointLoads, duration: Floats) -> None:
+        """Steps of some durations [s]."""
+        self.outside.update(dict.fromkeys(loads.outside))
+        for name, powers in (loads.losses() | loads.drag_losses()).items():
+            self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
 
 
 class _CycleSteps(NamedTuple):
@@ -273,26 +290,21 @@ class _CycleSteps(NamedTuple):
         engine: Floats = -given * np.sign(self._links("input")[rows])
         return engine
 
-    def add_losses(self, rows: Integers, lost: dict[str, float]) -> None:
+    def add_losses(self, rows: Integers, lost: _Lost) -> None:
         """What rows lose that the engine drives, or that brake no more than its overrun."""
         if rows.size:
-            _add(lost, self._from_wheels(rows), self.trace.duration[rows])
+            lost.add(self._from_wheels(rows), self.trace.duration[rows])
 
-    def braked(self, rows: Integers, engine: Floats, lost: dict[str, float]) -> float:
+    def braked(self, rows: Integers, engine: Floats, lost: _Lost) -> float:
         """The energy of brakes where the engine brakes at its overrun [J]."""
         speeds = self._links("input")[rows]
         points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
-        _add(lost, loads, self.trace.duration[rows])
+        lost.add(loads, self.trace.duration[rows])
         torque = self._given(self.case, rows, loads) * np.sign(self._links("output")[rows])
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - self.forces[rows]) * self.trace.speed[rows]
         return float(power @ self.trace.duration[rows])
-
-
-def _add(lost: dict[str, float], loads: PointLoads, duration: Floats) -> None:
-    for name, powers in (loads.losses() | loads.drag_losses()).items():
-        lost[name] = lost.get(name, 0.0) + float(powers @ duration)
 
 
 def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)

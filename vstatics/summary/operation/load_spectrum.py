@@ -78,6 +78,8 @@ class Spectrum(NamedTuple):
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
+    outside: Sequence[str] = ()
+    """Laws that points ask outside theirs."""
     are_shares: bool = False
     """Then energies are mean powers, and revolutions those of a second."""
 
@@ -122,7 +124,7 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     }
     efficiency = leaving / entering if entering > 0 else math.nan
     energy = DutyEnergy(entering, leaving, lost)
-    return Spectrum(energy, efficiency, members, points.are_shares)
+    return Spectrum(energy, efficiency, members, loads.outside, points.are_shares)
 
 
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
@@ -197,6 +199,12 @@ class PointLoads(NamedTuple):
         assert self.results.points is not None  # noqa: S101 - loads vary
         units = self.taken(self.results.points.scales["Nm"])
         return np.where(self.points.torques == 0, 0.0, units)
+
+    @property
+    def outside(self) -> list[str]:
+        """Laws that are asked outside their points, in the gears of these."""
+        assert self.results.points is not None  # noqa: S101 - loads vary
+        return [one for one, at in self.results.points.outside.items() if self.taken(at).any()]
 
     def losses(self) -> dict[str, Floats]:
         """By mechanism or element: power lost at each point [W]."""
