@@ -282,23 +282,25 @@ class ModeSelection:
         near = now <= STANDING * units
         if not near.any():
             return []
-        ahead, then, least = self._ahead(margins, time, state, scales)
+        ahead, then, least = self._ahead(margins, time, state)
         falls = near & (then - now < -least)
         return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
 
-    def _ahead(
-        self, margins: Margins, time: float, state: Floats, scales: LargeSizes
-    ) -> tuple[Floats, Floats, Floats]:
+    def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
         """The state a little later, its margins, and of these the least changes that count.
 
-        By what acts then: a brake whose capacity begins at 0 would do nothing before. From rest
-        such a brake brings speeds of the second order, small beside all but speeds of then.
+        By what acts then: a brake whose capacity begins at 0 would do nothing before. What such a
+        brake brings from rest is small beside all but the terms of the speeds and torques of then.
         """
-        later, count = time + self.within, margins.deciding
-        ahead = state + self.within * margins.equations.derivative(later, state)
+        later, count, equations = time + self.within, margins.deciding, margins.equations
+        ahead = state + self.within * equations.derivative(later, state)
         then = _finite(margins.at(later, ahead)[:count])
-        moving = scales._replace(speed=largest(margins.equations.speeds(later, ahead)))
-        return ahead, then, FALLING_MARGIN * margins.units(moving)[:count]
+        structure, motions = equations.structure, np.abs(state[: equations.motions])
+        acting = np.abs(equations.acting(later, ahead)[1])
+        motions = motions + self.within * np.abs(structure.accelerations) @ acting
+        speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
+        sizes = LargeSizes(largest(speeds), largest(torques))
+        return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
 
 
 class SelectionAhead(ModeSelection):
@@ -332,7 +334,7 @@ class SelectionAhead(ModeSelection):
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
         """What is below its margin a little later."""
-        ahead, then, least = self._ahead(margins, time, state, scales)
+        ahead, then, least = self._ahead(margins, time, state)
         sizes = then / margins.units(scales)[: margins.deciding]
         return _failed(margins, time + self.within, ahead, np.where(then < -least, sizes, np.inf))
 
