@@ -33,7 +33,10 @@ def wall_limit(seconds: float) -> Guard:
 
 
 class Pace:
-    """How fast a run comes on, of one that is stopped after some seconds.
+    """How fast a run comes on, of one that is stopped after some seconds of the processor.
+
+    Where others work beside it, a run waits before its first steps, too: by the clock they would
+    seem to come on by nothing.
 
     Parameters
     ----------
@@ -51,7 +54,7 @@ class Pace:
 
     def __call__(self, at: float) -> str:
         """Keep how far the run is; stop it when its pace is known."""
-        now = time.monotonic()
+        now = time.process_time()
         self._first = min(self._first, now)
         self._last = now - self._first, at
         if self._last[0] < 0.5 * self.seconds:

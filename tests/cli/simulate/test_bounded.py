@@ -134,13 +134,22 @@ def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_needed_follows_from_the_pace(monkeypatch: pytest.MonkeyPatch) -> None:
     """20 s of a run take a second, so 1000 s take 50, however long it was until the first step."""
     clock = 0.0
-    monkeypatch.setattr(time, "monotonic", lambda: clock)
+    monkeypatch.setattr(time, "process_time", lambda: clock)
     pace, at = bounds.Pace(1000, 1), 0.0
     clock = 7.0
     while not pace(at):
         clock, at = clock + 0.1, at + 2
     assert 20 <= at <= 22
     assert pace.needed == pytest.approx(50)
+
+
+def test_waiting_for_the_processor_is_no_pace(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An hour passes by the clock between two of the first steps."""
+    hours = iter(range(9))
+    monkeypatch.setattr(time, "monotonic", lambda: 3600.0 * next(hours))
+    pace = bounds.Pace(1, 1)
+    assert [pace(at) for at in (0.0, 1e-12, 2e-12)] == ["", "", ""]
+    assert pace.needed == 0
 
 
 def test_a_run_that_ended_needs_no_more() -> None:

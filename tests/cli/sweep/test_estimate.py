@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import shutil
+import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -73,3 +75,27 @@ def test_where_rows_are_chosen_the_size_is_not_known(
 ) -> None:
     free(monkeypatch, 0)
     assert vstatics("sweep", "box.yaml", *SMALL, *option, "-o", "out.csv").status == 0
+
+
+ENDLESS = """
+duration: 1e9
+start: {speeds: {m: 1}}
+torques: {m: 1}
+"""
+
+
+@pytest.mark.slow
+def test_a_dry_run_of_runs_without_end_is_done_soon() -> None:
+    """A mass on a spring swings 1.6 times a second: ten years are 3e8 periods, a run of hours."""
+    case = "links: [m]\ninput: m\noutput: m\ninertias: {m: 1}\n"
+    spring = "springs: {k: {links: [m, housing], stiffness: 100}}\n"
+    Path("mass.yaml").write_text(case + spring, encoding="utf-8")
+    Path("run.yaml").write_text(f"case: mass.yaml{ENDLESS}", encoding="utf-8")
+    options = ("--vary", "torques.m=1:2:1000", "--out", "peaks[k]", "--dry-run")
+    began = time.monotonic()
+    said = vstatics("sweep", "run.yaml", *options)
+    assert time.monotonic() - began < 60  # hours before
+    assert (said.status, said.err) == (0, "")
+    assert re.search(r"\ntime +about [\d.e+]+ (days|years)", said.out)
+    limited = vstatics("sweep", "run.yaml", *options, "--limit", "2", "--jobs", "1")
+    assert "time      about 33 minutes\n" in limited.out

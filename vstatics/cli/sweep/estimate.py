@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import time
+from contextlib import suppress
+from dataclasses import replace
 
 from vstatics.cli.frame.estimates import CommandEstimate, free_room, size_text
-from vstatics.errors import ReadError, of_file
+from vstatics.cli.sweep.subject import limited
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import blocks
@@ -14,6 +18,8 @@ from vstatics.sweep.kept.best import BEST
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import data_of
 
+TRIED = 1.0
+"""So long a run is tried, to tell how long it takes. [s]"""
 SPOTS, ROWS = 16, 16
 """The size of a row is that of so many rows at so many spots of a sweep."""
 LONGEST_NUMBER = 32
@@ -71,13 +77,17 @@ def most_rows(plan: SweepPlan) -> int:
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, headings = plan.variants.count, plan.output_headings
+    needed = _long_run(plan)
+    if needed:
+        plan = replace(plan, subject=limited(plan.subject, TRIED))
     start, stop = blocks.middle(plan)
     first = 100 if isinstance(plan.subject, Transmission) else 1
     blocks.calculate(plan, start, min(start + first, stop))  # the first time costs more
     began = time.perf_counter()
     rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)
-    seconds = (time.perf_counter() - began) / max(stop - start, 1) * variants
+    measured = (time.perf_counter() - began) / max(stop - start, 1)
+    seconds = (needed or measured) * variants
     part = len(rows.places) / max(stop - start, 1)
     count = round(part * variants)
     if plan.objectives:
@@ -94,6 +104,20 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     }
     jobs_used = min(jobs, max(plan.pieces, 1))
     return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
+
+
+def _long_run(plan: SweepPlan) -> float:
+    """What a run takes that is not done soon; 0 of others, and of cases [s]."""
+    subject = plan.subject
+    if isinstance(subject, Transmission):
+        return 0.0
+    from vstatics.simulation.bounds import Pace
+    from vstatics.simulation.run import simulate
+
+    pace = Pace(subject.own.scenario.duration, TRIED)
+    with suppress(CaseError):  # other variants may begin
+        simulate(subject.own.scenario, rtol=subject.rtol, watch=pace)
+    return min(pace.needed, subject.limit or math.inf)
 
 
 def _listed(names: list[str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import combinations, product
 from typing import Any, Literal
@@ -10,10 +10,11 @@ from typing import Any, Literal
 from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
-_FIRST_TRIED = 40
-"""Choices by their order, before it is asked what slips if all may that fails."""
-_MOST_STEPS = 60
-"""On this way."""
+_FIRST_TRIED = 12
+"""Choices by their order, before a guess."""
+_MOST_PIVOTS = 300
+_IN_VAIN = 3
+"""Times at which all that fails is changed though it is not less than before."""
 _WORTH_WHILE = 24_000
 """So many choices are tried by the square of what has one, before it is told that there is none:
 a try of many takes longer."""
@@ -30,22 +31,33 @@ Changed = tuple[tuple[int, Any], ...]
 class ModeSearch:
     """Goes through choices: most sticking first, then nearest to before.
 
-    What fails in a choice tells which to try next; when these are gone, all are tried.
+    What fails in a choice tells which to try next; a guess is made where these do not do, and when
+    all are gone, all others are tried.
     """
 
-    def __init__(self, base: States, choices: Sequence[Choice], before: States | None) -> None:
-        self.base, self.choices, self.before = base, choices, before
+    def __init__(
+        self,
+        base: States,
+        choices: Sequence[Choice],
+        before: States | None,
+        guess: Callable[[], States | None] = lambda: None,
+    ) -> None:
+        self.base, self.choices, self.before, self.guess = base, choices, before, guess
         self.place: dict[tuple[Kind | None, int], int] = {
             choice[:2]: number for number, choice in enumerate(choices)
         }
         self.seen: set[Changed] = {()}
         self.waiting: list[tuple[tuple[int, ...], Changed]] = [((0,), ())]
         self.changed: Changed = ()
+        self.turned: list[tuple[int, Any]] = []
 
     def __iter__(self) -> Iterator[States]:
-        """Choices, as they are to be tried."""
+        """Choices, as they are to be tried at first."""
         yield from self._best(_FIRST_TRIED)
-        yield from self._along()
+        yield from self._near(self.guess())
+
+    def others(self) -> Iterator[States]:
+        """As many more as are worth while."""
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
@@ -59,34 +71,38 @@ class ModeSearch:
             self.changed = changed
             yield self._with(changed)
 
-    def _along(self) -> Iterator[States]:
-        """From all sticking on, what fails most is changed, with all meshes that fail.
+    def pivoting(self) -> Iterator[States]:
+        """From all sticking on, all that fails is changed; where that gains nothing, one thing.
 
-        An active set method, depth first: it comes to an end in few steps where many things slip.
+        J. Judice, F. Pires, Computers and Operations Research 1994: block pivoting, with the rule
+        of Murty, by which a linear complementarity problem comes to its end.
         """
-        ways: list[dict[int, str]] = [{}]
-        met: set[Changed] = set()
-        while ways and len(met) < _MOST_STEPS:
-            changes = ways.pop()
+        changes: dict[int, Any] = {}
+        least, spare = len(self.choices) + 1, _IN_VAIN
+        for _ in range(_MOST_PIVOTS):
             self.changed = tuple(sorted(changes.items()))
-            if self.changed in met:
-                continue
-            met.add(self.changed)
             yield self._with(self.changed)
-            meshes = {
-                number: state
-                for number, state in self.turned
-                if self.choices[number][0] == "meshes"
-            }
-            for number, state in reversed(self.turned):
-                turned = {**changes, **meshes, number: state}
-                ways.append(
-                    {
-                        place: state
-                        for place, state in turned.items()
-                        if state != self.choices[place][2][0]
-                    }
-                )
+            turned = dict(reversed(self.turned))
+            if len(turned) < least:
+                least, spare = len(turned), _IN_VAIN
+            elif spare:
+                spare -= 1
+            else:
+                turned = dict([max(turned.items())])
+            changes = self._changes({**changes, **turned})
+
+    def _near(self, guess: States | None) -> Iterator[States]:
+        """A guess as far as there is a choice, and what is next to it."""
+        if guess is None:
+            return
+        found = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
+        self.changed = tuple(sorted(self._changes(found).items()))
+        yield self._with(self.changed)
+
+    def _changes(self, found: Mapping[int, Any]) -> dict[int, Any]:
+        """What differs from the first states."""
+        first = [options[0] for _, _, options in self.choices]
+        return {number: state for number, state in found.items() if state != first[number]}
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
         """Note what fails in the choice that was tried last."""
@@ -96,7 +112,7 @@ class ModeSearch:
                 if kind == "meshes" and released.meshes[index] != states.meshes[index]:
                     changes[number] = released.meshes[index]
             self._push(changes, single=False)
-        self.turned: list[tuple[int, str]] = []
+        self.turned = []
         for watch in failing:
             others = list(self._others(watch))
             self.turned += others[:1]

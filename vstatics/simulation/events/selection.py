@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy
+from dataclasses import replace
 from functools import lru_cache, partial
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -30,9 +32,11 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, sign
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.structure import MotionStructure
-from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING
+from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
+_NEARER = 1e-2
+"""So much nearer is looked ahead where that finds nothing."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
@@ -45,6 +49,16 @@ class Selected(NamedTuple):
     margins: Margins
     state: Floats
     jump: Jump | None = None
+
+
+class Asked(NamedTuple):
+    """For what instant a choice is looked for, as in `ModeSelection.select`."""
+
+    at: Instant
+    before: States | None
+    scales: LargeSizes
+    left: Sequence[States]
+    met: Sequence[int]
 
 
 class ModeSelection:
@@ -90,11 +104,22 @@ class ModeSelection:
         CaseError
             Of a link without inertia whose speed nothing determines.
         """
+        asked = Asked(at, before, scales, left, met)
+        try:
+            return self.selected(asked, thorough=False)
+        except (NoChoice, CaseError):
+            nearer = copy(self)
+            nearer.within *= _NEARER
+            return nearer.selected(asked, thorough=True)
+
+    def selected(self, asked: Asked, *, thorough: bool) -> Selected:
+        """The choice from an instant on, of the first or of all that are worth while."""
+        at, before, scales, left, met = asked
         base, choices = self.choices.at(at, before, scales, met)
-        search = ModeSearch(base, choices, before)
+        search = ModeSearch(base, choices, before, partial(self._guess, asked))
         fault: CaseError | None = None
         tried: dict[States, list[Watch]] = {}
-        for chosen in search:
+        for chosen in chain(search, search.others() if thorough else ()):
             states = self._driven(chosen, choices, at, scales)
             if states in tried:
                 search.fails(states, tried[states], None)
@@ -113,6 +138,12 @@ class ModeSelection:
         if fault is not None:
             raise fault
         raise NoChoice
+
+    def _guess(self, asked: Asked) -> States | None:
+        """What sticks a little later, if all links had some inertia: nothing is singular then."""
+        ahead = SelectionAhead(self.system)
+        ahead.within = self.within
+        return ahead.found(asked)
 
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
@@ -244,20 +275,73 @@ class ModeSelection:
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
         """What is below its margin, or at it and falling."""
-        count = margins.deciding
-        now = margins.at(time, state)[:count]
-        now = np.where(np.isposinf(now), _AMPLE, now)
-        units = margins.units(scales)[:count]
+        units = margins.units(scales)[: margins.deciding]
+        now = _finite(margins.at(time, state)[: margins.deciding])
         below = ~(now >= -STANDING * units)
         if below.any():
             return _failed(margins, time, state, np.where(below, now / units, np.inf))
         near = now <= STANDING * units
         if not near.any():
             return []
-        ahead = state + self.within * margins.equations.derivative(time, state)
-        then = margins.at(time + self.within, ahead)[:count]
-        falls = near & (then - now < -FALLING_MARGIN * units)
+        ahead, then, least = self._ahead(margins, time, state)
+        falls = near & (then - now < -least)
         return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
+
+    def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
+        """The state a little later, its margins, and of these the least changes that count.
+
+        By what acts then: a brake whose capacity begins at 0 would do nothing before. What such a
+        brake brings from rest is small beside all but the terms of the speeds and torques of then.
+        """
+        later, count, equations = time + self.within, margins.deciding, margins.equations
+        ahead = state + self.within * equations.derivative(later, state)
+        then = _finite(margins.at(later, ahead)[:count])
+        structure, motions = equations.structure, np.abs(state[: equations.motions])
+        acting = np.abs(equations.acting(later, ahead)[1])
+        motions = motions + self.within * np.abs(structure.accelerations) @ acting
+        speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
+        sizes = LargeSizes(largest(speeds), largest(torques))
+        return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
+
+
+class SelectionAhead(ModeSelection):
+    """The same where all links have some inertia, by what is admissible a little later."""
+
+    def __init__(self, system: MotionSystem) -> None:
+        links = len(system.names)
+        little = np.full(links, UNLIKE_INERTIAS * largest(system.inertias))
+        super().__init__(
+            replace(
+                system,
+                heavy=np.vstack([system.heavy, np.eye(links)]),
+                inertias=np.append(system.inertias, little),
+            )
+        )
+
+    def found(self, asked: Asked) -> States | None:
+        """Of the choices by pivoting the first that is admissible, if one is."""
+        search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
+        for states in search.pivoting():
+            try:
+                selected, failing = self._tried(states, asked.at, asked.scales)
+            except np.linalg.LinAlgError:
+                return None
+            if selected is not None:
+                return selected.margins.equations.states
+            search.fails(states, failing, None)
+        return None
+
+    def _failing(
+        self, margins: Margins, time: float, state: Floats, scales: LargeSizes
+    ) -> list[Watch]:
+        """What is below its margin a little later."""
+        ahead, then, least = self._ahead(margins, time, state)
+        sizes = then / margins.units(scales)[: margins.deciding]
+        return _failed(margins, time + self.within, ahead, np.where(then < -least, sizes, np.inf))
+
+
+def _finite(margins: Floats) -> Floats:
+    return np.where(np.isposinf(margins), _AMPLE, margins)
 
 
 def _moves(slip: Floats, motions: Floats) -> bool:
