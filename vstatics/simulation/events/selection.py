@@ -51,7 +51,7 @@ class Selected(NamedTuple):
     jump: Jump | None = None
 
 
-class Asked(NamedTuple):
+class ModesAsked(NamedTuple):
     """For what instant a choice is looked for, as in `ModeSelection.select`."""
 
     at: Instant
@@ -104,7 +104,7 @@ class ModeSelection:
         CaseError
             Of a link without inertia whose speed nothing determines.
         """
-        asked = Asked(at, before, scales, left, met)
+        asked = ModesAsked(at, before, scales, left, met)
         try:
             return self.selected(asked, thorough=False)
         except (NoChoice, CaseError):
@@ -112,7 +112,7 @@ class ModeSelection:
             nearer.within *= _NEARER
             return nearer.selected(asked, thorough=True)
 
-    def selected(self, asked: Asked, *, thorough: bool) -> Selected:
+    def selected(self, asked: ModesAsked, *, thorough: bool) -> Selected:
         """The choice from an instant on, of the first or of all that are worth while."""
         at, before, scales, left, met = asked
         base, choices = self.choices.at(at, before, scales, met)
@@ -139,7 +139,7 @@ class ModeSelection:
             raise fault
         raise NoChoice
 
-    def _guess(self, asked: Asked) -> States | None:
+    def _guess(self, asked: ModesAsked) -> States | None:
         """What sticks a little later, if all links had some inertia: nothing is singular then."""
         ahead = SelectionAhead(self.system)
         ahead.within = self.within
@@ -318,7 +318,7 @@ class SelectionAhead(ModeSelection):
             )
         )
 
-    def found(self, asked: Asked) -> States | None:
+    def found(self, asked: ModesAsked) -> States | None:
         """Of the choices by pivoting the first that is admissible, if one is."""
         search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
         for states in search.pivoting():
