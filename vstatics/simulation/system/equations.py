@@ -304,7 +304,7 @@ class Equations:
             return False
         if self.light and not self.light_is_straight and self.ports.looks:
             return False
-        return self.ports.is_affine or bool(self.springs)
+        return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
         """Change of each torque with its rate, in a state [N*m*s/rad]."""
