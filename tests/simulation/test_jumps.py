@@ -342,6 +342,19 @@ def test_a_formula_that_jumps_over_both() -> None:
     assert motion.speeds[-1, 0] == pytest.approx(20 - 50 * 0.3, rel=EXACT)
 
 
+def test_a_speed_that_passes_a_jump_for_a_moment_slides() -> None:
+    """Of sin(10 t) all above .9999 is 2.8 ms long; a third of a swing is looked at at once."""
+    case = links(1.0, springs=(Spring(between(1), stiffness=100.0),))
+    laws: Laws = ((1, constant(10.0)), (1, Formula("-1000*(speed > 0.9999)")))
+    motion = run(case, 0.3, {1: 0.0}, laws)
+    assert motion.speeds[:, 0].max() == pytest.approx(0.9999, rel=1e-9)
+    # it slides until the spring carries 10 N*m: .9999 rad/s from cos(10 t) = .01414 on
+    turned = (1 - math.sqrt(1 - 0.9999**2)) / 10
+    leaves = math.asin(0.9999) / 10 + (0.1 - turned) / 0.9999
+    end = 0.9999 * math.cos(10 * (0.3 - leaves))
+    assert motion.speeds[-1, 0] == pytest.approx(end, rel=1e-9)
+
+
 def test_a_jump_on_a_link_without_inertia_behind_a_spring() -> None:
     """It slides at 60.41 rad/s, while the other link swings about that: its energy closes."""
     case = links(3.0, 0.0, springs=(Spring(between(1, 2), stiffness=2060.0),))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -27,8 +27,37 @@ from vstatics.simulation.tolerances import (
 _NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
 _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Values at nine parts of an interval -> powers of the part, the highest first."""
+_LOW = 0.1
+"""A margin that turns between instants may be below 0 there, if so near by what it falls."""
+_PLACES = 65
+"""In a gap between two instants."""
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at whose beginning a margin may be 0."""
+
+
+@lru_cache(maxsize=8)
+def _in_gaps(nodes: tuple[float, ...]) -> Floats:
+    """The matrix from values at nodes to those at five places in each gap, its ends included."""
+    at = np.array(nodes)
+    inner = at[:-1, None] + np.diff(at)[:, None] * np.linspace(0, 1, 5)
+    powers = np.vander(inner.reshape(-1), len(at))
+    return np.asarray(np.linalg.solve(np.vander(at).T, powers.T), float)
+
+
+def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
+    """Where in a gap the polynomial through values is lowest.
+
+    >>> round(_lowest((0.0, 0.3, 0.6, 1.0), (np.array([0.0, 0.3, 0.6, 1.0]) - 0.41)**2, 1), 9)
+    0.41
+    """
+    places = np.linspace(nodes[gap], nodes[gap + 1], _PLACES)
+    powers = np.linalg.solve(np.vander(nodes), values)
+    near = np.polyval(powers, places)
+    lowest = min(max(int(near.argmin()), 1), _PLACES - 2)
+    before, at, after = near[lowest - 1 : lowest + 2].tolist()
+    bend = before - 2 * at + after
+    moved = 0.5 * (before - after) / bend if bend > 0 else 0.0
+    return float(places[lowest] + moved * (places[1] - places[0]))
 
 
 class MarginEnd(NamedTuple):
@@ -73,13 +102,48 @@ class Finder:
             return None
         margins = self.margins.along(times, states)
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
-        if not len(ends):
-            return None
-        first = int(ends[0])
-        under = float(times[first]), margins[:, first]
+        first, under = self._dip(step, margins, int(ends[0]) if len(ends) else len(times))
+        if under is None:
+            if not len(ends):
+                return None
+            under = float(times[first]), margins[:, first]
         if first:
             return self._located(step, (float(times[first - 1]), margins[:, first - 1]), under)
         return self._located(step, (step.start, self.margins.at(step.start, step.first)), under)
+
+    def _dip(
+        self, step: TimeStep, margins: Floats, last: int
+    ) -> tuple[int, tuple[float, Floats] | None]:
+        """Where before an instant, by its number, a margin is below 0 between two instants.
+
+        Polynomials through the instants of each part tell where that may be; also the number of
+        the instant behind.
+        """
+        count = len(step.nodes)
+        nodes = tuple(step.nodes.tolist())
+        ends = step.times[count - 1 :: count]
+        begins = np.append(step.start, ends[:-1])
+        by_parts = margins.reshape(len(margins), -1, count)
+        with np.errstate(invalid="ignore"):
+            near = (by_parts @ _in_gaps(nodes)).reshape(*by_parts.shape[:2], count - 1, -1)
+            before, at, after = near[..., :-2], near[..., 1:-1], near[..., 2:]
+            bend = before - 2 * at + after
+            turns = (at <= before) & (at <= after) & (bend > 0)
+            lowest = at - (after - before) ** 2 / (8 * np.where(turns, bend, 1.0))
+            low = turns & (lowest < _LOW * (np.maximum(before, after) - at))
+        watches, parts, gaps, _ = np.nonzero(low)
+        for number, watch in sorted(
+            {*zip((parts * count + gaps + 1).tolist(), watches.tolist(), strict=True)}
+        ):
+            if number >= last:
+                break
+            part, gap = divmod(number - 1, count)
+            place = _lowest(nodes, by_parts[watch, part], gap)
+            time = float(begins[part] + (ends[part] - begins[part]) * place)
+            made = self.margins.along(np.array([time]), step.between(np.array([time])))[:, 0]
+            if (made < -self.noise).any():
+                return number, (time, made)
+        return last, None
 
     def _check_capacities(self, step: TimeStep) -> None:
         """Refuse a capacity by a formula that is no capacity."""

@@ -83,6 +83,8 @@ class ModeSearch:
             self.changed = tuple(sorted(changes.items()))
             yield self._with(self.changed)
             turned = dict(reversed(self.turned))
+            if not turned:  # nothing of it can be changed
+                return
             if len(turned) < least:
                 least, spare = len(turned), _IN_VAIN
             elif spare:

@@ -168,6 +168,8 @@ _FIRST_PARTS = 4
 """Parts of a stretch to begin with, where torques bend."""
 _SMOOTH = 4
 """So many stretches go well before a longer one is tried."""
+_MOST_AT_START = 64.0
+"""What polynomials may be off at the start of a stretch, by what they may between instants."""
 _RELAXATION_ROUNDS = 12
 """Of relaxation."""
 _ORDERS = DEGREE + 1
@@ -409,21 +411,32 @@ class Closed:
                 return None
             given = now @ to_series
             limit = FITTING_TORQUE * max(self.large, largest(now))
-            self._keep(given, limit)
+            if self._keep(given, limit):
+                before = None
             given[~self.kept] = 0.0
             if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
                 fits = largest(given @ to_values - now) <= 4 * limit
+                fits = fits and self._fits_at_start(parts.begin, state, given, limit)
                 return self._followed(parts, state, given, to_powers) if fits else None
             before = now
         return None
 
-    def _keep(self, given: Floats, limit: float) -> None:
-        """Keep all orders of what bends after all."""
+    def _fits_at_start(self, time: float, state: Floats, given: Floats, limit: float) -> bool:
+        """Whether torques begin where polynomials do: they may bend before the first instant."""
+        if self.is_given:
+            return True
+        first = (-1.0) ** np.arange(_ORDERS)[:, None]
+        now = self._bent(np.array([time]), state[: self.size, None], given, first)
+        return bool(largest(given @ first - now) <= _MOST_AT_START * limit)
+
+    def _keep(self, given: Floats, limit: float) -> bool:
+        """Keep all orders of what bends after all; whether anything does that did not before."""
         bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
         if bends.any():
             self.kept[bends] = True
             self.exponentials.clear()
+        return bool(bends.any())
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
