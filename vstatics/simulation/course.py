@@ -162,7 +162,7 @@ class EventRun:
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
-                bends = (judge.judged(one) for one in self.corners)
+                bends = (one for group in self.corners for one in judge.nearest(group))
                 selected.margins.follow("corner", enumerate(bends))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))

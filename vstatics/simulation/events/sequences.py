@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 
 from vstatics.errors import CaseError
@@ -55,6 +55,12 @@ class Judge:
         size = max(abs(first), abs(second), SOON * abs(then - apart))
         moved = then if abs(apart) <= EQUAL_SIDES * size else apart
         return Awaited(one, "-+"[moved > 0] if moved else "0", size)
+
+    def nearest(self, group: Sequence[Compared]) -> list[Awaited]:
+        """Of what is compared with ascending numbers, the two between which it is; with one all."""
+        judged = [self.judged(one) for one in group]
+        above = next((n for n, one in enumerate(judged) if one.side != "+"), len(judged))
+        return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
 
 class SequenceProgress:

@@ -426,7 +426,7 @@ class Closed:
         """Whether torques begin where polynomials do: they may bend before the first instant."""
         if self.is_given:
             return True
-        first = (-1.0) ** np.arange(_ORDERS)[:, None]
+        first: Floats = np.power(-1.0, np.arange(_ORDERS))[:, None]
         now = self._bent(np.array([time]), state[: self.size, None], given, first)
         return bool(largest(given @ first - now) <= _MOST_AT_START * limit)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -21,8 +21,12 @@ from vstatics.simulation.scenario.corners import BENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
+from vstatics.simulation.scenario.tables import TableCall
 from vstatics.simulation.system.curves import curve_along, curve_at
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
+
+Pairs: TypeAlias = list[tuple[Tree, Tree]]
+"""What is compared with each other."""
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -99,27 +103,34 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
     return Compared(first, second)
 
 
-def corners(system: MotionSystem) -> list[Compared]:
-    """Where formulas that see something bend or jump: what they compare."""
-    layout, found = system.layout, []
+def corners(system: MotionSystem) -> list[list[Compared]]:
+    """Where formulas that see something bend or jump: what they compare.
+
+    What a table is asked with is compared with all its steps: of these the nearest count.
+    """
+    layout = system.layout
+    found: list[tuple[Formula, Pairs, int, int]] = []
     for device in system.may_slip:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
             most = () if programme.largest is None else (programme.largest,)
-            bounds = [(programme.curve.whole, Constant(one)) for one in (0.0, *most)]
-            found += [(programme.curve, pair, 0, -1) for pair in (*bounds, *_met(programme.curve))]
+            whole = programme.curve.whole
+            bounds: list[Pairs] = [[(whole, Constant(one))] for one in (0.0, *most)]
+            found += [(programme.curve, met, 0, -1) for met in (*bounds, *_met(programme.curve))]
     for port, one in enumerate(system.outside):
-        if isinstance(one.law, Formula) and one.law.seen:
+        if isinstance(one.law, Formula):  # jumps by its own motion are switches
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            found += [(one.law, pair, port, place) for pair in _met(one.law)]
+            met = _met(one.law) if one.law.seen else _asked(one.law)
+            found += [(one.law, pairs, port, place) for pairs in met]
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
-            found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
-    made = [*_rubbing_corners(system)]
-    for formula, pair, rate, angle in found:
-        tree = Applied("-", pair, 0, 0)
-        if variables(tree) - {"t"} - {*system.settings}:
-            made.append(compared(system, formula._replace(tree=tree), rate, angle))
+            found += [(state.rate, met, 0, -1) for met in _met(state.rate)]
+    made = [[one] for one in _rubbing_corners(system)]
+    for formula, pairs, rate, angle in found:
+        trees = [Applied("-", pair, 0, 0) for pair in pairs]
+        if variables(trees[0]) - {"t"} - {*system.settings}:
+            of = (formula._replace(tree=tree) for tree in trees)
+            made.append([compared(system, one, rate, angle) for one in of])
     return made
 
 
@@ -143,12 +154,22 @@ def fixed(value: float) -> Look:
     return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
-def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
-    """What is compared in a formula."""
+def _met(formula: Formula) -> Iterator[Pairs]:
+    """What is compared in a formula, and what tables are asked with."""
     for part in parts(formula.whole):
         if isinstance(part, Applied) and part.name in BENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
-            yield from combinations(operands, 2)
+            yield from ([pair] for pair in combinations(operands, 2))
+    yield from _asked(formula)
+
+
+def _asked(formula: Formula) -> Iterator[Pairs]:
+    """What tables are asked with, beside their steps in order."""
+    for part in parts(formula.whole):
+        if isinstance(part, Applied) and isinstance(part.name, TableCall):
+            table = part.name.table
+            for operand, steps in zip(part.operands, (table.x, table.columns), strict=False):
+                yield [(operand, Constant(one)) for one in dict.fromkeys(steps)]
 
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
