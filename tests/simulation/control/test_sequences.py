@@ -179,6 +179,28 @@ sequences:
 
 
 @pytest.mark.parametrize(
+    ("when", "at"),  # the speed is 10 t, closed form
+    [
+        ("abs(speed('e') - 20) < 0.5", 1.95),
+        ("min(speed('e'), 10) >= 10", 1.0),
+        ("max(speed('e'), 25) > 25", 2.5),
+        ("sqrt(20 - speed('e')) < 1", 1.9),
+        ("sqrt(abs(speed('e') - 20)) < 1", 1.9),
+        ("abs(t - 2) < 0.001", 1.999),
+        ("min(t, 1) >= 1", 1.0),
+        ("sqrt(1.5 - t) < 0.1", 1.49),
+        ("(t > 0.5) + (t > 1.5) >= 2", 1.5),
+        ("(t > 0.7) - 0.5 > 0", 0.7),
+    ],
+)
+def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -> None:
+    motion = simulated(
+        REST + f'set: {{a: 0}}\nsequences: {{s: [{{when: "{when}", set: {{a: 1}}}}]}}\n'
+    )
+    assert steps_of(motion) == [(1, pytest.approx(at, abs=1e-9))]
+
+
+@pytest.mark.parametrize(
     ("text", "fault"),
     [
         ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]', "8:7 sequences.s[1]: read a step with nothing"),

@@ -48,8 +48,9 @@ class Judge:
 
     def judged(self, one: Compared) -> Awaited:
         """What is compared, with its side."""
+        now = math.nextafter(self.now[0], math.inf), self.now[1]  # behind what jumps here
         (first, second), (later, other) = (
-            (one.first.at(*at), one.second.at(*at)) for at in (self.now, self.ahead)
+            (one.first.at(*at), one.second.at(*at)) for at in (now, self.ahead)
         )
         apart, then = first - second, later - other
         size = max(abs(first), abs(second), SOON * abs(then - apart))

@@ -17,7 +17,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import parts, variables
-from vstatics.simulation.scenario.corners import BENDS, JUMPS
+from vstatics.simulation.scenario.conditions import StepCondition
+from vstatics.simulation.scenario.corners import ENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
@@ -115,12 +116,20 @@ def corners(system: MotionSystem) -> list[Compared]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             found += [(state.rate, pair, 0, -1) for pair in _met(state.rate)]
+    for when in conditions(system):
+        found += [(one, pair, 0, -1) for one in when.comparisons for pair in _met(one)]
     made = [*_rubbing_corners(system)]
     for formula, pair, rate, angle in found:
         tree = Applied("-", pair, 0, 0)
         if variables(tree) - {"t"} - {*system.settings}:
             made.append(compared(system, formula._replace(tree=tree), rate, angle))
     return made
+
+
+def conditions(system: MotionSystem) -> Iterator[StepCondition]:
+    """What steps of sequences wait for."""
+    for sequence in system.scenario.sequences:
+        yield from (one.when for one in sequence.steps if one.when is not None)
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
@@ -146,7 +155,7 @@ def fixed(value: float) -> Look:
 def _met(formula: Formula) -> Iterator[tuple[Tree, Tree]]:
     """What is compared in a formula."""
     for part in parts(formula.whole):
-        if isinstance(part, Applied) and part.name in BENDS | JUMPS:
+        if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
             yield from combinations(operands, 2)
 
