@@ -218,6 +218,11 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
         ("states: {p: {rate: 1, start: 3, max: 2}}", "expected at most 2, its max"),
         ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
         ("tables: {q: {file: missing.csv}}", "can't be read"),
+        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}", "6:49 tables.q.rows[2]: read 0 behind 1"),
+        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}", "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
+        ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
+        ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
+        ("tables: {q: []}", "read no rows"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_told_with_its_place(text: str, fault: str) -> None:
