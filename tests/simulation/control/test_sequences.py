@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.simulation.control.written import faults, simulated, steps_of, written
+from vstatics.errors import path_text
 from vstatics.simulation.run import simulate
 
 REST = """duration: 4
@@ -211,6 +212,7 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is no dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
         ("sequences: {s: []}", "read no steps"),
+        ("speeds: {housing: 3}", "speeds.housing: read the housing"),
         ("set: {on: 1}", "is true or false in YAML"),
         ("set: {a: 0}\nnumbers: {a: 1}", "is the name of something else already"),
         ("set: {speed: 0}", "is a word of formulas"),
@@ -233,3 +235,34 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
     [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
     assert fault.startswith("4:16")
     assert "stands in `rate` and `when` alone" in fault
+
+
+@pytest.mark.parametrize(
+    ("text", "identity", "path"),
+    [
+        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}', "E677", "sequences.s[1].set.a"),
+        ('set: {a: 0}\nsequences: {s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
+         "E650", "sequences.s[2].when"),
+        ('states: {p: {start: 1, rate: "p^2"}}', "E700", "states.p.rate"),
+        ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),
+        ('speeds: {o: "sqrt(1 - t) - 1"}', "E700", "speeds.o"),
+    ],
+)  # fmt: skip
+def test_what_is_no_number_stops_the_run_and_is_named(text: str, identity: str, path: str) -> None:
+    stopped = simulate(written(f"{REST}{text}\n")).stopped
+    assert stopped is not None
+    assert stopped.id == identity
+    assert path_text(stopped.path) == path
+
+
+def test_a_control_that_is_no_number_stops_the_run_and_is_named() -> None:
+    text = REST.replace("{C: 0}", "{C: \"sqrt(20 - speed('e'))\"}")
+    stopped = simulate(written(text)).stopped
+    assert stopped is not None
+    assert (stopped.id, stopped.path) == ("E700", ("controls", "C"))
+
+
+def test_formulas_of_one_text_call_each_their_own_table() -> None:
+    text = REST.replace("{e: 20}", '{e: "m(t)"}') + "tables: {m: [[0, 20]]}\n"
+    ends = [simulated(one).speeds[-1, 0] for one in (text, text.replace("[0, 20]", "[0, 30]"))]
+    assert ends == pytest.approx([4 * 20 / 2, 4 * 30 / 2])
