@@ -134,3 +134,10 @@ sequences: {{s: {{repeat: true, steps: [{{when: "t >= 0.3", wait: 0.4, set: {{ta
         run.advance(min(rng.uniform(0.001, 0.2), 2 - run.time))
     assert told(run) == told(whole)
     assert np.array([*run.speeds.values()]) == pytest.approx(whole.speeds[-1], rel=1e-8, abs=1e-7)
+
+
+def test_the_speed_of_a_link_that_is_not_there_names_those_there_are() -> None:
+    run = begin(written(LAG))
+    with pytest.raises(CaseError, match="no link `zz`, expected e, o"):
+        run.speeds["zz"]
+    assert run.speeds["e"] == 200

@@ -12,7 +12,7 @@ from tests.chance import seeded
 from tests.commands import vstatics
 from tests.statics.batches import with_numbers
 from tests.trains import no_losses, random_train
-from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
 from vstatics.flow.power import flows
 from vstatics.model.parts import OfLoad
 from vstatics.statics.physical import RELATIVE_TO_INPUT
@@ -127,3 +127,23 @@ def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     together = solve(none, ratios=u).lossy_torques_Nm
     alone = [solve(with_numbers(none, own, None)).lossy_torques_Nm for own in u]
     assert together == pytest.approx(np.array(alone), rel=1e-11, abs=1e-11, nan_ok=True)
+
+
+@pytest.mark.parametrize("order", [(80.0, 0.0), (0.0, 80.0)])
+def test_points_with_and_without_load_have_plans_of_their_own(order: tuple[float, ...]) -> None:
+    """A given torque drives at 0 N*m: what was calculated before says nothing of the next."""
+    text = """
+links: [a, b, x]
+output: b
+load: {speed: 1500 rpm, torque: 60 N*m}
+mechanisms:
+  p: {first: a, second: b, ratio: -2, efficiency: .9}
+  q: {first: x, second: b, ratio: 3, efficiency: .9}
+gears: {g: {torques: {x: 5 N*m}}}
+"""
+    for torque in order:
+        together = solve(loads(text), vary={"load.torque": [torque, -60.0]})
+        for number, one in enumerate((torque, -60.0)):
+            alone = solve(loads(text.replace("torque: 60 N*m", f"torque: {one} N*m")))
+            powers = together.port_powers_kW[number, 0]
+            assert powers == pytest.approx(alone.port_powers_kW[0], rel=1e-12)

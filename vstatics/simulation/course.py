@@ -21,6 +21,7 @@ from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
 from vstatics.simulation.events.sequences import Judge, SequenceProgress, SequenceRun
 from vstatics.simulation.events.stretches import Closed, NoFit
+from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.record.words import event_of, released
@@ -179,9 +180,14 @@ class EventRun:
         """Do a step that is due."""
         step = due.step
         assert step is not None  # noqa: S101 - it is due
-        self.give(
-            step, {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
-        )
+        values = {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
+        for name, value in values.items():
+            if not math.isfinite(value):
+                path = (*due.path, "set", name)
+                raise CaseError(
+                    "E677", f"at {seen[0]:.9g} s {name} is {value:g}, expected a number", path
+                )
+        self.give(step, values)
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 
     def _count(self, found: MarginEnd) -> None:
@@ -283,6 +289,8 @@ class EventRun:
                     return Problem("E605", f"{what}, expected a number", ("torques", name))
                 if abs(torque) > BEYOND_ALL * self.scales.torque:
                     return Problem("E606", f"{what} N*m: it grows without bound", ("torques", name))
+            if problem := unbounded(equations, time, at, state):
+                return problem
         for index in equations.ports.switching:
             name = self.system.names[self.system.outside[index].link]
             message = (

@@ -75,7 +75,7 @@ class SteppedRun:
     @property
     def speeds(self) -> dict[str, float]:
         """Of links at present, by name [rad/s]."""
-        return dict(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
+        return _Speeds(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -105,6 +105,14 @@ class SteppedRun:
                 state.give(SequenceStep(), settings)
             state.run(self.time + seconds)
         self.state = state
+
+
+class _Speeds(dict[str, float]):
+    """By names; one that is not there is told with those that are."""
+
+    def __missing__(self, name: str) -> float:
+        hint = nearest(name, self) or f", expected {listed(list(self))}"
+        raise CaseError("E679", f"a run has no link {quoted(name)}{hint}")
 
 
 def _check(scenario: Scenario, seconds: float, settings: Mapping[str, float]) -> None:

@@ -270,7 +270,7 @@ def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     by_part = gear.torques, gear.drag, gear.open_drag
     given = [torque for torques in by_part for torque in torques.values()]
     given += [element.drag for element in case.shift_elements]
-    return tuple(matrix.given_torque(case, gear, torque) for torque in given)
+    return (0.0, *(matrix.given_torque(case, gear, torque) for torque in given))
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:

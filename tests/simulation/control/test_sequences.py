@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.simulation.control.written import faults, simulated, steps_of, written
+from vstatics.errors import path_text
 from vstatics.simulation.run import simulate
 
 REST = """duration: 4
@@ -179,6 +180,28 @@ sequences:
 
 
 @pytest.mark.parametrize(
+    ("when", "at"),  # the speed is 10 t, closed form
+    [
+        ("abs(speed('e') - 20) < 0.5", 1.95),
+        ("min(speed('e'), 10) >= 10", 1.0),
+        ("max(speed('e'), 25) > 25", 2.5),
+        ("sqrt(20 - speed('e')) < 1", 1.9),
+        ("sqrt(abs(speed('e') - 20)) < 1", 1.9),
+        ("abs(t - 2) < 0.001", 1.999),
+        ("min(t, 1) >= 1", 1.0),
+        ("sqrt(1.5 - t) < 0.1", 1.49),
+        ("(t > 0.5) + (t > 1.5) >= 2", 1.5),
+        ("(t > 0.7) - 0.5 > 0", 0.7),
+    ],
+)
+def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -> None:
+    motion = simulated(
+        REST + f'set: {{a: 0}}\nsequences: {{s: [{{when: "{when}", set: {{a: 1}}}}]}}\n'
+    )
+    assert steps_of(motion) == [(1, pytest.approx(at, abs=1e-9))]
+
+
+@pytest.mark.parametrize(
     ("text", "fault"),
     [
         ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]', "8:7 sequences.s[1]: read a step with nothing"),
@@ -189,6 +212,7 @@ sequences:
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is no dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
         ("sequences: {s: []}", "read no steps"),
+        ("speeds: {housing: 3}", "speeds.housing: read the housing"),
         ("set: {on: 1}", "is true or false in YAML"),
         ("set: {a: 0}\nnumbers: {a: 1}", "is the name of something else already"),
         ("set: {speed: 0}", "is a word of formulas"),
@@ -196,6 +220,11 @@ sequences:
         ("states: {p: {rate: 1, start: 3, max: 2}}", "expected at most 2, its max"),
         ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
         ("tables: {q: {file: missing.csv}}", "can't be read"),
+        ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}", "6:49 tables.q.rows[2]: read 0 behind 1"),
+        ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}", "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
+        ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
+        ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
+        ("tables: {q: []}", "read no rows"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_told_with_its_place(text: str, fault: str) -> None:
@@ -206,3 +235,34 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
     [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
     assert fault.startswith("4:16")
     assert "stands in `rate` and `when` alone" in fault
+
+
+@pytest.mark.parametrize(
+    ("text", "identity", "path"),
+    [
+        ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}', "E677", "sequences.s[1].set.a"),
+        ('set: {a: 0}\nsequences: {s: [{set: {a: 1}, wait: 1}, {when: "sqrt(t - 2) < 3", set: {a: 1}}]}',
+         "E650", "sequences.s[2].when"),
+        ('states: {p: {start: 1, rate: "p^2"}}', "E700", "states.p.rate"),
+        ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),
+        ('speeds: {o: "sqrt(1 - t) - 1"}', "E700", "speeds.o"),
+    ],
+)  # fmt: skip
+def test_what_is_no_number_stops_the_run_and_is_named(text: str, identity: str, path: str) -> None:
+    stopped = simulate(written(f"{REST}{text}\n")).stopped
+    assert stopped is not None
+    assert stopped.id == identity
+    assert path_text(stopped.path) == path
+
+
+def test_a_control_that_is_no_number_stops_the_run_and_is_named() -> None:
+    text = REST.replace("{C: 0}", "{C: \"sqrt(20 - speed('e'))\"}")
+    stopped = simulate(written(text)).stopped
+    assert stopped is not None
+    assert (stopped.id, stopped.path) == ("E700", ("controls", "C"))
+
+
+def test_formulas_of_one_text_call_each_their_own_table() -> None:
+    text = REST.replace("{e: 20}", '{e: "m(t)"}') + "tables: {m: [[0, 20]]}\n"
+    ends = [simulated(one).speeds[-1, 0] for one in (text, text.replace("[0, 20]", "[0, 30]"))]
+    assert ends == pytest.approx([4 * 20 / 2, 4 * 30 / 2])

@@ -115,6 +115,16 @@ def test_a_key_that_a_document_cannot_have_is_told_before_anything_is_calculated
     assert made.names == ("controls.brake.scale",)
 
 
+def test_a_number_of_formulas_that_is_not_there_is_refused_and_not_made() -> None:
+    given = subject(
+        b"{case: x, duration: 1, start: {gear: '1'}, numbers: {lag: 1}, set: {aim: 2}}", CASE
+    )
+    assert given.target("numbers.lag").name == "numbers.lag"
+    for text, said in (("numbers.lagg", "did you mean `lag`"), ("set.x", "has no `set.x`")):
+        with pytest.raises(ReadError, match=said):
+            given.target(text)
+
+
 def test_no_number_varies_twice_whatever_it_is_called() -> None:
     vary = ["set.ratio=-2,-3", "mechanisms.set.ratio=-2,-3"]
     with pytest.raises(ReadError, match="is varied twice"):

@@ -14,6 +14,7 @@ from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.sight import conditions
 from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
@@ -152,6 +153,7 @@ def break_times(system: MotionSystem) -> list[float]:
     curves += [one.rate for one in system.scenario.states]
     curves += [one.switch.jump.at for one in system.contacts if one.switch]
     curves += [one.ratio for one in system.variators]
+    curves += [when.formula for when in conditions(system)]
     times: set[float] = set()
     for curve in curves:
         if isinstance(curve, Formula):

@@ -81,6 +81,8 @@ class Finder:
     def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
         self.noise = NO_MARGIN * margins.units(scales)
+        self.following = np.array([one.kind in FOLLOWING for one in margins.watches], dtype=bool)
+        """Of margins: it may end, and rise again, before one that ends behind it."""
         system = self.equations.system
         self.by_formula = [
             contact
@@ -189,6 +191,9 @@ class Finder:
         state = step.exact(time)
         if time > step.start:
             time, state = self._refined(step, time, state, index)
+        there = self.margins.at(time, state)
+        if above[0] < time < under[0] and (there < -self.noise)[self.following].any():
+            return self._located(step, above, (time, there))
         close = SAME_INSTANT * self.equations.system.scenario.duration
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))

@@ -94,7 +94,7 @@ class Awaited(NamedTuple):
 
     compared: Compared
     side: str
-    """`+`, `-`, or `0` where it stays there."""
+    """`+`, `-`, `0` where it stays there, or `?` of what is no number."""
     size: float
     """Of what is compared, at the instant from which on it is watched."""
 
@@ -361,7 +361,7 @@ class Margins:
         for one in self.sequences:
             first, second = one.compared
             found = first.along(times, seen) - second.along(times, seen)
-            if one.side == "0":
+            if one.side in "0?":
                 made.append(EQUAL_SIDES * one.size - np.abs(found))
             else:
                 made.append(SIGNS[one.side] * found)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from copy import copy
 
-from vstatics.errors import CaseError
+from vstatics.errors import CaseError, Path
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.scenario.formula import Formula
@@ -48,13 +48,14 @@ class Judge:
 
     def judged(self, one: Compared) -> Awaited:
         """What is compared, with its side."""
+        now = math.nextafter(self.now[0], math.inf), self.now[1]  # behind what jumps here
         (first, second), (later, other) = (
-            (one.first.at(*at), one.second.at(*at)) for at in (self.now, self.ahead)
+            (one.first.at(*at), one.second.at(*at)) for at in (now, self.ahead)
         )
         apart, then = first - second, later - other
         size = max(abs(first), abs(second), SOON * abs(then - apart))
         moved = then if abs(apart) <= EQUAL_SIDES * size else apart
-        return Awaited(one, "-+"[moved > 0] if moved else "0", size)
+        return Awaited(one, "?" if math.isnan(moved) else "-+"[moved > 0] if moved else "0", size)
 
     def nearest(self, group: Sequence[Compared]) -> list[Awaited]:
         """Of what is compared with ascending numbers, the two between which it is; with one all."""
@@ -85,6 +86,11 @@ class SequenceProgress:
         """The sequence, and the number of its step."""
         return f"{self.sequence.name}, step {self.index + 1}"
 
+    @property
+    def path(self) -> Path:
+        """Of its step."""
+        return "sequences", self.sequence.name, self.index + 1
+
     def next_time(self) -> float:
         """When it is looked at again, whatever happens before [s]."""
         step = self.step
@@ -100,7 +106,7 @@ class SequenceProgress:
         Raises
         ------
         CaseError
-            Of a condition that was not true in time.
+            Of a condition that was not true in time, or compares what is no number.
         """
         step = self.step
         if step is None:
@@ -112,8 +118,7 @@ class SequenceProgress:
                 f"at {time:.9g} s the condition of sequence {self.name} is not true within "
                 f"{step.within:g} s"
             )
-            path = ("sequences", self.sequence.name, self.index + 1, "within")
-            raise CaseError("E696", message, path)
+            raise CaseError("E696", message, (*self.path, "within"))
         return self.true_at is not None and time >= self.true_at + step.wait
 
     def _is_true(self, step: SequenceStep, judge: Judge, happened: Happened) -> bool:
@@ -121,6 +126,9 @@ class SequenceProgress:
             return True
 
         sides = [judge.awaited(one).side for one in step.when.comparisons]
+        if "?" in sides:
+            message = f"at {judge.now[0]:.9g} s what {self.name} compares is no number"
+            raise CaseError("E650", message, (*self.path, "when"))
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
     def go_on(self, time: float) -> int:

@@ -77,6 +77,8 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     yield from _of_limits(scenario)
     yield from _of_converters(scenario.converters, scenario.case)
     yield from _of_shifts(scenario)
+    for link in scenario.speeds:
+        yield from _of_link(link, scenario.case, ("speeds", _name(scenario.case, link)))
     yield from control_problems(scenario)
     for path, step in placed_steps(scenario):
         if step.shift is not None:

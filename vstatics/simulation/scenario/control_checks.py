@@ -128,7 +128,7 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
         for number, (one, other) in enumerate(pairwise(table.x), 2):
             if other < one or (other == one and not twice):
                 message = f"read {other:g} behind {one:g}, expected rows in ascending order"
-                yield Problem("E653", message, (*path, number))
+                yield Problem("E653", message, (*path, *(() if twice else ("rows",)), number))
                 break
         for one, other in pairwise(table.columns):
             if other <= one:

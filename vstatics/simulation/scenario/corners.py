@@ -29,6 +29,8 @@ MOST_BREAKS = 1000
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
 BENDS = frozenset(("abs", "min", "max"))
+ENDS = BENDS | {"sqrt"}
+"""What bends, or ends: a root of what falls below 0."""
 
 
 _MOST_DEGREE = 8
@@ -128,7 +130,7 @@ def _polynomial(
         return _of_table(tree.name.table, operands, at, met)
     jumps = tree.name in JUMPS
     met += ((place, bends or (jumps and None in operands)) for place, bends in inner)
-    if jumps or tree.name in BENDS:
+    if jumps or tree.name in ENDS:
         met += ((place, jumps) for place in _meetings(known, len(operands)))
     if len(known) < len(operands):
         return None

@@ -102,18 +102,26 @@ class ScenarioValues:
                 yield name, self._table_file(one.file, ("tables", number, "file"))
             elif isinstance(one, GivenTable):
                 columns = _floats(one.columns) or (0.0,)
-                rows = [_floats(row) for row in one.rows if len(row) == len(columns) + 1]
-                if rows:
-                    x, values = (row[0] for row in rows), (row[1:] for row in rows)
-                    yield name, LookupTable(tuple(x), tuple(values), columns)
+                yield name, self._table(columns, one.rows, ("tables", number, "rows"))
             elif isinstance(one, Sequence):
-                if one:
-                    yield (
-                        name,
-                        LookupTable(*zip(*((float(x), (float(y),)) for x, y in one), strict=True)),
-                    )
+                yield name, self._table((0.0,), one, ("tables", number))
             else:
                 yield name, LookupTable((0.0,), ((float(one or 0.0),),))
+
+    def _table(
+        self, columns: tuple[float, ...], rows: Sequence[Sequence[float]], path: Path
+    ) -> LookupTable:
+        """A table of rows, each of an x and a value for each column; or one in its place."""
+        unreadable = {*self.spots.unreadable}
+        if not rows and path[:2] not in unreadable:
+            self.spots.tell(path, "read no rows, expected one at least")
+        for number, row in enumerate(rows, 1):
+            if len(row) != len(columns) + 1 and (*path, number) not in unreadable:
+                wanted = f"{len(columns) + 1}: x, and a value for each column"
+                self.spots.tell((*path, number), f"read {len(row)} numbers, expected {wanted}")
+        read = [_floats(row) for row in rows if len(row) == len(columns) + 1]
+        read = read or [(0.0,) * (len(columns) + 1)]
+        return LookupTable(tuple(x for x, *_ in read), tuple(row[1:] for row in read), columns)
 
     def _table_file(self, name: str, path: Path) -> LookupTable:
         from vstatics.simulation.scenario.table_files import table_of

@@ -17,7 +17,8 @@ from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import parts, variables
-from vstatics.simulation.scenario.corners import BENDS, JUMPS
+from vstatics.simulation.scenario.conditions import StepCondition
+from vstatics.simulation.scenario.corners import ENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
@@ -125,6 +126,8 @@ def corners(system: MotionSystem) -> list[list[Compared]]:
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             found += [(state.rate, met, 0, -1) for met in _met(state.rate)]
+    for when in conditions(system):
+        found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in _met(one)]
     made = [[one] for one in _rubbing_corners(system)]
     for formula, pairs, rate, angle in found:
         trees = [Applied("-", pair, 0, 0) for pair in pairs]
@@ -132,6 +135,12 @@ def corners(system: MotionSystem) -> list[list[Compared]]:
             of = (formula._replace(tree=tree) for tree in trees)
             made.append([compared(system, one, rate, angle) for one in of])
     return made
+
+
+def conditions(system: MotionSystem) -> Iterator[StepCondition]:
+    """What steps of sequences wait for."""
+    for sequence in system.scenario.sequences:
+        yield from (one.when for one in sequence.steps if one.when is not None)
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
@@ -157,7 +166,7 @@ def fixed(value: float) -> Look:
 def _met(formula: Formula) -> Iterator[Pairs]:
     """What is compared in a formula, and what tables are asked with."""
     for part in parts(formula.whole):
-        if isinstance(part, Applied) and part.name in BENDS | JUMPS:
+        if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
             yield from ([pair] for pair in combinations(operands, 2))
     yield from _asked(formula)

@@ -35,6 +35,8 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "gears": {Listing: "engaged"},
 }
 """What stands short for a mapping with one key: `controls.C.scale` where C is a formula."""
+_ALL_GIVEN = ("numbers", "set")
+"""Where a name that is not there is one of which no formula knows."""
 _OF_A_CASE = {
     "ratio": ("mechanisms", "elements"),
     "efficiency": ("mechanisms", "elements"),
@@ -105,11 +107,21 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         node = found(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:
             number_of(node)
+        else:
+            _check_given(path, parts[-1], root)
     except ValueError as error:
         raise refusal(f"{quoted(written(path.keys))} {error}", place, 0) from None
     except NoValueError as error:
         raise refusal(str(error), place, error.at) from None
     return path._replace(unit=unit[1].strip() if unit else "")
+
+
+def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
+    """That a number which is not there has a meaning."""
+    owner = child(root, path.keys[0])
+    if owner and path.keys[0] in _ALL_GIVEN and not path.of_case:
+        hint = nearest(path.keys[-1], keys_of(owner))
+        raise NoValueError(f"the scenario has no {quoted(written(path.keys))}{hint}", last.at)
 
 
 def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:

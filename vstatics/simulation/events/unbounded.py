@@ -1,0 +1,51 @@
+"""Which formula gives no number, where a run comes no further."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from vstatics.errors import Path, Problem
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation.system.curves import curve_at
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import Contact, Elastic
+from vstatics.simulation.tolerances import LARGEST_NUMBER
+
+
+def unbounded(equations: Equations, begin: float, time: float, state: Floats) -> Problem | None:
+    """The first formula of a control, a limit, a rate or a speed that gives no number.
+
+    Parameters
+    ----------
+    equations : Equations
+    begin : float
+        Time of the state. [s]
+    time : float
+        A little later; the state goes on straight until then. [s]
+    state : ndarray
+    """
+    moved = state + (time - begin) * equations.derivative(begin, state)
+    state = moved if np.isfinite(moved).all() else state
+    for what, value, path in _values(equations, time, equations.changes.seen_at(time, state)):
+        if not abs(value) <= LARGEST_NUMBER:
+            wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
+            return Problem("E700", f"at {time:.6g} s {what} is {value:g}, {wanted}", path)
+    return None
+
+
+def _values(
+    equations: Equations, time: float, seen: Sequence[float]
+) -> Iterator[tuple[str, float, Path]]:
+    system = equations.system
+    devices: list[Contact | Elastic] = [*system.contacts, *system.springs]
+    for device in devices:
+        look, key = device.programme.look, "limits" if isinstance(device, Elastic) else "controls"
+        if look is not None:
+            yield f"the {key[:-1]} of {device.name}", look.at(time, seen), (key, device.name)
+    for state, rate in zip(system.scenario.states, equations.changes.rates, strict=True):
+        yield f"the rate of {state.name}", rate.at(time, seen), ("states", state.name, "rate")
+    for link, speed in system.scenario.speeds.items():
+        name = system.case.link_name(link)
+        yield f"the speed of {name}", curve_at(speed, time), ("speeds", name)
