@@ -75,7 +75,7 @@ class SteppedRun:
     @property
     def speeds(self) -> dict[str, float]:
         """Of links at present, by name [rad/s]."""
-        return _Speeds(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
+        return _SteppedSpeeds(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -107,7 +107,7 @@ class SteppedRun:
         self.state = state
 
 
-class _Speeds(dict[str, float]):
+class _SteppedSpeeds(dict[str, float]):
     """By names; one that is not there is told with those that are."""
 
     def __missing__(self, name: str) -> float:
