@@ -75,7 +75,8 @@ class SteppedRun:
     @property
     def speeds(self) -> dict[str, float]:
         """Of links at present, by name [rad/s]."""
-        return _SteppedSpeeds(zip(self.state.system.names, self.state.at.speeds.tolist(), strict=True))
+        speeds = self.state.at.speeds.tolist()
+        return _SteppedSpeeds(zip(self.state.system.names, speeds, strict=True))
 
     @property
     def events(self) -> tuple[Event, ...]:
