@@ -115,7 +115,7 @@ def plot(
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       vstatics plot upshift.yaml --kind shift -o upshift.png
-      vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o upshift.png
+      vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
       vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 

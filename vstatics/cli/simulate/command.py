@@ -51,7 +51,7 @@ def simulate(asked: SimulateOptions) -> int:
     Examples:
       vstatics simulate upshift.yaml
       vstatics simulate upshift.yaml -o upshift.csv --step 0.01
-      vstatics simulate upshift.yaml -o upshift.csv --out 'accelerations[out], heat[C]'
+      vstatics simulate upshift.yaml -o up.csv --out 'accelerations[out], heat[C]'
       vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
       vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
 
