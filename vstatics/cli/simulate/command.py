@@ -97,8 +97,11 @@ def simulate(asked: SimulateOptions) -> int:
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
-    problems = [*read.reading.warnings, *run_problems(read, motion)]
+    happened = [*run_problems(read, motion)]
+    problems = [*read.reading.warnings, *happened]
+    notes = [one for one in happened if one.severity == "note"]
     tell(problems, telling, scenario)
+    tell(notes, telling._replace(notes=True), scenario)
     show(scenario, to, read, motion)
     if watch.interrupted and motion.stopped is not None:
         return stopped_by(signal.SIGINT)

@@ -266,7 +266,8 @@ class _Parser:
             message = f"`{name}` is a function, expected `(` behind it, such as {example}"
             raise self.source.error(message, behind)
         if call:
-            hint = nearest(name, language.functions) or language.instead
+            words = (*language.functions, *language.of_names)
+            hint = nearest(name, words) or language.instead
             known = ", ".join(language.functions)
             message = f"there is no function {quoted(name)}, expected {known}{hint}"
             raise self.source.error(message, at)
