@@ -11,6 +11,7 @@ Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
 for arrays: numbers note on a `tape` what is done with them, `traced` ones of one sign, `signed`
 ones of any sign, with choices in place of decisions; `replay` does it again on arrays in
 `memory`; `plans` makes plans and tells which variant takes which. `exact` has fractions,
-`motions` what equations leave free, `fronts` the best points by several objectives, `compiled`
-loops by Numba. Nothing here knows of transmissions.
+`motions` what equations leave free, `lookup_table` values over one or two variables, `fronts`
+the best points by several objectives, `compiled` loops by Numba. Nothing here knows of
+transmissions.
 """

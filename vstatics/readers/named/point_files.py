@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from pathlib import Path
 
 from vstatics.model.shape import Measure
+from vstatics.readers.named.csv_rows import csv_rows
 from vstatics.readers.named.si_units import measured
 
 MOST_BYTES = 1_000_000
@@ -25,16 +24,11 @@ def points_of(name: str) -> list[tuple[float, ...]]:
     ValueError
         With what was expected.
     """
-    with Path(name).open("rb") as file:
-        data = file.read(MOST_BYTES + 1)
-    try:
-        return _points(data)
-    except csv.Error as error:
-        raise ValueError(f"expected CSV: {error}") from None
+    return _points(csv_rows(Path(name), MOST_BYTES))
 
 
-def _points(data: bytes) -> list[tuple[float, ...]]:
-    """Rows of a CSV file with the columns `speed [unit],torque [unit]`.
+def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
+    """Numbered rows of a CSV file with the columns `speed [unit],torque [unit]`.
 
     Raises
     ------
@@ -43,17 +37,12 @@ def _points(data: bytes) -> list[tuple[float, ...]]:
 
     Examples
     --------
-    >>> _points(b"speed [rad/s],torque [N*m]\\n0,2\\n300,3.5\\n")
+    >>> _points([(1, ["speed [rad/s]", "torque [N*m]"]), (2, ["0", "2"]), (3, ["300", "3.5"])])
     [(0.0, 2.0), (300.0, 3.5)]
     """
-    if len(data) > MOST_BYTES:
-        raise ValueError(f"expected a file of {MOST_BYTES // 1000} kB at most")
-    rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
-    units = _units(rows[0] if rows else [])
+    units = _units(rows[0][1] if rows else [])
     points = []
-    for number, row in enumerate(rows[1:], 2):
-        if not row:
-            continue
+    for number, row in rows[1:]:
         if len(row) != len(units):
             raise ValueError(f"line {number}: expected {len(units)} numbers")
         try:

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping
 from itertools import chain, pairwise
 
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve
 from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
-from vstatics.simulation.scenario.tables import LookupTable
 from vstatics.simulation.scenario.words import name_problems
 
 

@@ -17,11 +17,12 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.formula_code import PI
-from vstatics.simulation.scenario.tables import LookupTable, TableCall
+from vstatics.simulation.scenario.table_call import TableCall
 
 MOST_BREAKS = 1000
 """Of a formula with more of them none are told: a run that stops at each would take for ever."""

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import listed, nearest, quoted, spoken
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
@@ -30,7 +31,7 @@ from vstatics.simulation.scenario.formula_code import (
     seen_in,
 )
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
-from vstatics.simulation.scenario.tables import LookupTable, TableCall
+from vstatics.simulation.scenario.table_call import TableCall
 
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of what a motion is, which any formula may see."""

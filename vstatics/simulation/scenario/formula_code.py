@@ -17,10 +17,11 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.expressions.evaluation import evaluate
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import Constant, TableName
-from vstatics.simulation.scenario.tables import LookupTable, TableCall
+from vstatics.simulation.scenario.table_call import TableCall
 
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"

@@ -12,9 +12,9 @@ from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.simulation.scenario.laws import Curve, Points, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
-from vstatics.simulation.scenario.tables import LookupTable
 
 
 class Look(NamedTuple):

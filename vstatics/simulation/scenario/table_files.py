@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from pathlib import Path
 from typing import get_args
 
 from vstatics.model.shape import Measure
+from vstatics.numerics.lookup_table import LookupTable
+from vstatics.readers.named.csv_rows import csv_rows
 from vstatics.readers.named.si_units import measured
-from vstatics.simulation.scenario.tables import LookupTable
 
 MOST_BYTES = 5_000_000
 """Of a file."""
@@ -26,16 +25,11 @@ def table_of(scenario: str, name: str) -> LookupTable:
     ValueError
         With what was expected.
     """
-    with (Path(scenario).parent / name).open("rb") as file:
-        data = file.read(MOST_BYTES + 1)
-    try:
-        return _table(data)
-    except csv.Error as error:
-        raise ValueError(f"expected CSV: {error}") from None
+    return _table(csv_rows(Path(scenario).parent / name, MOST_BYTES))
 
 
-def _table(data: bytes) -> LookupTable:
-    r"""Rows behind a head of a quantity with its unit, then of numbers or one quantity more.
+def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
+    """Numbered rows; the head is a quantity with its unit, then numbers or one quantity more.
 
     Raises
     ------
@@ -44,15 +38,13 @@ def _table(data: bytes) -> LookupTable:
 
     Examples
     --------
-    >>> _table(b"speed [rpm],.2,1\n0,10,50\n3000,20,90\n").at(1000.0, 1.0)
+    >>> head = ["speed [rpm]", ".2", "1"]
+    >>> _table([(1, head), (2, ["0", "10", "50"]), (3, ["3000", "20", "90"])]).at(1000.0, 1.0)
     90.0
-    >>> _table(b"time [ms],pedal\n0,.5\n1000,1\n").at(0.5)
+    >>> _table([(1, ["time [ms]", "pedal"]), (2, ["0", ".5"]), (3, ["1000", "1"])]).at(0.5)
     0.75
     """
-    if len(data) > MOST_BYTES:
-        raise ValueError(f"expected a file of {MOST_BYTES // 1_000_000} MB at most")
-    rows = [row for row in csv.reader(io.StringIO(data.decode("utf-8-sig"))) if row]
-    heads = rows[0] if rows else []
+    heads = rows[0][1] if rows else []
     first = _HEAD.fullmatch(heads[0]) if len(heads) > 1 else None
     if first is None:
         raise ValueError("expected a CSV file with a head such as `speed [rpm],.2,.5,1`")
@@ -62,7 +54,7 @@ def _table(data: bytes) -> LookupTable:
         units[1] = one["unit"]
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
-    for line, row in enumerate(rows[1:], 2):
+    for line, row in rows[1:]:
         if len(row) != len(heads):
             raise ValueError(f"line {line}: expected {len(heads)} numbers")
         at, *others = (_number(f"{cell} {of}", line) for cell, of in zip(row, units, strict=True))

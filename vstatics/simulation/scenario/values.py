@@ -10,6 +10,7 @@ from vstatics.errors import Path, quoted
 from vstatics.model.parts import ShiftElement
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.si_units import UNIT_OF, InUnit
 from vstatics.simulation.scenario.distribution import Distribution
@@ -36,7 +37,6 @@ from vstatics.simulation.scenario.parts import (
     Start,
     StepSequence,
 )
-from vstatics.simulation.scenario.tables import LookupTable
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 

@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from vstatics.errors import Path, Problem, quoted
 from vstatics.model.transmission import Transmission
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.expressions.grammar import PYTHON
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
@@ -15,7 +16,6 @@ from vstatics.simulation.scenario.formula import (
     Vocabulary,
 )
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
-from vstatics.simulation.scenario.tables import LookupTable
 from vstatics.tables.names import NAME
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false", "y", "n")

@@ -22,7 +22,7 @@ from vstatics.simulation.scenario.corners import ENDS, JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
-from vstatics.simulation.scenario.tables import TableCall
+from vstatics.simulation.scenario.table_call import TableCall
 from vstatics.simulation.system.curves import curve_along, curve_at
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from vstatics.errors import Problem, ReadError
 from vstatics.numerics.arrays import Floats
+from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.unit_table import TableColumn, read_unit_table
 
 COLUMNS = (
@@ -37,29 +38,12 @@ class FuelMap(NamedTuple):
 
     def at(self, speeds: Floats, torques: Floats) -> Floats:
         """Fuel at points [g/s]; a torque below 0 counts as 0."""
-        (row, up), (column, along) = (
-            _place(axis, values)
-            for axis, values in ((self.speeds, speeds), (self.torques, np.maximum(torques, 0.0)))
+        grid = LookupTable(
+            tuple(self.speeds.tolist()),
+            tuple(map(tuple, self.fuel.tolist())),
+            tuple(self.torques.tolist()),
         )
-        above, beside = (
-            np.minimum(row + 1, len(self.speeds) - 1),
-            np.minimum(column + 1, len(self.torques) - 1),
-        )
-        low = self.fuel[row, column] * (1 - along) + self.fuel[row, beside] * along
-        high = self.fuel[above, column] * (1 - along) + self.fuel[above, beside] * along
-        made: Floats = low * (1 - up) + high * up
-        return made
-
-
-def _place(
-    axis: Floats, values: Floats
-) -> tuple[np.ndarray[tuple[int, ...], np.dtype[np.int64]], Floats]:
-    """The cell of each value on an axis, and the part of it; at the edges beyond them."""
-    if len(axis) == 1:
-        return np.zeros(values.shape, np.int64), np.zeros(values.shape)
-    inside = np.clip(values, axis[0], axis[-1])
-    cell = np.clip(np.searchsorted(axis, inside, side="right") - 1, 0, len(axis) - 2)
-    return cell, (inside - axis[cell]) / (axis[cell + 1] - axis[cell])
+        return grid.along(speeds, np.maximum(torques, 0.0))
 
 
 def read_fuel_map(data: bytes, file: str) -> FuelMap:

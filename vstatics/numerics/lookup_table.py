@@ -1,10 +1,10 @@
-"""Tables that formulas call by their names: values over one or two variables."""
+"""Values over one or two variables: straight between, constant outside."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -77,35 +77,6 @@ class LookupTable(NamedTuple):
             return self.values[row][0], 0.0
         slope = (self.values[row + 1][0] - self.values[row][0]) / (self.x[row + 1] - self.x[row])
         return self.values[row][0] - slope * self.x[row], slope
-
-
-class TableCall(str):
-    """The name of a table where a formula calls it: it knows the table.
-
-    >>> one, other = (TableCall("p", LookupTable((0.0,), ((y,),))) for y in (1.0, 2.0))
-    >>> one == "p", one == other
-    (True, False)
-    """
-
-    __slots__ = ("table",)
-    table: LookupTable
-
-    def __new__(cls, name: str, table: LookupTable) -> Self:
-        """Keep the table."""
-        made = super().__new__(cls, name)
-        made.table = table
-        return made
-
-    def __eq__(self, other: object) -> bool:
-        """Formulas are remembered: those that call other tables of that name are not the same."""
-        same = not isinstance(other, TableCall) or self.table == other.table
-        return same and str(self) == other
-
-    __hash__ = str.__hash__
-
-    def __getnewargs__(self) -> tuple[Any, ...]:
-        """For another process."""
-        return str(self), self.table
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
