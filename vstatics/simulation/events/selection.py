@@ -300,7 +300,8 @@ class ModeSelection:
         acting = np.abs(equations.acting(later, ahead)[1])
         motions = motions + self.within * np.abs(structure.accelerations) @ acting
         speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
-        sizes = LargeSizes(largest(speeds), largest(torques))
+        sprung = largest(acting[equations.layout.spring_ports])  # at its limit nothing holds it
+        sizes = LargeSizes(largest(speeds), max(largest(torques), sprung))
         return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
 
 
