@@ -104,30 +104,33 @@ class Finder:
             return None
         margins = self.margins.along(times, states)
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
-        first, under = self._dip(step, margins, int(ends[0]) if len(ends) else len(times))
-        if under is None:
-            if not len(ends):
-                return None
+        begin = step.start, self.margins.at(step.start, step.first)
+        first = int(ends[0]) if len(ends) else len(times) - 1
+        dip = self._dip(step, np.column_stack([begin[1], margins]), first)
+        if dip is not None:
+            first, under = dip
+        elif len(ends):
             under = float(times[first]), margins[:, first]
-        if first:
-            return self._located(step, (float(times[first - 1]), margins[:, first - 1]), under)
-        return self._located(step, (step.start, self.margins.at(step.start, step.first)), under)
+        else:
+            return None
+        above = (float(times[first - 1]), margins[:, first - 1]) if first else begin
+        return self._located(step, above, under)
 
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
-    ) -> tuple[int, tuple[float, Floats] | None]:
-        """Where before an instant, by its number, a margin is below 0 between two instants.
+    ) -> tuple[int, tuple[float, Floats]] | None:
+        """Where up to an instant, by its number, a margin is below 0 between two instants.
 
         Polynomials through the instants of each part tell where that may be; also the number of
-        the instant behind.
+        the instant behind. The margins at the start of the step stand before the others.
         """
         count = len(step.nodes)
-        nodes = tuple(step.nodes.tolist())
-        ends = step.times[count - 1 :: count]
-        begins = np.append(step.start, ends[:-1])
-        by_parts = margins.reshape(len(margins), -1, count)
+        nodes = (0.0, *step.nodes.tolist())
+        edges = np.append(step.start, step.times[count - 1 :: count])
+        inner = margins[:, 1:].reshape(len(margins), -1, count)
+        by_parts = np.concatenate([margins[:, :-1:count, None], inner], axis=-1)
         with np.errstate(invalid="ignore"):
-            near = (by_parts @ _in_gaps(nodes)).reshape(*by_parts.shape[:2], count - 1, -1)
+            near = (by_parts @ _in_gaps(nodes)).reshape(*inner.shape, -1)
             before, at, after = near[..., :-2], near[..., 1:-1], near[..., 2:]
             bend = before - 2 * at + after
             turns = (at <= before) & (at <= after) & (bend > 0)
@@ -135,17 +138,17 @@ class Finder:
             low = turns & (lowest < _LOW * (np.maximum(before, after) - at))
         watches, parts, gaps, _ = np.nonzero(low)
         for number, watch in sorted(
-            {*zip((parts * count + gaps + 1).tolist(), watches.tolist(), strict=True)}
+            {*zip((parts * count + gaps).tolist(), watches.tolist(), strict=True)}
         ):
-            if number >= last:
+            if number > last:
                 break
-            part, gap = divmod(number - 1, count)
+            part, gap = divmod(number, count)
             place = _lowest(nodes, by_parts[watch, part], gap)
-            time = float(begins[part] + (ends[part] - begins[part]) * place)
+            time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
             made = self.margins.along(np.array([time]), step.between(np.array([time])))[:, 0]
             if (made < -self.noise).any():
                 return number, (time, made)
-        return last, None
+        return None
 
     def _check_capacities(self, step: TimeStep) -> None:
         """Refuse a capacity by a formula that is no capacity."""
