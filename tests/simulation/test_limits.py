@@ -233,7 +233,6 @@ def test_random_tyres_agree_with_an_independent_integrator(seed: int) -> None:
     tyre = random_tyre(seeded(seed))
     made = simulated(*tyre.text(0.8))
     speeds, slipped = integrated(tyre, 0.8)
-    assert slipped
     assert sum(one.event == "slips" for one in made.events) == slipped
     assert made.speeds[-1] == pytest.approx(speeds, rel=1e-6, abs=1e-6)
     assert closes(made)
