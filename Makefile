@@ -32,8 +32,8 @@ test-beside: .venv/dev.stamp ## the slow tests that others do not disturb, on al
 test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, one by one
 	$(MARKED) -n 0 -m "slow and alone" $(call with_mark,alone)
 
-# ALL=1: also the rooms that ask nothing of other packages but arithmetic of NumPy.
-PLAIN_ROOMS := model statics elements flow summary
+# ALL=1 (each night): also the rooms whose use of other packages the tests of `cli` reach, too.
+PLAIN_ROOMS := model statics elements simulation flow summary pictures report
 PLAIN_TESTS := $(PLAIN_ROOMS:%=tests/%) $(PLAIN_ROOMS:%=vstatics/%) tests/published tests/oracle
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
 	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider \

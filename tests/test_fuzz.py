@@ -16,7 +16,7 @@ def test_good_inputs_are_read(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("hundred", range(count(10, 20)))
+@pytest.mark.parametrize("hundred", range(count(6, 20)))
 def test_mutated_inputs_end_in_a_result_or_in_words(hundred: int) -> None:
     first = int(FRESH or 0) + hundred * 100
     for number in range(first, first + 100):

@@ -27,7 +27,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.alone]
 GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
 """400000 variants in 7 pieces."""
 CASES = 150
-BRAKES = ("--vary", "controls.brake.scale=.9:1.2:500", "--out", "locks[brake],heat[brake]")
+BRAKES = ("--vary", "controls.brake.scale=.9:1.2:200", "--out", "locks[brake],heat[brake]")
 BOXES = (
     *("--sets", "3", "--elements", "5", "--engaged", "2"),
     *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
@@ -60,7 +60,7 @@ CASES_AND_SWEEPS = {
 }
 SAMPLES = {
     f"{form} -j {jobs}": Work(
-        ("simulate", "lock.yaml", "--samples", "500", "-j", jobs), f"out.{form}"
+        ("simulate", "lock.yaml", "--samples", "200", "-j", jobs), f"out.{form}"
     )
     for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
 }

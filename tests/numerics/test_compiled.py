@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import vstatics
+from tests.chance import some
 from tests.commands import environment
 
 PACKAGE = Path(vstatics.__file__).parent
@@ -80,7 +81,7 @@ def folder(file: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("damage", [garbage, cut, folder])
+@pytest.mark.parametrize("damage", some([garbage, cut, folder]))
 def test_machine_code_that_is_damaged_is_compiled_again(
     cache: Path, damage: Callable[[Path], None]
 ) -> None:

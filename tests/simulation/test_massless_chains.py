@@ -102,7 +102,7 @@ def test_an_elastic_clutch_begins_to_slip_either_way() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(count(60, 400)))
+@pytest.mark.parametrize("number", range(count(25, 400)))
 def test_energy_of_any_chain_closes(number: int) -> None:
     """Also of a run that had to stop: what could not be chosen is no loss of energy."""
     try:

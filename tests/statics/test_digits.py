@@ -82,7 +82,7 @@ def test_the_rounding_of_a_ratio_counts_too() -> None:
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(15), pytest.param(range(15, count(120, 400)), marks=pytest.mark.slow)]
+    "seeds", [range(15), pytest.param(range(15, count(60, 400)), marks=pytest.mark.slow)]
 )
 def test_every_wrong_speed_is_told(seeds: range) -> None:
     """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
@@ -132,7 +132,7 @@ def nearly_singular(seed: int) -> Transmission:
 
 @pytest.mark.usefixtures("as_doubles")
 @pytest.mark.parametrize(
-    "seeds", [range(8), pytest.param(range(8, count(80, 320)), marks=pytest.mark.slow)]
+    "seeds", [range(8), pytest.param(range(8, count(40, 320)), marks=pytest.mark.slow)]
 )
 def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:

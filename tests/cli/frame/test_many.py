@@ -279,7 +279,7 @@ def test_several_cases_go_to_a_device_as_to_stdout() -> None:
 
 @pytest.mark.slow
 def test_thousands_of_arguments(folder: Path) -> None:
-    total = count(2000, 5000)
+    total = count(1000, 5000)
     given = [folder / f"{number}.dat" for number in range(total)]
     for path in given:
         path.hardlink_to(folder / "in" / "mzkt.dat")

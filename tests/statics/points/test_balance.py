@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from vstatics import CaseError, Transmission, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers import loads
@@ -205,7 +205,7 @@ def random_trip(rng: Random) -> RoundTrip:
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(14, 21), pytest.param(range(100, 400), marks=pytest.mark.slow)]
+    "seeds", [range(14, 21), pytest.param(range(100, 100 + count(60, 300)), marks=pytest.mark.slow)]
 )
 def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
     """Also beside torques at which friction locks the gear, and where there are none, or two."""
@@ -222,4 +222,4 @@ def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
             assert found == pytest.approx(expected.pop(), rel=1e-8, abs=1e-8), seed
         else:
             assert said == ["two" if expected else "none"], seed
-    assert len(seeds) < 100 or counts == {0, 1, 2}
+    assert len(seeds) < 60 or counts == {0, 1, 2}
