@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, largest
-from vstatics.simulation.events.split import least, widest, widest_place
+from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.simulation.events.split import least, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
@@ -73,20 +73,36 @@ class LargeSizes(NamedTuple):
 class SplitRoom(NamedTuple):
     """The room that limits leave to redundant torques."""
 
-    room: float
-    """The largest least slack. [N*m]"""
     slack: Floats
     directions: Floats
     """Changes of the slacks along the redundant directions."""
     ways: Floats
     """Of each slack, -1 where that of a mesh is on the other side than by the least norm."""
+    widest: Floats
+    """The slacks of the split that leaves most room."""
+
+    def is_of(self, slack: Floats, directions: Floats) -> bool:
+        """Whether it was found from these."""
+        given = self.slack * self.ways, self.directions * self.ways[:, None]
+        return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
+
+    @property
+    def room(self) -> float:
+        """The largest least slack [N*m]."""
+        return float(self.widest.min())
+
+    @property
+    def tight(self) -> Booleans:
+        """What is at its limit in the split that leaves most room."""
+        found: Booleans = self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
+        return found
 
     def on_other_side(self, rows: slice) -> SplitRoom:
         """The same with the torque of a mesh on its other side."""
-        slack, directions, ways = (one.copy() for one in self[1:])
+        slack, directions, ways = (one.copy() for one in self[:3])
         for one in (slack, directions, ways):
             one[rows] *= -1
-        return SplitRoom(widest(slack, directions), slack, directions, ways)
+        return SplitRoom(slack, directions, ways, widest(slack, directions))
 
 
 class Awaited(NamedTuple):
@@ -133,6 +149,8 @@ class Margins:
         self.shared = structure.redundant.shape[1] > 0 and bool(self.holding or self.cones)
         if self.shared:
             self._watch("split", -1)
+        self.last_room: SplitRoom | None = None
+        """Found last: what is tight is asked after how far it is from its limit."""
         self.straight_limits = self._straight_limits()
         self.sees = any(one.programme.look is not None for one in system.may_slip)
         """Whether a limit is that of a control which sees something."""
@@ -403,20 +421,25 @@ class Margins:
 
         What a mesh takes lies in a cone on either side of 0. Where its torque is redundant, that of
         least norm says nothing of the side: others are tried while no split is within all limits.
+        Only where a mesh is at its limit can its other side leave more room.
         """
         first, redundant = len(self.holding), self.equations.structure.redundant
         directions = self._directions(held)
-        best = SplitRoom(widest(slack, directions), slack, directions, np.ones(len(slack)))
+        if self.last_room and self.last_room.is_of(slack, directions):
+            return self.last_room
+        best = SplitRoom(slack, directions, np.ones(len(slack)), widest(slack, directions))
         either = [
             slice(first + 2 * place, first + 2 * place + 2)
             for place, (mesh, *_) in enumerate(self.cones)
             if largest(redundant[mesh]) > SHARED_TORQUE
         ]
-        while best.room <= 0 and either:
-            found = max(map(best.on_other_side, either), key=attrgetter("room"))
+        while best.room <= 0:
+            others = [best.on_other_side(rows) for rows in either if best.tight[rows].any()]
+            found = max(others, key=attrgetter("room"), default=best)
             if found.room <= best.room:
                 break
             best = found
+        self.last_room = best
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
@@ -426,12 +449,10 @@ class Margins:
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
         held = (self.equations.structure.torques @ torques)[:, 0]
         found = self._roomiest(self._slack(at, held[:, None], torques, seen)[:, 0], held)
-        best = found.slack + found.directions @ widest_place(found.slack, found.directions)
-        near = best <= best.min() + TIGHT_SLACK * largest(found.slack)
         watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
         return [
             watch._replace(side=watch.side * int(way))
-            for watch, way, tight in zip(watches, found.ways, near.tolist(), strict=True)
+            for watch, way, tight in zip(watches, found.ways, found.tight.tolist(), strict=True)
             if tight
         ]
 

@@ -35,8 +35,8 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
-_NEARER = 1e-2
-"""So much nearer is looked ahead where that finds nothing."""
+_NEARER = (1.0, 1e-2, 1e-4)
+"""So much nearer is looked ahead where that finds nothing: in the end what comes is one instant."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
@@ -105,12 +105,14 @@ class ModeSelection:
             Of a link without inertia whose speed nothing determines.
         """
         asked = ModesAsked(at, before, scales, left, met)
-        try:
-            return self.selected(asked, thorough=False)
-        except (NoChoice, CaseError):
-            nearer = copy(self)
-            nearer.within *= _NEARER
-            return nearer.selected(asked, thorough=True)
+        ahead = copy(self)
+        for nearer in _NEARER:
+            ahead.within = nearer * self.within
+            try:
+                return ahead.selected(asked, thorough=False)
+            except (NoChoice, CaseError):
+                continue
+        return ahead.selected(asked, thorough=True)
 
     def selected(self, asked: ModesAsked, *, thorough: bool) -> Selected:
         """The choice from an instant on, of the first or of all that are worth while."""

@@ -13,8 +13,8 @@ from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMI
 _MOST_TORQUE_CORNERS = 3000
 
 
-def widest(slack: Floats, directions: Floats) -> float:
-    """The largest least slack that a split has: below 0 where no split lies within all limits.
+def widest(slack: Floats, directions: Floats) -> Floats:
+    """The slacks of the split whose least one is largest: below 0 where none fits all limits.
 
     Parameters
     ----------
@@ -28,24 +28,16 @@ def widest(slack: Floats, directions: Floats) -> float:
     Two clutches of 50 and 80 N*m that carry 100 N*m together, 60 of these by the first:
 
     >>> widest(np.array([-10.0, 40.0]), np.array([[1.0], [-1.0]]))
-    15.0
+    array([15., 15.])
     """
-    if not len(slack):
-        return np.inf
-    return float((slack + directions @ widest_place(slack, directions)).min())
-
-
-def widest_place(slack: Floats, directions: Floats) -> Floats:
-    """Where along the redundant directions the least slack is largest, shape (d,)."""
-    none = np.zeros(directions.shape[1])
-    if not directions.shape[1]:
-        return none
     places = _corners(slack, directions)
     if places is None:
-        return _by_programming(slack, directions)
-    sizes = (slack[:, None] + directions @ places).min(axis=0)
+        places = _by_programming(slack, directions)[:, None]
+    found = slack[:, None] + directions @ places
+    sizes = found.min(axis=0)
     best = int(sizes.argmax())
-    return places[:, best] if sizes[best] > slack.min() else none
+    made: Floats = found[:, best] if sizes[best] > slack.min() else slack
+    return made
 
 
 def _corners(slack: Floats, directions: Floats) -> Floats | None:
