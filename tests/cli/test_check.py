@@ -100,3 +100,16 @@ def test_check_writes_to_a_file_by_its_suffix() -> None:
     assert Path("x.txt").read_text("utf-8") == vstatics(*call).out
     for output, *more in (("x.csv",), ("x.json", "-f", "text"), ("bad.yaml",), ("new/",)):
         assert vstatics(*call, "-o", output, *more).status == 2
+
+
+def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -> None:
+    """Half the 2000 rpm are 105 rad/s."""
+    case = tmp_path / "case.yaml"
+    case.write_text(
+        "links: [in, out]\n"
+        "load: {speed: 2000 rpm, torque: 50 N*m}\n"
+        "mechanisms: {pair: {first: in, second: out, ratio: 2}}\n"
+        "gears:\n  near: {drag: {out: [[0, 1], [110, 2]]}}\n  far: {drag: {out: [[0, 1], [100, 2]]}}\n"
+    )
+    said = vstatics("check", str(case)).err
+    assert "case.yaml:6:3: note: gear far: outside the points of out the last one counts" in said

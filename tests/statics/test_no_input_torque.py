@@ -147,3 +147,20 @@ gears: {g: {torques: {x: 5 N*m}}}
             alone = solve(loads(text.replace("torque: 60 N*m", f"torque: {one} N*m")))
             powers = together.port_powers_kW[number, 0]
             assert powers == pytest.approx(alone.port_powers_kW[0], rel=1e-12)
+
+
+HELD = b"""\
+links: [engine, motor, out]
+mechanisms: {set: {first: engine, second: out, third: motor, ratio: -2, efficiency: 0.98}}
+load: {speed: 3000 rpm, torque: 0 N*m}
+gears:
+  free: {speeds: {motor: 500 rpm}, drag: {motor: 2 N*m}}
+"""
+
+
+def test_the_torque_that_holds_a_speed_is_told() -> None:
+    """The motor turns itself against its drag: nothing goes through the set."""
+    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=HELD).out)
+    assert said["AMWZP_Nm"] == [[None], [2], [None]]
+    assert said["AMWZ_Nm"] == [[None], [0], [None]]
+    assert said["AMWZP"] == said["AMWZ"] == [[None]] * 3

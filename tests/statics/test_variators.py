@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
-from vstatics import Gear, Mechanism, Transmission, solve
+from vstatics import Gear, Load, Mechanism, Transmission, solve
 from vstatics.errors import CaseError
+from vstatics.model.laws import PointLaw
 from vstatics.readers import loads
 
 VARIATOR = Mechanism(1, 2, 0, 0.4, 0.86, kind="variator", name="hydro")
@@ -115,7 +117,40 @@ def test_a_converter_outside_its_points_has_the_last_one_and_one_note_tells_it()
     case = Transmission(2, [], [narrow], gears)
     results = solve(case)
     assert results.torques[:, -1].tolist() == [2.4, 1]
-    [note] = results.messages
-    assert (note.id, note.text) == ("N414", "outside the points of TC the last one counts")
+    said = "outside the points of TC the last one counts"
+    notes = [(one.id, one.gear, one.text) for one in results.messages]
+    assert notes == [("N414", "a", said), ("N414", "b", said)]
     inside = case.replace(gears=[Gear(speed_ratios={1: i}) for i in (0.1, 0.8)])
     assert solve(inside).messages == solve(case.replace(allow=["N414"])).messages == ()
+
+
+def test_points_tell_where_a_converter_is_asked_outside_its_points() -> None:
+    """In gear `a` its ratio varies, in gear `b` it stands beyond the last point."""
+    narrow = CONVERTER._replace(points=((0.1, 2.4), (0.8, 1.0)))
+    pair = Mechanism(2, 3, 0, 3, name="pair")
+    gears = [Gear(speed_ratios={1: i}, name=name) for name, i in [("a", 0.5), ("b", 0.9)]]
+    case = Transmission(3, [], [narrow, pair], gears)
+    points = solve(case, vary={"gears.a.speed_ratios.TC": [0.05, 0.1, 0.8, 0.9]}).points
+    assert points is not None
+    assert points.outside["TC"].T.tolist() == [[True, False, False, True], [True] * 4]
+    at_loads = solve(case.replace(load=Load(1000, 50)), vary={"load.torque": [10.0, 90.0]}).points
+    assert at_loads is not None
+    assert at_loads.outside["TC"].tolist() == [[False, True]] * 2
+
+
+@pytest.mark.parametrize("kind", ["variator", "converter"])
+def test_ratios_vary_beside_a_speed_ratio_that_only_gears_give(kind: Any) -> None:
+    """The ratio of both in a row is that of the pair over the speed ratio, which may be 0."""
+    points = CONVERTER.points if kind == "converter" else ()
+    free = Mechanism(1, 2, 0, math.nan, name="free", kind=kind, points=points)
+    gears = [Gear(speed_ratios={1: 0.5}), Gear(speed_ratios={1: 0.25})]
+    case = Transmission(3, [], [free, Mechanism(2, 3, 0, 3)], gears)
+    found = solve(case, ratios=[[math.nan, 2.0], [math.nan, -4.0]])
+    assert found.ratio.tolist() == [[4, 8], [-8, -16]]
+    law = PointLaw([(0, 0.5), (500, 1.0)])
+    loaded = case.replace(load=Load(1000, 50), gears=[g._replace(drag={2: law}) for g in gears])
+    assert solve(loaded, ratios=[[math.nan, 2.0]]).ratio.tolist() == [[4, 8]]
+    still = case.replace(mechanisms=[free._replace(ratio=0.0), case.mechanisms[1]])
+    assert solve(still, ratios=[[0.0, 2.0]]).ratio.tolist() == [[4, 8]]
+    with pytest.raises(CaseError, match=r"read nan in variant 0, expected a finite ratio"):
+        solve(case, ratios=[[0.5, math.nan]])

@@ -219,6 +219,19 @@ def test_a_case_may_lack_the_load_that_varies(tmp_path: Path, as_table: bool) ->
     assert run("sweep", str(file), "--vary", "a.ratio=-2").status == 1
 
 
+def test_a_note_tells_that_a_converter_is_asked_outside_its_points(tmp_path: Path) -> None:
+    (tmp_path / "case.yaml").write_text(
+        "links: [engine, turbine]\n"
+        "mechanisms: {TC: {kind: converter, first: engine, second: turbine,"
+        " points: [[.1, 2.4], [.8, 1]]}}\n"
+        "gears: {drive: {speed_ratios: {TC: .5}}}\n"
+    )
+    path = "gears.drive.speed_ratios.TC"
+    for least, count in ((0.1, 0), (0.05, 1)):
+        ran = run("sweep", str(tmp_path / "case.yaml"), "--vary", f"{path}={least},.8")
+        assert ran.err.count("note: outside the points of TC the last one counts") == count
+
+
 @pytest.mark.parametrize(
     "options", [(), ("-o", "out.npz", "--jobs", "2"), ("--max", "efficiency[one]")]
 )

@@ -301,6 +301,10 @@ class Mechanism(NamedTuple):
         """
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
+    def is_outside(self, ratio: Any) -> Any:
+        """Whether a speed ratio, or each of an array, lies outside the points of a converter."""
+        return (ratio < self.points[0][0]) | (ratio > self.points[-1][0])
+
 
 def mechanism_of(
     third: int | None = None, speed_ratio: float | None = None, **others: Any

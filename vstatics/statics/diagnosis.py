@@ -78,11 +78,10 @@ def _messages(results: Results) -> Iterator[Message]:
             *_idle_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
+            *_outside_messages(results, number, gear),
         )
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)
-    if outside := _outside(results):
-        yield outside_message(outside)
 
 
 def outside_message(names: Sequence[str]) -> Message:
@@ -90,16 +89,18 @@ def outside_message(names: Sequence[str]) -> Message:
     return Message("N414", f"outside the points of {spoken(names)} the last one counts")
 
 
-def _outside(results: Results) -> list[str]:
-    """Converters and laws that were asked outside their points."""
-    case, laws = results.case, results.points.outside if results.points else ()
-    converters = [
+def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """That converters and laws are asked outside their points."""
+    case = results.case
+    names = [
         one.name
-        for gear in case.gears
         for one, ratio in zip(case.mechanisms, case.gear_ratios(gear), strict=True)
-        if one.kind == "converter" and not one.points[0][0] <= ratio <= one.points[-1][0]
+        if one.kind == "converter" and one.is_outside(ratio)
     ]
-    return list(dict.fromkeys((*converters, *laws)))
+    laws = results.points.outside if results.points else {}
+    names += [name for name, at in laws.items() if at[number]]
+    if names:
+        yield Said(*outside_message(names)[:2])
 
 
 def _of_irregular_gear(

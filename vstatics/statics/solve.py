@@ -161,7 +161,8 @@ def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list
     """The first wrong number in an array of variants, of shape (..., mechanisms)."""
     for number in range(len(case.mechanisms) if given is not None else 0):
         column = np.asarray(given)[..., number]
-        wrong = impossible(quantity, column)
+        own = float(getattr(case.mechanisms[number], quantity))
+        wrong = impossible(quantity, column) & ~np.isclose(column, own, 0, 0, equal_nan=True)
         if wrong.any():
             variant = tuple(int(index) for index in np.argwhere(wrong)[0])
             where = f" in variant {', '.join(map(str, variant))}" if variant else ""

@@ -163,7 +163,7 @@ def in_unit(quantity: Quantity) -> Quantity:
 
 def _has_given_speeds(results: Results) -> bool:
     given = any(gear.speeds for gear in results.case.gears)
-    return given and not np.isnan(results.holding_torques).all()
+    return given and not np.isnan(results.in_own_unit("holding_torques")).all()
 
 
 def _has_meshes(results: Results) -> bool:

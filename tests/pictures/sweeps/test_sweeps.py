@@ -66,6 +66,20 @@ def test_where_operation_ends_is_marked() -> None:
     assert "limit of operation" not in texts(drawn(map, saddle()))  # type: ignore[arg-type]
 
 
+def test_a_panel_without_a_number_says_why() -> None:
+    """Of two gears one is tied up everywhere; nowhere is a limit of operation."""
+    rows = [(x, y, gear) for x in (1.0, 2.0) for y in (1.0, 2.0) for gear in ("low", "both")]
+    text = "variant,x,y,status,gear,z\n" + "".join(
+        f"{n // 2},{x},{y},ok,{gear},{x * y}\n"
+        if gear == "low"
+        else f"{n // 2},{x},{y},tied up,{gear},\n"
+        for n, (x, y, gear) in enumerate(rows)
+    )
+    said = texts(drawn(map, sweep_tables.read(text.encode(), "s.csv")))  # type: ignore[arg-type]
+    assert "no number: tied up" in said
+    assert "limit of operation" not in said
+
+
 def test_scattered_points_are_drawn_as_a_map() -> None:
     """The plane ``x + 2 y`` of random points: interpolation between three is exact."""
     points = np.random.default_rng(1).random((400, 2))

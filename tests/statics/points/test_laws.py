@@ -415,3 +415,19 @@ def test_a_scenario_takes_no_efficiency_that_depends() -> None:
     with pytest.raises(CaseError, match="the efficiency of a depends on speed") as caught:
         list(drags(loads(EAXLE), None))
     assert "the efficiency of b depends on speed or torque" in str(caught.value)
+
+
+def test_a_solution_at_the_least_efficiency_hides_no_other() -> None:
+    """M = 60/(1 + 2/eta) is 10 at .4; it meets the fall from .95 to .3 about 14.5, too.
+
+    The steep rise between them is narrower than the net of guesses, and in the fall passes
+    jump to and fro.
+    """
+    law = "{over: torque, points: [[0, .4], [10.005, .4], [10.2, .95], [14, .95], [15, .3]]}"
+    assert sun(0.4) < 10.005
+    assert 14 < sun(0.62) < sun(0.66) < 15
+    assert 0.95 - 0.65 * (sun(0.62) - 14) > 0.62
+    assert 0.95 - 0.65 * (sun(0.66) - 14) < 0.66
+    results = solve(loads(TORQUES.format(efficiency=law)))
+    assert [one.id for one in results.messages if one.id != "N414"] == ["W426"]
+    assert "more than one torque agrees" in results.messages[-1].text

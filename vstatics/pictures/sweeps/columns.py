@@ -101,6 +101,11 @@ def parts(sweep: WrittenSweep, asked: DrawnColumns, axes: Sequence[str]) -> list
     return found
 
 
+def said_of(sweep: WrittenSweep, part: DrawnRows) -> str:
+    """What the status of its rows is, each once."""
+    return ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
+
+
 def _parts(sweep: WrittenSweep, by: str) -> Iterator[DrawnRows]:
     every = range(len(sweep.variants))
     if not by:

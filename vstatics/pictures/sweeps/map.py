@@ -29,6 +29,7 @@ from vstatics.pictures.sweeps.columns import (
     parts,
     results_of,
     running,
+    said_of,
 )
 from vstatics.tables.numbers import typeset
 from vstatics.tables.written_results import WrittenSweep
@@ -59,6 +60,8 @@ class Surface(NamedTuple):
     y: Floats
     z: Floats
     """(y, x)."""
+    instead: str = ""
+    """What is said where no row has a number."""
 
 
 def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
@@ -78,7 +81,9 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
     if not z:
         raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
     surfaces = [
-        _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))
+        _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))._replace(
+            instead=f"{style.text('no number', 'чисел нет')}: {said_of(sweep, one)}"
+        )
         for one in parts(sweep, asked, (x, y))
     ]
     every = np.concatenate([one.z[np.isfinite(one.z)] for one in surfaces])
@@ -86,7 +91,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
         raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
     levels = contour_levels(every)
     ends = _ends(surfaces, "x"), _ends(surfaces, "y")
-    limits = any(not np.isfinite(one.z).all() for one in surfaces)
+    limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
     (wide, high), count = MAP_SIZE, len(surfaces)
     columns = min(count, 2)
     head = MAP_HEAD_HEIGHT * bool(surfaces[0].name)
@@ -197,6 +202,8 @@ def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str,
             pen.line(*((float(x), float(y)) for x, y in piece), **_limit_look(style))
     _scales(pen, names)
     pen.text(0, high + 8, surface.name, va="bottom", bold=True)
+    if not np.isfinite(surface.z).any():
+        pen.text(wide / 2, high / 2, surface.instead, ha="center", va="center")
 
 
 def _limit_look(style: Style) -> Look:

@@ -63,7 +63,8 @@ def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
     points = answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     return answer.results._replace(
-        case=case, points=points._replace(open=answer.open, outside=answer.outside)
+        case=case,
+        points=points._replace(open=answer.open, outside={**points.outside, **answer.outside}),
     )
 
 
@@ -86,7 +87,7 @@ def solve_laws(
     for owner, mechanism in enumerate(case.mechanisms):
         for quantity, given in (("ratio", ratios), ("efficiency", efficiencies)):
             own = float(getattr(mechanism, quantity))
-            if given is None or bool((given[:, owner] == own).all()):
+            if given is None or np.allclose(given[:, owner], own, 0, 0, equal_nan=True):
                 continue
             for index in range(len(case.gears)):
                 columns[CaseNumber(index, quantity, owner)] = given[:, owner]  # type: ignore[arg-type] # one of the two

@@ -287,8 +287,10 @@ class _Search:
         turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
         turns |= (left[1:] == 0) & (np.arange(1, SCANNED) < SCANNED - 1)[:, None]
         own, order = state[:, number.gear], np.cumsum(turns, axis=0)
-        asked = (order[-1] > 1) | ((own == NONE) & (order[-1] > 0))
-        solutions = np.zeros(self.variants, np.int64)
+        beyond = np.abs(best[number] - (grid[1:] + grid[:-1])[:, None] / 2) - SAME_SOLUTION
+        among = (turns & (beyond <= (grid[1:] - grid[:-1])[:, None] / 2)).any(axis=0)
+        asked = (order[-1] > 1) | (((own == NONE) | ~among) & (order[-1] > 0))
+        solutions = ((own == 0) & ~among).astype(np.int64)
         for turn in range(min(int(order[-1].max()), MOST_FOUND) if asked.any() else 0):
             place = np.argmax(turns & (order == turn + 1), axis=0)
             root, stands = self._between(number, best, grid, left, place)

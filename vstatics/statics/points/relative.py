@@ -226,6 +226,7 @@ class _Told:
         self.rpm, self.torque = np.full(shape, np.nan), np.full(shape, np.nan)
         self.loaded = np.ones(shape, np.bool_)
         self.torques: list[dict[int, Any]] = [{} for _ in case.gears]
+        self.outside: dict[str, Any] = {}
         self.gears: list[Gear] = list(case.gears)
         self.variants = variants
         for n, load in enumerate(loads):
@@ -252,6 +253,20 @@ class _Told:
                 array = self.torques[n].setdefault(link, np.zeros(self.variants))
                 fixed = matrix.given_torque(case, gear, torque)
                 array[chosen] = fixed if varied is None else varied
+            self._take_converters(case, chosen, n, by_gear[n])
+
+    def _take_converters(
+        self, case: Transmission, chosen: Integers, index: int, numbers: GearNumbers
+    ) -> None:
+        """Where converters are asked outside their points."""
+        given, ratios = case.own_mechanisms, case.gear_ratios(case.gears[index])
+        for owner, (one, own) in enumerate(
+            zip(case.mechanisms[given], ratios[given], strict=True), 1
+        ):
+            ratio = numbers.get(GearNumber("speed_ratios", owner), own)
+            if one.kind == "converter" and np.any(wrong := one.is_outside(ratio)):
+                nowhere = np.zeros_like(self.loaded)
+                self.outside.setdefault(one.name, nowhere)[chosen, index] = wrong
 
     @property
     def points(self) -> OperatingPoints:
@@ -259,4 +274,4 @@ class _Told:
         scales = {"rpm": self.rpm, "Nm": self.torque, "kW": self.rpm * self.torque * KW_OF_RPM_NM}
         both = zip(self.gears, self.torques, strict=True)
         gears: list[Any] = [gear._replace(torques=torques) for gear, torques in both]
-        return OperatingPoints(scales, self.loaded, gears)
+        return OperatingPoints(scales, self.loaded, gears, outside=self.outside)

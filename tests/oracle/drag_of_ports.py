@@ -1,0 +1,133 @@
+"""Drag above the load in gears with several ports, exact: every set of signs is tried.
+
+Like `tests.oracle.drag`, for gears with further speeds and torques. What a set of signs passes is
+the power at the links that power leaves by without losses and drag, over that at those where it
+enters. For gears without freewheels whose speeds and torques have one solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+
+from tests.oracle.linear import ONE, ZERO, exact, sign
+from tests.oracle.systems import Speeds, Torques, ratios
+from vstatics.model.transmission import HOUSING, Gear, Transmission
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a set of signs that agrees with its flow leads to."""
+
+    passed: Fraction | None
+    """The part of the power that it passes; None where nothing enters without losses."""
+    torques: Torques
+    powers: Mapping[int, Fraction]
+    """By port; above 0 where power enters, coasting or not."""
+    from_load: Fraction
+    """Power that the output takes from its load."""
+
+    @property
+    def efficiency(self) -> Fraction | None:
+        """Power out over power in, by the flows with losses."""
+        entering = sum((one for one in self.powers.values() if one > 0), ZERO)
+        leaving = -sum((one for one in self.powers.values() if one < 0), ZERO)
+        return leaving / entering if entering else None
+
+
+class GearOfPorts:
+    """A gear with drag."""
+
+    def __init__(self, case: Transmission, gear: Gear) -> None:
+        """Its speeds, its drag, and the sides of its ports without either loss."""
+        self.case, self.gear = case, gear
+        self.turn = -1 if case.coast else 1
+        self.speeds = Speeds(case, gear)
+        self.ideal = Torques(case, gear, ratios(case))
+        self.is_regular = self.ideal.system.consistent and not self.ideal.system.missing
+        self.drag: dict[int, Fraction] = {}
+        self.drag_losses = ZERO
+        self._add_drag()
+
+    def _add_drag(self) -> None:
+        case, gear = self.case, self.gear
+        torques = [(link, HOUSING, torque) for link, torque in gear.drag.items()]
+        torques += [
+            (one.first, one.second, gear.open_drag.get(number, one.drag))
+            for number, one in enumerate(case.shift_elements, 1)
+            if number not in gear.engaged
+        ]
+        for first, second, torque in torques:
+            slip = self.speeds.difference(first, second)
+            assert slip is not None
+            against = exact(torque) * self.turn * sign(slip)
+            self.drag_losses += slip * against
+            for link, pull in ((first, -against), (second, against)):
+                if link != HOUSING:
+                    self.drag[link] = self.drag.get(link, ZERO) + pull
+
+    @property
+    def solutions(self) -> list[Solution]:
+        """Those that pass power; if there are none but without drag, those in which drag wins."""
+        found = list(self._agreeing(self.drag))
+        passing = [one for one in found if self._passes(one)]
+        return passing or (found if any(map(self._passes, self._agreeing({}))) else [])
+
+    def is_dragged(self, one: Solution) -> bool:
+        """Whether a solution passes nothing, with power from the load and none to the input."""
+        at_input = ONE + exact(self.gear.torques.get(self.case.gear_input(self.gear), 0.0))
+        wins = not self._has_sides or one.passed is None or one.passed <= 0
+        return bool(wins and at_input * self.turn >= 0 and one.from_load > 0 and self.drag_losses)
+
+    def _passes(self, one: Solution) -> bool:
+        return not self._has_sides or (one.passed is not None and one.passed > 0)
+
+    @property
+    def _has_sides(self) -> bool:
+        powers = self._powers(self.ideal).values()
+        return any(one > 0 for one in powers) and any(one < 0 for one in powers)
+
+    def _powers(self, torques: Torques) -> dict[int, Fraction]:
+        powers = {link: torques.power(self.speeds, [link]) for link in torques.ports()}
+        return {link: self.turn * one for link, one in powers.items() if one is not None}
+
+    def _signs(self) -> Iterator[tuple[int, ...]]:
+        """All sets; those by convention of what does not move, one where nothing is lost."""
+        choices: list[tuple[int, ...]] = []
+        for one in self.case.mechanisms:
+            published = tuple({1, sign(exact(one.ratio))})
+            still = (0,) if self.case.idle == "exact" else published
+            moves = self.speeds.difference(one.first, one.third) != 0
+            choices.append((1,) if one.efficiency == 1 else (1, -1) if moves else still)
+        return product(*choices)
+
+    def _agreeing(self, drag: Mapping[int, Fraction]) -> Iterator[Solution]:
+        """Sets of signs with which no mechanism gives power."""
+        case = self.case
+        sides = self._powers(self.ideal)
+        for signs in self._signs():
+            pairs = zip(case.mechanisms, signs, strict=True)
+            factors = [exact(one.efficiency) ** x for one, x in pairs]
+            lossy = [u * factor for u, factor in zip(ratios(case), factors, strict=True)]
+            torques = Torques(case, self.gear, lossy, drag)
+            if not torques.system.consistent or torques.system.missing:
+                continue
+            if any(self.turn * one < 0 for one in self._losses(torques, factors)):
+                continue
+            powers = self._powers(torques)
+            entering = sum((powers[link] for link, one in sides.items() if one > 0), ZERO)
+            leaving = -sum((powers[link] for link, one in sides.items() if one < 0), ZERO)
+            output, speed = torques.mx(), self.speeds.link(case.gear_output(self.gear))
+            assert output is not None
+            assert speed is not None
+            passed = leaving / entering if entering else None
+            yield Solution(passed, torques, powers, -output * speed * self.turn)
+
+    def _losses(self, torques: Torques, factors: list[Fraction]) -> Iterator[Fraction]:
+        for number, (one, factor) in enumerate(zip(self.case.mechanisms, factors, strict=True)):
+            motion, torque = self.speeds.difference(one.first, one.third), torques.mechanism(number)
+            assert motion is not None
+            assert torque is not None
+            yield torque * motion * (1 - factor)
