@@ -156,7 +156,7 @@ def break_times(system: MotionSystem, until: float) -> list[float]:
     curves += [when.formula for when in conditions(system)]
     times: set[float] = set()
     for curve in curves:
-        if isinstance(curve, Formula):
+        if isinstance(curve, Formula) and "t" in curve.variables:
             times.update(bends(curve.knowing(system.settings), until))
         elif isinstance(curve, Points):
             times.update(bends(curve, until))

@@ -57,7 +57,7 @@ def _slip(system: MotionSystem, name: str) -> int:
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
-    """A formula as a function of the time and all that is seen.
+    """A formula as a function of the time and all that is seen, with the numbers that are set.
 
     Parameters
     ----------
@@ -67,16 +67,21 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         The place of its own angle among those that are followed; -1: it has none.
     """
     function, along = formula.function, formula.along
-    places = [place_of(system, one) for one in formula.seen]
+    inputs = [
+        fixed(system.settings[one.of])
+        if one.word == "value" and one.of in system.settings
+        else _place_seen(place_of(system, one))
+        for one in formula.seen
+    ]
     turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
 
     def value(time: float, seen: Sequence[float]) -> float:
         own = seen[turned] if turned >= 0 else 0.0
-        return function(time, seen[rate], own, *[seen[place] for place in places])
+        return function(time, seen[rate], own, *[one.at(time, seen) for one in inputs])
 
     def values(times: Floats, seen: Floats) -> Floats:
         own = seen[turned] if turned >= 0 else 0.0
-        return along(times, seen[rate], own, *[seen[place] for place in places])
+        return along(times, seen[rate], own, *[one.along(times, seen) for one in inputs])
 
     return Look(value, values)
 
@@ -93,8 +98,7 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
     tree = difference.whole
     assert isinstance(tree, Applied)  # noqa: S101 - a difference is one
     first, second = (
-        looking(system, difference._replace(tree=one).knowing(system.settings), rate, angle)
-        for one in tree.operands
+        looking(system, difference._replace(tree=one), rate, angle) for one in tree.operands
     )
     return Compared(first, second)
 
@@ -160,17 +164,16 @@ def fixed(value: float) -> Look:
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
     """The system with numbers for what its formulas call so; its controls look by them."""
-    contacts = (one._replace(programme=_seeing(system, one, settings)) for one in system.contacts)
-    springs = (one._replace(programme=_seeing(system, one, settings)) for one in system.springs)
-    return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
+    system = replace(system, settings=settings)
+    contacts = tuple(one._replace(programme=_seeing(system, one)) for one in system.contacts)
+    springs = tuple(one._replace(programme=_seeing(system, one)) for one in system.springs)
+    return replace(system, contacts=contacts, springs=springs)
 
 
-def _seeing(
-    system: MotionSystem, device: Contact | Elastic, settings: Mapping[str, float]
-) -> Programme:
+def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     programme, curve = device.programme, device.programme.curve
     if isinstance(curve, Formula) and curve.seen:
-        programme = programme._replace(look=looking(system, curve.knowing(settings)))
+        programme = programme._replace(look=looking(system, curve))
     table = programme.table
     if table is None:
         return programme
