@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -61,6 +63,20 @@ def test_the_duration_ends_nothing() -> None:
     run = begin(written(LAG))
     run.advance(20, p=30, command=30)
     assert run.speeds == pytest.approx({"e": 80.0, "o": 80.0}, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("torque", "impulse"),
+    [("[[0, 30], [10, 30], [10, 0]]", 300.0), ("30*(sin(t) > 0.5)", 30 * 4 * math.pi / 3)],
+)
+def test_what_jumps_behind_the_duration_is_met_exactly(torque: str, impulse: float) -> None:
+    """The momentum of an engine of 2 kg*m^2 by 30 N*m until 10 s, or in two pulses before 13 s."""
+    run = begin(
+        written(LAG + f"torques: {{e: {torque!r}}}\n".replace("'[", "[").replace("]'", "]"))
+    )
+    run.advance(4)
+    run.advance(9)
+    assert run.speeds["e"] == pytest.approx(200 + impulse / 2, rel=1e-12)
 
 
 def test_back_again() -> None:

@@ -71,8 +71,9 @@ class EventRun:
         self.sequences = SequenceRun(system.scenario)
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
-        self.duration = self.until = system.scenario.duration
-        self.breaks, self.corners = break_times(system), corners(system)
+        self.duration = self.until = self.horizon = system.scenario.duration
+        """Up to where it is known when something bends."""
+        self._look_ahead()
         self.scales = large_sizes(system, record.start)
         self.at = record.start
         self.before: States | None = None
@@ -95,6 +96,9 @@ class EventRun:
             When there is no way on.
         """
         self.until = until
+        if until > self.horizon:
+            self.horizon = 2 * until
+            self._look_ahead()
         while self.at.time < until:
             selected = self._settled()
             equations = selected.margins.equations
@@ -125,7 +129,12 @@ class EventRun:
         self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
         self.system = self.commands.given(self.system, at.time, step, values)
         self.selection = self.selection.of(self.system)
-        self.breaks, self.corners = break_times(self.system), corners(self.system)
+        self._look_ahead()
+
+    def _look_ahead(self) -> None:
+        """Find when something bends by the time, and by what is compared."""
+        self.breaks = break_times(self.system, self.horizon)
+        self.corners = corners(self.system)
 
     def _go(self, equations: Equations, at: Instant) -> None:
         """Be at an instant, up to which equations held."""

@@ -20,7 +20,7 @@ from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.scenario.programme import bare_capacities, programmes
+from vstatics.simulation.scenario.programme import bare_capacities, cut_controls, programmes
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
@@ -110,7 +110,8 @@ def begun(
     system, messages = with_viscous_damping(system, speeds)
     start = start_instant(system, speeds, _twists(system, speeds))
     record = Record(system, start, step, asked)
-    told = (Message(one.id, one.message) for one in bare_capacities(scenario.case))
+    notes = (*bare_capacities(scenario.case), *cut_controls(scenario))
+    told = (Message(one.id, one.message) for one in notes)
     record.messages += [*told, *messages]
     return EventRun(record, engaged, rtol, watch)
 

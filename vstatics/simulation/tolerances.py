@@ -59,6 +59,8 @@ EQUAL_SIDES = 1e-10
 """What is compared is equal if it differs by less than this part."""
 SOON = 1e2
 """By so much of what it changes until there a comparison may be equal: times have that rounding."""
+MET = 1e-3
+"""... and it meets now what it reaches in this part of the time that is looked ahead."""
 NEAR_LIMIT = 1e-3
 """A state is at a limit that it reaches in this part of the time that is looked ahead."""
 EXACT_SIDES = 1e-13

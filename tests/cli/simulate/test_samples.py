@@ -100,10 +100,10 @@ def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
 
 
 def test_a_sweep_without_any_run_says_why() -> None:
-    shown = vstatics("sweep", "lock.yaml", "--vary", "controls.brake.1.2=-1,-2", "--out", "work")
+    shown = vstatics("sweep", "lock.yaml", "--vary", "duration=-1,-2", "--out", "work")
     assert shown.status == 1
     assert "2 rows of 2 variants (2 invalid)" in shown.err
-    assert "controls.brake: read -1, expected a capacity of 0 or more" in shown.err
+    assert "duration: read -1, expected a time above 0" in shown.err
 
 
 def test_a_sweep_takes_a_scenario() -> None:

@@ -229,7 +229,7 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     said = vstatics("check", "lock.yaml")
     assert (said.status, said.out) == (1, "")
     assert said.err.startswith("lock.yaml:3:")
-    Path("lock.yaml").write_text(SCENARIO.replace("120", "-1"), encoding="utf-8")
+    Path("lock.yaml").write_text(SCENARIO.replace("120", "1e20"), encoding="utf-8")
     [problem] = json.loads(vstatics("check", "lock.yaml", "-f", "json").out)
     assert (problem["line"], problem["severity"]) == (4, "error")
 

@@ -94,6 +94,71 @@ controls: {C: "200*(x - 0.5)"}
     assert [one.id for one in motion.messages] == ["N605"]
 
 
+CUT = """links: [e, o]
+inertias: {e: 2, o: 3}
+load: {speed: 100 rpm, torque: 1 N*m}
+shift_elements: {C: {links: [e, o], capacity: 200 N*m}}
+gears: {g: [C]}
+"""
+
+
+def _of_a_sine() -> tuple[float, float, float]:
+    """400 sin 3t in a period of 2 pi/3, within 0 and 200: its integral, when it is cut and let."""
+    first, half = math.asin(0.5) / 3, math.pi / 3
+    rise = 400 / 3 * (1 - math.cos(3 * first))
+    return 2 * rise + 200 * (half - 2 * first), first, half
+
+
+@pytest.mark.parametrize(
+    ("control", "impulse", "cut"),
+    [
+        ('"400*sin(3*t)"', _of_a_sine()[0], _of_a_sine()[1]),
+        ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
+        ('"400*t - 100"', 0.5 * 200 * 0.5 + 200 * (2 * math.pi / 3 - 0.75), 0.75),
+        ("{points: [[0, 0], [1, 800]], scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
+        ("{formula: 800*x, scale: 0.5}", 50 + 200 * (2 * math.pi / 3 - 0.5), 0.5),
+        ("300", 200 * 2 * math.pi / 3, 0.0),
+    ],
+)
+def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from(
+    control: str, impulse: float, cut: float
+) -> None:
+    """The impulse of the clutch, a closed form, changes both speeds."""
+    motion = simulated(
+        f"""duration: {2 * math.pi / 3!r}
+start: {{speeds: {{e: 900, o: 0}}}}
+states: {{x: {{rate: 1}}}}
+controls: {{C: {control}}}
+""",
+        CUT,
+    )
+    assert motion.speeds[-1] == pytest.approx([900 - impulse / 2, impulse / 3], rel=1e-10)
+    assert motion.peaks["C"].torque == pytest.approx(200.0, rel=1e-12)
+    [note] = [one.text for one in motion.messages if one.id == "N605"]
+    assert note.startswith(
+        f"at {cut:.6g} s the control of C is above the capacity in the case, 200"
+    )
+
+
+def test_where_a_control_is_cut_its_clutch_slips_at_the_exact_instant() -> None:
+    """It sticks up to 225 N*m, 3/5 of 375; from pi/6 on it is open, and the output keeps its speed."""
+    motion = simulated(
+        """duration: 1.5
+start: {speeds: {e: 100, o: 100}}
+controls: {C: "400*cos(3*t)"}
+torques: {e: 375}
+""",
+        CUT.replace("200", "900"),
+    )
+    [slips] = motion.events
+    slipped, open_at = math.acos(225 / 400) / 3, math.pi / 6
+    assert slips.time == pytest.approx(slipped, abs=1e-9)
+    output = 100 + 375 / 5 * slipped + 400 / 3 * (1 - math.sin(3 * slipped)) / 3
+    place = int(np.abs(motion.time - open_at).argmin())
+    assert motion.time[place] == pytest.approx(open_at, abs=1e-9)
+    assert motion.speeds[place:, 1] == pytest.approx(output, rel=1e-10)
+
+
 def test_a_clutch_that_is_heated_by_a_constant_power_is_cooled() -> None:
     """C dT/dt = P - h (T - T0): T = T0 + P/h (1 - exp(-h t/C)), with P of a constant slip."""
     case = """links: [e, o]

@@ -14,7 +14,7 @@ from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Converter
-from vstatics.simulation.system.curves import curve_at, programme_at
+from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.system.matrices import (
     SIGNS,
     Contact,
@@ -140,7 +140,7 @@ class ModeChoices:
         near = STANDING * scales.speed
         apart = slides = float(at.speeds[switch.link]) - sliding_speed(self.system, index, at)
         if over == "angle":
-            place = curve_at(curve, math.nextafter(at.time, math.inf))
+            place = curve.at(math.nextafter(at.time, math.inf))
             apart = float(at.angles[self.layout.angles.index(switch.link)]) - place
             moves, near = abs(slides) > near, STANDING * max(1.0, abs(place))
             if moves and (met or abs(apart) <= near):

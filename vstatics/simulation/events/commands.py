@@ -71,7 +71,7 @@ class StepCommands:
 def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[float]) -> float:
     """What a number is set to, by all that is seen."""
     if isinstance(value, Formula):
-        return looking(system, value.knowing(system.settings)).at(time, seen)
+        return looking(system, value).at(time, seen)
     return value.y[0]
 
 

@@ -10,8 +10,8 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.system.curves import capacity_at, curve_at, programme_at
+from vstatics.simulation.scenario.laws import Points, bends
+from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.sight import conditions
@@ -81,11 +81,11 @@ def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
     now = math.nextafter(at.time, math.inf)
     for one in system.variators:
         if one.contact == contact:
-            return (one.reference - curve_at(one.ratio, now)) * float(at.speeds[one.first])
+            return (one.reference - one.ratio.at(now)) * float(at.speeds[one.first])
     switch = system.contacts[contact].switch
     assert switch is not None  # noqa: S101 - it is asked of these alone
     angle = float(at.angles[system.layout.angles.index(switch.link)])
-    speed = curve_at(switch.jump.speed, now)
+    speed = switch.jump.speed.at(now)
     return speed + switch.jump.by_angle * angle
 
 
@@ -146,8 +146,8 @@ def seen_at(system: MotionSystem, at: Instant) -> list[float]:
     return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
-def break_times(system: MotionSystem) -> list[float]:
-    """Times at which something bends or jumps, in order [s]."""
+def break_times(system: MotionSystem, until: float) -> list[float]:
+    """Times up to one at which something bends or jumps, in order [s]."""
     curves: list[object] = [device.programme.curve for device in system.may_slip]
     curves += [one.law for one in system.outside]
     curves += [one.rate for one in system.scenario.states]
@@ -156,17 +156,17 @@ def break_times(system: MotionSystem) -> list[float]:
     curves += [when.formula for when in conditions(system)]
     times: set[float] = set()
     for curve in curves:
-        if isinstance(curve, Formula):
-            times.update(curve.knowing(system.settings).breaks)
-        elif isinstance(curve, Points) and curve.over == "time":
-            times.update(curve.x)
-    return sorted(time for time in times if 0 < time < system.scenario.duration)
+        if isinstance(curve, Formula) and "t" in curve.variables:
+            times.update(bends(curve.knowing(system.settings), until))
+        elif isinstance(curve, Points):
+            times.update(bends(curve, until))
+    return sorted(time for time in times if 0 < time < until)
 
 
 def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     """Speeds and torques that are large at the start."""
     torque = 1.0
-    times = [at.time, *break_times(system)]
+    times = [at.time, *break_times(system, system.scenario.duration)]
     seen = seen_at(system, at)
     for contact in system.contacts:
         held = [abs(capacity_at(contact, time, seen=seen)) for time in times]

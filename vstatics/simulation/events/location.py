@@ -8,16 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.model.parts import Friction
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.tolerances import (
     AHEAD,
     LARGEST_NUMBER,
-    MADE_CAPACITY,
     NO_MARGIN,
     ROOT_PART,
     ROOT_TIME,
@@ -85,9 +82,9 @@ class Finder:
         """Of margins: it may end, and rise again, before one that ends behind it."""
         system = self.equations.system
         self.by_formula = [
-            contact
-            for contact in system.contacts
-            if isinstance(contact.programme.curve, Formula) and contact.programme.look is None
+            (one.name, one.programme.given)
+            for one in system.contacts
+            if isinstance(one.programme.given, Formula)
         ]
         self.torques = [
             (port, system.names[one.link])
@@ -151,20 +148,12 @@ class Finder:
         return None
 
     def _check_capacities(self, step: TimeStep) -> None:
-        """Refuse a capacity by a formula that is no capacity."""
-        for contact in self.by_formula:
-            pack = contact.friction
-            capacity = programme_at(contact.programme, step.end)
-            capacity /= pack.per_pressure if isinstance(pack, Friction) else 1.0
-            largest = contact.programme.largest
-            most = LARGEST_NUMBER if largest is None else largest
-            if not 0 <= capacity <= most * (1 + MADE_CAPACITY):
-                unit = "Pa" if pack else "N*m"
-                message = (
-                    f"at {step.end:.6g} s the control of {contact.name} gives {capacity:g} {unit}, "
-                    f"expected 0 to {most:g}"
-                )
-                raise CaseError("E609", message, ("controls", contact.name))
+        """Refuse a control by a formula that gives no number."""
+        for name, law in self.by_formula:
+            if not abs(value := law.at(step.end)) <= LARGEST_NUMBER:
+                what = f"at {step.end:.6g} s the control of {name} gives {value:g}"
+                wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
+                raise CaseError("E609", f"{what}, {wanted}", ("controls", name))
 
     def _check_torques(self, step: TimeStep) -> None:
         """Refuse a torque by a formula of a size that nothing has."""

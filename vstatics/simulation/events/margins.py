@@ -113,6 +113,8 @@ class Awaited(NamedTuple):
     """`+`, `-`, `0` where it stays there, or `?` of what is no number."""
     size: float
     """Of what is compared, at the instant from which on it is watched."""
+    is_equal: bool
+    """Whether both are equal at that instant, wherever they move."""
 
 
 class Margins:

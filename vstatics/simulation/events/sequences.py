@@ -14,7 +14,7 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.sight import Compared, compared
-from vstatics.simulation.tolerances import EQUAL_SIDES, SOON
+from vstatics.simulation.tolerances import EQUAL_SIDES, MET, SOON
 
 Happened = Callable[[Seen, float], bool]
 """Whether what a word says has happened since a time [s]."""
@@ -53,9 +53,13 @@ class Judge:
             (one.first.at(*at), one.second.at(*at)) for at in (now, self.ahead)
         )
         apart, then = first - second, later - other
-        size = max(abs(first), abs(second), SOON * abs(then - apart))
+        if math.isinf(apart):  # a pole: what counts is what comes behind it
+            first, second, apart = later, other, then
+        change = abs(then - apart)
+        size = max(abs(first), abs(second), SOON * change)
         moved = then if abs(apart) <= EQUAL_SIDES * size else apart
-        return Awaited(one, "?" if math.isnan(moved) else "-+"[moved > 0] if moved else "0", size)
+        side = "?" if math.isnan(moved) else "-+"[moved > 0] if moved else "0"
+        return Awaited(one, side, size, abs(apart) <= max(EQUAL_SIDES * size, MET * change))
 
     def nearest(self, group: Sequence[Compared]) -> list[Awaited]:
         """Of what is compared with ascending numbers, the two between which it is; with one all."""
@@ -125,8 +129,9 @@ class SequenceProgress:
         if step.when is None:
             return True
 
-        sides = [judge.awaited(one).side for one in step.when.comparisons]
-        if "?" in sides:
+        awaited = [judge.awaited(one) for one in step.when.comparisons]
+        sides = [one.side + "=" * one.is_equal for one in awaited]
+        if "?" in "".join(sides):
             message = f"at {judge.now[0]:.9g} s what {self.name} compares is no number"
             raise CaseError("E650", message, (*self.path, "when"))
         return step.when.holds(sides, lambda seen: happened(seen, self.since))

@@ -12,7 +12,7 @@ from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.system.curves import capacity_at, curve_at
+from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
@@ -85,7 +85,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     held = [*start.engaged, *(gear.engaged if gear else ())]
     rows = fixed_rows(system)
     rows += [system.by_element[number - 1].row for number in held]
-    given = {link: curve_at(speed, 0.0) for link, speed in scenario.speeds.items()}
+    given = {link: speed.at(0.0) for link, speed in scenario.speeds.items()}
     _check_ties(system, given)
     for link, speed in start.speeds.items():
         known = given.setdefault(link, speed)

@@ -8,7 +8,6 @@ import numpy as np
 
 from vstatics.errors import Path, Problem
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.system.curves import curve_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import Contact, Elastic
 from vstatics.simulation.tolerances import LARGEST_NUMBER
@@ -48,4 +47,4 @@ def _values(
         yield f"the rate of {state.name}", rate.at(time, seen), ("states", state.name, "rate")
     for link, speed in system.scenario.speeds.items():
         name = system.case.link_name(link)
-        yield f"the speed of {name}", curve_at(speed, time), ("speeds", name)
+        yield f"the speed of {name}", speed.at(time), ("speeds", name)

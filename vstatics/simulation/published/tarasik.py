@@ -81,7 +81,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
         raise CaseError(problems)
     speeds = start_speeds(system, gear)
     run = _Run(system, ends, speeds, rtol)
-    times = set(break_times(system))
+    times = set(break_times(system, scenario.duration))
     if step:
         times |= {step * n for n in range(1, math.ceil(scenario.duration / step))}
     stops = sorted(time for time in times if 0 < time < scenario.duration)

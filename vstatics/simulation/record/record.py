@@ -21,6 +21,7 @@ from vstatics.simulation.record.motion import Event, Motion, Reached
 from vstatics.simulation.record.pieces import Piece, peaks
 from vstatics.simulation.record.rows import road_radii
 from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.programme import cut_note
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
@@ -128,10 +129,7 @@ class Record:
                 continue
             if programme.look.at(*now) > programme.largest * (1 + MADE_CAPACITY):
                 self.cut.add(device.name)
-                text = (
-                    f"at {now[0]:.6g} s the control of {device.name} is above the capacity in the "
-                    f"case, {programme.largest:g}: it is cut there, then and later"
-                )
+                text = cut_note(now[0], device.name, programme.largest)
                 self.messages.append(Message("N605", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:

@@ -29,13 +29,11 @@ from vstatics.simulation.scenario.formula import (
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
-from vstatics.simulation.scenario.programme import bare_capacities, largest_control
+from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import vocabulary
 from vstatics.simulation.tolerances import (
-    GIVEN_CAPACITY,
     LARGEST_NUMBER,
-    MADE_CAPACITY,
     MISSING_MASS,
 )
 
@@ -62,12 +60,12 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     >>> from vstatics import Gear, ShiftElement
     >>> from vstatics.simulation.scenario.laws import constant
     >>> case = Transmission(2, [ShiftElement(1, 2)], [], [Gear()])
-    >>> negative = {1: Capacity(constant(-30.0))}
-    >>> scenario = Scenario(case, 0.0, Start(speeds={1: 0.0, 2: 0.0}), negative)
+    >>> controls = {1: Capacity(constant(30.0), -1.0)}
+    >>> scenario = Scenario(case, 0.0, Start(speeds={1: 0.0, 2: 0.0}), controls)
     >>> for problem in scenario_problems(scenario):
     ...     print(problem)
     duration: read 0, expected a time above 0 [E640]
-    controls.F1: read -30, expected a capacity of 0 or more [E635]
+    controls.F1.scale: read -1, expected a scale of 0 or more [E640]
     """
     yield from size_problems(scenario)
     yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
@@ -89,9 +87,10 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful: capacities without a unit, shifts behind the end, masses of vehicles."""
+    """What is doubtful: capacities without a unit, controls above them, shifts behind the end..."""
     case = scenario.case
     yield from bare_capacities(case)
+    yield from cut_controls(scenario)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
@@ -150,55 +149,35 @@ def _of_controls(
             )
             yield Problem("E632", message, path)
         elif isinstance(control, Capacity):
-            largest = largest_control(element, case)
-            kind = "pressure" if element.pack else "capacity"
-            yield from _of_capacity(control, largest, kind, path)
-            if isinstance(control.law, Formula):
-                yield from _tried(control, largest, duration, path)
+            yield from _of_capacity(control, duration, path)
         else:
             yield from of_times([time for time, _ in control.points], (*path, "dog"))
 
 
-def _tried(
-    control: Capacity, largest: float | None, duration: float, path: Path
-) -> Iterator[Problem]:
-    """A formula at many times: whether it ever gives what is no capacity."""
+def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
+    """A formula of the time at many times: whether it ever gives no number."""
     law = control.law
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
-    with np.errstate(all="ignore"):
-        values = law.along(times, 0.0, 0.0) * control.scale
-    most = LARGEST_NUMBER if largest is None else largest
-    least = -MADE_CAPACITY * np.nan_to_num(np.abs(values)).max()
-    wrong = np.flatnonzero(~((values >= least) & (values <= most * (1 + MADE_CAPACITY))))
+    values = law.along(times, 0.0, 0.0) * control.scale
+    wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
     if len(wrong):
         first = int(wrong[0])
-        whose = "" if largest is None else ", the capacity of the case"
-        message = f"gives {values[first]:g} at {times[first]:.6g} s, expected 0 to {most:g}{whose}"
+        wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
+        message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
         yield Problem("E633", message, path)
 
 
-def _of_capacity(
-    control: Capacity, largest: float | None, kind: str, path: Path
-) -> Iterator[Problem]:
-    """A capacity, or a pressure, that is never negative and at most what the case says."""
+def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
+    """A control or a limit: numbers over time."""
     law, scale = control
     yield from _of_range(scale, "a scale", (*path, "scale"))
-    if isinstance(law, Formula):
-        return
-    if law.over != "time":
-        yield Problem("E634", f"read points over {law.over}, expected points over time", path)
-    yield from of_points(law, path)
-    for number, value in enumerate(law.y, 1):
-        place = (*path, number, 2) if len(law.y) > 1 else path
-        if value < 0:
-            yield Problem("E635", f"read {value:g}, expected a {kind} of 0 or more", place)
-        elif largest is not None and value * scale > largest * (1 + GIVEN_CAPACITY):
-            unit = "Pa" if kind == "pressure" else "N*m"
-            read = f"{value:g} {unit}" if scale == 1 else f"{value:g} {unit} times {scale:g}"
-            message = f"read {read}, expected at most {largest:g} {unit}, the capacity in the case"
-            yield Problem("E636", message, place)
+    yield from _tried(control, duration, path)
+    if isinstance(law, Points):
+        if law.over != "time":
+            yield Problem("E634", f"read points over {law.over}, expected points over time", path)
+        yield from of_points(law, path)
 
 
 def _of_torques(scenario: Scenario) -> Iterator[Problem]:
@@ -223,9 +202,12 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
         path = ("limits", springs[number - 1].name)
         if springs[number - 1].points:
             yield Problem("E693", "read a limit beside `points`, expected none", path)
-        control = Capacity(limit)
-        yield from _of_capacity(control, None, "torque", path)
-        yield from _tried(control, None, scenario.duration, path)
+        yield from _of_capacity(Capacity(limit), scenario.duration, path)
+        values: Sequence[float] = limit.y if isinstance(limit, Points) else ()
+        for place, value in enumerate(values, 1):
+            if value < 0:
+                where = (*path, place, 2) if len(values) > 1 else path
+                yield Problem("E635", f"read {value:g}, expected a torque of 0 or more", where)
 
 
 def _of_converters(converters: Sequence[Converter], case: Transmission) -> Iterator[Problem]:

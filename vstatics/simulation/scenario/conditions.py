@@ -9,11 +9,12 @@ from vstatics.errors import quoted
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Tree
 from vstatics.readers.expressions.operands import TableName
+from vstatics.simulation.scenario.corners import COMPARES
 from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
 
-_SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0", "!=": "+-"}
-"""Of what is compared, the signs of left less right with which it is true."""
+_SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0="}
+"""Of what is compared, the signs of left less right with which it is true; `!=` is not `==`."""
 
 
 class StepCondition(NamedTuple):
@@ -43,21 +44,25 @@ class StepCondition(NamedTuple):
         Parameters
         ----------
         sides : sequence of str
-            The sign of each comparison's difference, `0` where it is and stays 0.
+            The sign of each comparison's difference, `0` where it is and stays 0, with `=` where it
+            is 0 at the instant: then `==` is true.
         happened : callable
             Whether an event has happened, such as ``locks('C')``.
         """
         left = iter(sides)
 
-        def true(part: Any) -> bool:
+        def true(part: Any, passing: bool = True) -> bool:  # noqa: FBT001, FBT002 - it recurs
             if isinstance(part, TableName):
                 seen = seen_in(part)
                 return seen is not None and happened(seen)
-            if _compares(part):
-                return next(left) in _SIDES[part.name]
-            parts = [true(one) for one in part.operands]  # all of them: each takes its sides
             if part.name == "not":
-                return not parts[0]
+                return not true(part.operands[0], not passing)
+            if part.name == "!=":
+                return not true(part._replace(name="=="), not passing)
+            if _compares(part):
+                signs = next(left) if passing else next(left).removesuffix("=")
+                return not {*signs}.isdisjoint(_SIDES[part.name])
+            parts = [true(one, passing) for one in part.operands]  # all: each takes its sides
             return all(parts) if part.name == "and" else any(parts)
 
         return true(self.formula.whole)
@@ -81,7 +86,7 @@ def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     formula = read_formula(source, ["t"], words)
     for part in _parts(formula.whole):
         is_event = isinstance(part, TableName) and part.name in OF_EVENTS
-        if not (is_event or (isinstance(part, Applied) and part.name in (*_SIDES, *_JOINS))):
+        if not (is_event or (isinstance(part, Applied) and part.name in (*COMPARES, *_JOINS))):
             at = getattr(part, "at", source.start)
             raise source.error("expected a condition, such as `t >= 0.5`", at)
     for comparison in StepCondition(formula).comparisons:
@@ -96,7 +101,7 @@ _JOINS = ("and", "or", "not")
 
 
 def _compares(part: Tree) -> bool:
-    return isinstance(part, Applied) and part.name in _SIDES
+    return isinstance(part, Applied) and part.name in COMPARES
 
 
 def _parts(tree: Tree) -> Iterator[Tree]:

@@ -117,6 +117,11 @@ def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
     return tree._replace(operands=operands)
 
 
+def is_polynomial(tree: Tree, name: str) -> bool:
+    """Whether a tree is one of a variable, by pieces: then `corners` tells where it meets 0."""
+    return _polynomial(tree, name, 0.0, []) is not None
+
+
 def _polynomial(
     tree: Any, name: str, at: float, met: list[tuple[float, bool]]
 ) -> Polynomial | None:

@@ -20,6 +20,7 @@ from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
+from vstatics.simulation.scenario.crossings import crossings
 from vstatics.simulation.scenario.formula_code import (
     FUNCTIONS,
     PI,
@@ -135,6 +136,10 @@ class Formula(NamedTuple):
         """
         return _read(*self).function
 
+    def at(self, time: float) -> float:
+        """Its value at a time [s] where nothing else moves."""
+        return self.function(time, 0.0, 0.0)
+
     @property
     def breaks(self) -> tuple[float, ...]:
         """Times at which it bends or jumps, as far as it compares straight lines in time [s].
@@ -145,6 +150,10 @@ class Formula(NamedTuple):
             If the text is no formula.
         """
         return _read(*self).breaks
+
+    def crossings(self, until: float) -> tuple[float, ...]:
+        """The same times of what is no polynomial of the time, up to one [s]."""
+        return _crossings(_read(*self).tree, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
         """Where it jumps along `speed` or `angle`, as far as it compares straight lines in it.
@@ -327,6 +336,11 @@ def _read(text: str, tree: Tree | None) -> _Read:
     )
     along = compiled_along(tree, seen)
     return _Read(own, seen, compiled(tree, seen), along, tuple(corners(tree, "t")), switches, tree)
+
+
+@lru_cache(maxsize=256)
+def _crossings(tree: Tree, until: float) -> tuple[float, ...]:
+    return crossings(tree, until)
 
 
 def _parsed(text: str) -> Tree:

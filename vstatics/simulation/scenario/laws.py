@@ -60,6 +60,17 @@ def constant(value: float) -> Points:
     return Points((0.0,), (float(value),))
 
 
+def bends(curve: Curve, until: float) -> tuple[float, ...]:
+    """Times up to one at which a curve may bend or jump [s].
+
+    >>> bends(Points((0.0, 2.0), (10.0, 30.0)), 3.0), bends(Formula("min(t, 1)"), 3.0)
+    ((0.0, 2.0), (1.0,))
+    """
+    if isinstance(curve, Formula):
+        return *curve.breaks, *curve.crossings(until)
+    return curve.x if curve.over == "time" else ()
+
+
 class Resistance(NamedTuple):
     """Dry friction of a load: it acts against the speed, and holds at rest up to its torque."""
 

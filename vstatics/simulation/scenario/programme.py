@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,8 +14,12 @@ from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.lookup_table import LookupTable
-from vstatics.simulation.scenario.laws import Curve, Points, constant
+from vstatics.readers.expressions.operands import Constant
+from vstatics.simulation.scenario.algebra import applied, times
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import Curve, Points, bends, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario
+from vstatics.simulation.tolerances import MADE_CAPACITY
 
 
 class Look(NamedTuple):
@@ -35,7 +40,9 @@ class Programme(NamedTuple):
     is_dog: bool = False
     """Whether it holds anything or nothing, and joins at once."""
     largest: float | None = None
-    """Which the capacity of the case allows. [N*m or Pa]"""
+    """Which the capacity of the case allows, of a control that sees something. [N*m or Pa]"""
+    given: Curve | None = None
+    """The control of which the curve is what the case allows."""
     look: Look | None = None
     """Where more than the time is seen: the value of the curve then."""
     table: LookupTable | None = None
@@ -170,11 +177,71 @@ def largest_control(element: ShiftElement, case: Transmission) -> float | None:
     return largest / (pack.per_pressure * friction_at(pack))
 
 
+def cut_controls(scenario: Scenario) -> Iterator[Problem]:
+    """A note on each control that follows from the time and is cut at the capacity of the case."""
+    for number, control in (scenario.controls or {}).items():
+        element = scenario.case.shift_elements[number - 1]
+        most = largest_control(element, scenario.case)
+        if most is None or not isinstance(control, Capacity):
+            continue
+        law = _scaled(control)
+        if isinstance(law, Formula) and law.seen:
+            continue
+        turns = sorted(bends(within(law, most), scenario.duration))
+        whens = [0.0, *(one for one in turns if 0 < one < scenario.duration), scenario.duration]
+        for first, last in pairwise(whens):
+            if law.at(first / 2 + last / 2) > most * (1 + MADE_CAPACITY):
+                note = cut_note(first, element.name, most)
+                yield Problem("N605", note, ("controls", element.name))
+                break
+
+
+def cut_note(time: float, name: str, largest: float) -> str:
+    """What is said of a control that is cut from a time on [s]."""
+    return (
+        f"at {time:.6g} s the control of {name} is above the capacity in the case, {largest:g}: "
+        "it is cut there, then and later"
+    )
+
+
+def within(law: Curve, largest: float) -> Curve:
+    """A control as it acts: 0 where it is below, and no more than the case allows.
+
+    >>> within(Points((0.0, 4.0), (-10.0, 30.0)), 20.0)
+    Points(x=(0.0, 1.0, 3.0, 4.0), y=(0.0, 0.0, 20.0, 20.0), over='time')
+    """
+    if isinstance(law, Formula):
+        above = applied("max", law.whole, Constant(0.0))
+        return law._replace(tree=applied("min", above, Constant(largest)))
+    points = [(law.x[0], law.y[0])]
+    for (x, y), (later, other) in pairwise(zip(law.x, law.y, strict=True)):
+        passed = [one for one in (0.0, largest) if min(y, other) < one < max(y, other)]
+        points += sorted((x + (one - y) / (other - y) * (later - x), one) for one in passed)
+        points.append((later, other))
+    at, values = zip(*points, strict=True)
+    return Points(at, tuple(min(max(one, 0.0), largest) for one in values))
+
+
+def bounded(law: Curve, factor: float = 1.0, largest: float | None = None) -> Programme:
+    """The programme of a control, or of a limit, as it acts."""
+    if isinstance(law, Formula) and law.seen:
+        return Programme(law, factor, largest=largest)
+    acts = within(law, math.inf if largest is None else largest)
+    return Programme(acts, factor, given=law)
+
+
+def _scaled(control: Capacity) -> Curve:
+    """The law of a control, multiplied."""
+    law, scale = control
+    if isinstance(law, Points):
+        return Points(law.x, tuple(scale * one for one in law.y))
+    return law._replace(tree=times(Constant(scale), law.whole))
+
+
 def _controlled(control: object, element: ShiftElement, case: Transmission) -> Programme:
     if isinstance(control, Capacity):
-        pack = element.pack
-        factor = control.scale * (pack.per_pressure if pack else 1.0)
-        return Programme(control.law, factor, largest=largest_control(element, case))
+        factor = element.pack.per_pressure if element.pack else 1.0
+        return bounded(_scaled(control), factor, largest_control(element, case))
     times: list[float] = []
     held: list[float] = []
     for time, closed in getattr(control, "points", ()):

@@ -42,15 +42,10 @@ def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) 
     """The value of a programme at a time, from there on, with all that is seen there."""
     if programme.look is not None:
         return programme.seen_at(time, seen)
-    at = curve_at(programme.curve, time)
+    at = programme.curve.at(time)
     if at == 0 or programme.factor == 0:
         return 0.0
     return at * programme.factor
-
-
-def curve_at(curve: Curve, time: float) -> float:
-    """The value of a curve at a time, from there on."""
-    return curve.at(time) if isinstance(curve, Points) else curve.function(time, 0.0, 0.0)
 
 
 def programme_along(programme: Programme, times: Floats, seen: Floats | None = None) -> Floats:

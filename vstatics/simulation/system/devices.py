@@ -22,11 +22,11 @@ from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import (
     OPEN,
     Programme,
+    bounded,
     friction_at,
     load_torque,
     newton_metres,
 )
-from vstatics.simulation.system.curves import curve_at
 from vstatics.simulation.system.matrices import (
     Contact,
     Elastic,
@@ -234,7 +234,7 @@ def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> l
             limit, element = _slipping_torque(one, capacities[index]), index
         elif isinstance(one, Spring):
             own = constant(math.inf if one.limit is None else one.limit)
-            limit = Programme(scenario.limits.get(index - first, own))
+            limit = bounded(scenario.limits.get(index - first, own))
         damped = damping(one.damping)
         found.append(Elastic(one.name, index, rows[index], curve, *damped, limit, element))
     return found
@@ -286,7 +286,7 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
     case = scenario.case
     for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
         one = case.mechanisms[number - 1]
-        reference = curve_at(ratio, 0.0)
+        reference = ratio.at(0.0)
         row = combination([(one.first, reference), (one.second, -1.0)], case.links)
         yield (
             Contact(one.name, row, OPEN, is_variator=True),

@@ -8,26 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.grammar import Applied, Tree
+from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
-from vstatics.simulation.scenario.algebra import parts, variables
+from vstatics.simulation.scenario.algebra import variables
 from vstatics.simulation.scenario.conditions import StepCondition
-from vstatics.simulation.scenario.corners import ENDS, JUMPS
+from vstatics.simulation.scenario.crossings import Pairs, asked, met
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
-from vstatics.simulation.scenario.table_call import TableCall
-from vstatics.simulation.system.curves import curve_along, curve_at
+from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
-
-Pairs: TypeAlias = list[tuple[Tree, Tree]]
-"""What is compared with each other."""
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -62,7 +57,7 @@ def _slip(system: MotionSystem, name: str) -> int:
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
-    """A formula as a function of the time and all that is seen.
+    """A formula as a function of the time and all that is seen, with the numbers that are set.
 
     Parameters
     ----------
@@ -72,16 +67,21 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         The place of its own angle among those that are followed; -1: it has none.
     """
     function, along = formula.function, formula.along
-    places = [place_of(system, one) for one in formula.seen]
+    inputs = [
+        fixed(system.settings[one.of])
+        if one.word == "value" and one.of in system.settings
+        else _place_seen(place_of(system, one))
+        for one in formula.seen
+    ]
     turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
 
     def value(time: float, seen: Sequence[float]) -> float:
         own = seen[turned] if turned >= 0 else 0.0
-        return function(time, seen[rate], own, *[seen[place] for place in places])
+        return function(time, seen[rate], own, *[one.at(time, seen) for one in inputs])
 
     def values(times: Floats, seen: Floats) -> Floats:
         own = seen[turned] if turned >= 0 else 0.0
-        return along(times, seen[rate], own, *[seen[place] for place in places])
+        return along(times, seen[rate], own, *[one.along(times, seen) for one in inputs])
 
     return Look(value, values)
 
@@ -98,8 +98,7 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
     tree = difference.whole
     assert isinstance(tree, Applied)  # noqa: S101 - a difference is one
     first, second = (
-        looking(system, difference._replace(tree=one).knowing(system.settings), rate, angle)
-        for one in tree.operands
+        looking(system, difference._replace(tree=one), rate, angle) for one in tree.operands
     )
     return Compared(first, second)
 
@@ -117,17 +116,17 @@ def corners(system: MotionSystem) -> list[list[Compared]]:
             most = () if programme.largest is None else (programme.largest,)
             whole = programme.curve.whole
             bounds: list[Pairs] = [[(whole, Constant(one))] for one in (0.0, *most)]
-            found += [(programme.curve, met, 0, -1) for met in (*bounds, *_met(programme.curve))]
+            found += [(programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
     for port, one in enumerate(system.outside):
         if isinstance(one.law, Formula):  # jumps by its own motion are switches
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            met = _met(one.law) if one.law.seen else _asked(one.law)
-            found += [(one.law, pairs, port, place) for pairs in met]
+            compares = met if one.law.seen else asked
+            found += [(one.law, pairs, port, place) for pairs in compares(one.law.whole)]
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
-            found += [(state.rate, met, 0, -1) for met in _met(state.rate)]
+            found += [(state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
     for when in conditions(system):
-        found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in _met(one)]
+        found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
     made = [[one] for one in _rubbing_corners(system)]
     for formula, pairs, rate, angle in found:
         trees = [Applied("-", pair, 0, 0) for pair in pairs]
@@ -163,37 +162,18 @@ def fixed(value: float) -> Look:
     return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
-def _met(formula: Formula) -> Iterator[Pairs]:
-    """What is compared in a formula, and what tables are asked with."""
-    for part in parts(formula.whole):
-        if isinstance(part, Applied) and part.name in ENDS | JUMPS:
-            operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
-            yield from ([pair] for pair in combinations(operands, 2))
-    yield from _asked(formula)
-
-
-def _asked(formula: Formula) -> Iterator[Pairs]:
-    """What tables are asked with, beside their steps in order."""
-    for part in parts(formula.whole):
-        if isinstance(part, Applied) and isinstance(part.name, TableCall):
-            table = part.name.table
-            for operand, steps in zip(part.operands, (table.x, table.columns), strict=False):
-                yield [(operand, Constant(one)) for one in dict.fromkeys(steps)]
-
-
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
     """The system with numbers for what its formulas call so; its controls look by them."""
-    contacts = (one._replace(programme=_seeing(system, one, settings)) for one in system.contacts)
-    springs = (one._replace(programme=_seeing(system, one, settings)) for one in system.springs)
-    return replace(system, contacts=tuple(contacts), springs=tuple(springs), settings=settings)
+    system = replace(system, settings=settings)
+    contacts = tuple(one._replace(programme=_seeing(system, one)) for one in system.contacts)
+    springs = tuple(one._replace(programme=_seeing(system, one)) for one in system.springs)
+    return replace(system, contacts=contacts, springs=springs)
 
 
-def _seeing(
-    system: MotionSystem, device: Contact | Elastic, settings: Mapping[str, float]
-) -> Programme:
+def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     programme, curve = device.programme, device.programme.curve
     if isinstance(curve, Formula) and curve.seen:
-        programme = programme._replace(look=looking(system, curve.knowing(settings)))
+        programme = programme._replace(look=looking(system, curve))
     table = programme.table
     if table is None:
         return programme
@@ -203,9 +183,7 @@ def _seeing(
         lambda _time, seen: table.at(abs(seen[slip]), seen[temperature]),
         lambda _times, seen: table.along(np.abs(seen[slip]), seen[temperature]),
     )
-    timed = Look(
-        lambda time, _seen: curve_at(curve, time), lambda times, _seen: curve_along(curve, times)
-    )
+    timed = Look(lambda time, _seen: curve.at(time), lambda times, _seen: curve_along(curve, times))
     return programme._replace(look=programme.look or timed, rub=rub)
 
 

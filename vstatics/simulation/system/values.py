@@ -29,9 +29,7 @@ class ValueChanges:
         system = equations.system
         states = system.scenario.states
         self.rates = [
-            looking(system, one.rate.knowing(system.settings))
-            if isinstance(one.rate, Formula)
-            else fixed(one.rate.y[0])
+            looking(system, one.rate) if isinstance(one.rate, Formula) else fixed(one.rate.y[0])
             for one in states
         ]
         self.held = np.zeros(len(states), dtype=int)

@@ -15,7 +15,6 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.simulation.system.curves import curve_at
 from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import MOVING_LINK
@@ -74,8 +73,8 @@ class VariatorTorques:
         time = min(max(time, ports.after), ports.until)
         torques[self.places] = 0.0
         speeds, count = rates[self.extras], len(self.variators)
-        ratios = np.array([curve_at(one.ratio, time) for one in self.variators])
-        moved = np.array([curve_at(one.change, time) for one in self.variators])
+        ratios = np.array([one.ratio.at(time) for one in self.variators])
+        moved = np.array([one.change.at(time) for one in self.variators])
         apart = ratios - self.references
         by_torques = self.equations.structure.torques[self.rows]
         held = by_torques @ torques
@@ -100,6 +99,6 @@ def variator_rows(system: MotionSystem, time: float) -> list[Floats]:
     made = []
     for one in system.variators:
         row = system.contacts[one.contact].row.copy()
-        row[one.first] += curve_at(one.ratio, time) - one.reference
+        row[one.first] += one.ratio.at(time) - one.reference
         made.append(row)
     return made
