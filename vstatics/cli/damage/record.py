@@ -7,7 +7,7 @@ import click
 from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase, of_case
 from vstatics.cli.frame.options import gathered
-from vstatics.errors import Problem, ReadError
+from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.readers.reading import Reading
 
 
@@ -37,9 +37,7 @@ def record(one: OneCase, recorded: str) -> int:
         from vstatics.damage.recorded import recorded_damage
 
         case = reading.case
-        if not case.fatigue:
-            message = "the case has no `fatigue`, expected that of a spring or another device"
-            raise ReadError([reading.locate(Problem("E882", message))])
+        expect_fatigue(reading)
         made = recorded_damage(case, *files.read_input(recorded))
         answer = DamageAnswer(case.name, made.damage)
         return CaseAnswer(lambda: [damage_grid(made.damage)], answer, made.warnings)
