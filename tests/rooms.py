@@ -29,6 +29,7 @@ ROOMS = (
     "jobs",
     "tables",
     "readers",
+    "damage",
     "torsion",
     "simulation",
     "sweep",

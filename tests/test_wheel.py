@@ -74,6 +74,7 @@ REFUSED = {
     ),
     "torsion": (
         "vstatics sweep case.yaml --vary P1.ratio=-3,-2 --out 'omega[1,low]'",
+        "vstatics damage rayleigh --endurance 2 --deviation 1 --exponent 3 --cycles 1e6",
         *(
             f"vstatics torsion {command}"
             for command in (

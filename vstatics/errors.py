@@ -85,6 +85,7 @@ DOUBTS = {
     "W803": "a search for teeth was ended before it was proven that no others are better",
     "W804": "what is doubtful before ratios are fitted",
     "W805": "what is doubtful about ratios that are found",
+    "W880": "a record has no column of a device with `fatigue`, which is left out",
     "N001": "a run would take more than a minute",
     "N002": "no ratios are given for a case of a scheme",
     "N003": "what is told of found structures",

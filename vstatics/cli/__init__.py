@@ -9,8 +9,8 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 
 `COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
 options. A command on a case is a module here; larger ones have folders: `sweep`, `simulate` (whose
-samples are carried out as a sweep is), and the groups `torsion` and `synth`, a module for each of
-their commands. `schemas` writes the JSON Schemas of all.
+samples are carried out as a sweep is), and the groups `torsion`, `damage` and `synth`, a module for
+each of their commands. `schemas` writes the JSON Schemas of all.
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ COMMANDS = {
     "cycle": ("vstatics.cli.cycle", "Drive a case with a vehicle through a cycle of speeds."),
     "explain": ("vstatics.cli.explain", "Write out the equations and the ratio of a gear."),
     "simulate": ("vstatics.cli.simulate.command", "What a scenario does to a case over time."),
+    "damage": ("vstatics.cli.damage.group", "What torques that vary do to devices: their life."),
     "torsion": ("vstatics.cli.torsion.group", "The transmission as a torsional system."),
     "synth": (
         "vstatics.cli.synth.group",

@@ -13,6 +13,9 @@ from vstatics.cli.synth.box import BoxSearchEstimate
 from vstatics.cli.synth.combinations_output import CombinationEstimate
 from vstatics.cli.synth.structures import StructureCount, StructureEstimate
 from vstatics.cli.torsion import dump
+from vstatics.damage.devices import DamageAnswer
+from vstatics.damage.rayleigh import RayleighLife
+from vstatics.damage.resize import ResizedShaft
 from vstatics.explain.answer import ExplanationAnswer
 from vstatics.flow.answer import FlowAnswer
 from vstatics.model.shape import Measure
@@ -55,6 +58,7 @@ ANSWERS = {
         IdentificationAnswer,
     ),
     "damping": ("Dampings by decrements, of vstatics torsion damping", DampingAnswer),
+    "damage": ("Damage by a record of torques, of vstatics damage", DamageAnswer),
     "simulation": ("A simulation, of vstatics simulate", MotionAnswer),
     "samples": ("Statistics of vstatics simulate --samples", SamplesAnswer),
     "fit": ("Ratios for wanted gears, of vstatics synth fit", Fit),
@@ -74,6 +78,8 @@ OTHERS = {
         "Gearboxes for wanted ratios, of vstatics synth box",
         BoxListing | ListedBox | BoxSearchEstimate,
     ),
+    "rayleigh": ("Life under random stresses, of vstatics damage rayleigh", RayleighLife),
+    "resize": ("A shaft of equal life, of vstatics damage resize", ResizedShaft),
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
 }
 """Of a file that is one of these."""

@@ -10,4 +10,5 @@
 `parts` has its parts, `fields` what can be asked of it, the modules of checks what it must
 fulfil. `keys` declares the keys of the same in YAML and JSON, in the words of `shape`. What
 vibrates has `springs`, `clutch_dump`, `torsional_checks`, `torsional_keys`: loaded for these alone.
+`fatigue` is what devices bear of it; `vehicle` is what the box is in.
 """

@@ -46,10 +46,11 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
-    if case.dump is not None:
-        from vstatics.model.torsional_checks import of_dump  # likewise
+    if case.dump is not None or case.fatigue:
+        from vstatics.model.torsional_checks import of_dump, of_fatigue  # likewise
 
         yield from of_dump(case)
+        yield from of_fatigue(case)
     yield from of_vehicle(case.vehicle)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):

@@ -25,6 +25,7 @@ from vstatics.model.springs import Spring
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.fatigue import Fatigue
     from vstatics.model.vehicle import Vehicle
 
 IdleConvention = Literal["published", "exact"]
@@ -76,6 +77,7 @@ class TransmissionFields:
     springs: Sequence[Spring] = ()
     dump: ClutchDump | None = None
     vehicle: Vehicle | None = None
+    fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
     allow: Sequence[str] = ()
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""

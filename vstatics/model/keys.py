@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from vstatics.model.fatigue_keys import FATIGUE
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
@@ -460,6 +461,11 @@ CASE = ByKey(
             examples=({"low": ["C1", "B1"]},),
         ),
         KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
+        KeyShape(
+            "fatigue",
+            ByName("device", FATIGUE),
+            "Fatigue strengths, each under the name of a spring or another device.",
+        ),
         KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
         KeyShape(
             "allow",

@@ -21,6 +21,8 @@ Measure = Literal[
     "si_torque",
     "si_speed",
     "area",
+    "section_modulus",
+    "stress",
     "pressure",
     "time",
     "angle",

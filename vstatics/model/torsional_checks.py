@@ -1,12 +1,12 @@
-"""What springs, dampings, inertias and a clutch that is dumped must fulfil; problems with paths."""
+"""What springs, inertias, fatigue strengths, a dumped clutch must fulfil; problems with paths."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from vstatics.errors import Path, Problem
+from vstatics.errors import Path, Problem, nearest, quoted
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, expect, of_link
@@ -175,3 +175,43 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
         if value is not None:
             right = value > 0 and (value < math.inf or name == "M_phi")
             yield from expect(value, "a number above 0", ("dump", name), right=right)
+
+
+_STRENGTHS = {
+    "endurance": "an endurance",
+    "exponent": "an exponent",
+    "cycles": "a number of cycles",
+    "diameter": "a diameter",
+    "section_modulus": "a section modulus",
+    "sum": "a sum of damages",
+}
+_PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
+
+
+def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
+    """What is wrong in the fatigue strengths of a case."""
+    names = [*_device_names(case)]
+    for number, (name, fatigue) in enumerate(case.fatigue.items(), 1):
+        path = ("fatigue", number)
+        if name not in names:
+            hint = nearest(name, names) or ", expected the name of a spring or another device"
+            yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
+        if (fatigue.diameter is None) == (fatigue.section_modulus is None):
+            read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
+            message = f"read {read} `section_modulus`, expected one of them"
+            yield Problem("E881", message, path)
+        for key, value in fatigue._asdict().items():
+            if key in _PARTS:
+                yield from not_negative(value, _PARTS[key], (*path, key))
+            elif value is not None:
+                yield from above_0(value, _STRENGTHS[key], (*path, key))
+
+
+def _device_names(case: TransmissionFields) -> Iterable[str]:
+    """Of shift elements, mechanisms and springs, as they will be filled in."""
+    for number, element in enumerate(case.shift_elements, 1):
+        yield element.name or element_name(number, element)
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield mechanism.name or mechanism_name(number)
+    for number, spring in enumerate(case.springs, 1):
+        yield spring.name or spring_name(number)

@@ -72,6 +72,8 @@ class Transmission(TransmissionFields):
         A clutch that is dumped.
     vehicle : Vehicle, optional
         What the box is in.
+    fatigue : mapping of str to Fatigue
+        By names of devices: what they bear.
 
     Raises
     ------
@@ -269,6 +271,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         ),
         "dump": case.dump and case.dump.completed(),
         "vehicle": case.vehicle and case.vehicle.completed(),
+        "fatigue": {name: one.completed() for name, one in case.fatigue.items()},
     }
 
 

@@ -212,7 +212,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
             *("name", "description", "source", "link_names", "load", "allow"),
-            *("drawing", "_lowered", "inertias", "dump", "vehicle"),
+            *("drawing", "_lowered", "inertias", "dump", "vehicle", "fatigue"),
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.damage.devices import DeviceDamage
 from vstatics.summary import Summary
 from vstatics.summary.design_table import Design
 from vstatics.summary.duty import Cycle
@@ -34,6 +35,8 @@ class SummaryAnswer(NamedTuple):
     inertia: Sometimes[Sequence[GearInertia]]
     vehicle: Sometimes[Performance]
     duty: Sometimes[Cycle | Spectrum]
+    damage: Sometimes[Mapping[str, DeviceDamage]]
+    """By a duty cycle of points."""
     combinations: Sometimes[Sequence[Combination]]
 
 
@@ -54,5 +57,6 @@ def summary_answer(summary: Summary) -> SummaryAnswer:
         summary.inertias or None,
         summary.vehicle,
         summary.cycle,
+        summary.cycle.damage if isinstance(summary.cycle, Spectrum) else None,
         summary.combinations,
     )

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.damage.grids import damage_grid
 from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
@@ -235,6 +236,8 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
         *("turns" + " a second" * cycle.are_shares, "equivalent, N*m"),
     )
     yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
+    if cycle.damage:
+        yield damage_grid(cycle.damage)
 
 
 def _vehicle(summary: Summary) -> Iterator[Grid]:

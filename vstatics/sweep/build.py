@@ -20,6 +20,7 @@ from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import Terms
 from vstatics.sweep.kept.selection import read_objective, read_where
+from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
@@ -38,8 +39,8 @@ Read = TypeVar("Read")
 
 OUT = "ratio,efficiency"
 OUT_OF_RUNS = "heat,work"
-OF_SAMPLES = "abs(peaks),heat,losses,locks,work,kinetic,elastic,impact"
-"""Torques of devices are told without their sign, so that they have a mean."""
+OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
+"""Tables that are told of samples where they have anything."""
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
@@ -271,7 +272,15 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
         raise ReadError([of_file("E703", subject.scenario.file, message)])
     method = cast("Method", options.method or "random")
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
-    return _with_expressions(subject, replace(options, out=options.out or Text(OF_SAMPLES)), drawn)
+    out = options.out or Text(_of_samples(subject))
+    return _with_expressions(subject, replace(options, out=out), drawn)
+
+
+def _of_samples(subject: VariedScenario) -> str:
+    """Torques of devices are told without their sign, so that they have a mean."""
+    kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
+    told = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
+    return ",".join("abs(peaks)" if name == "peaks" else name for name in told)
 
 
 def _of_runs(plan: SweepPlan, subject: VariedScenario) -> SweepPlan:

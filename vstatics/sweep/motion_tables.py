@@ -56,6 +56,10 @@ def _events(motion: Motion, row: str, _: int) -> float:
     return float(sum(event.element == row for event in motion.events))
 
 
+def _damage(motion: Motion, row: str, _: int) -> float:
+    return motion.damage[row].damage if row in motion.damage else math.nan
+
+
 def _step(motion: Motion, row: str, _: int) -> float:
     """When a step was done for the first time."""
     done = (one.time for one in motion.events if f"{one.element},{one.step}" == row)
@@ -92,6 +96,7 @@ TABLES: Mapping[str, MotionTable] = {
     "steps": MotionTable("step", _step),
     "time_to": MotionTable("target", _of_target("time")),
     "distance_to": MotionTable("target", _of_target("distance")),
+    "damage": MotionTable("device with fatigue", _damage),
     "work": MotionTable("number"),
     "kinetic": MotionTable("number"),
     "elastic": MotionTable("number"),

@@ -54,5 +54,6 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     laws = [one.name for one in case.mechanisms if isinstance(one.efficiency, Law)]
     laws += [one.name for one in case.mechanisms if isinstance(one.back_efficiency, Law)]
     yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
+    yield "fatigue strength", [*case.fatigue]
     yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
     yield "planet masses", [element.name for element in elements if element.planet_masses]

@@ -73,3 +73,5 @@ def _of_case(case: Transmission) -> Iterator[str]:
         yield "the vehicle"
     if case.dump is not None:
         yield "the clutch that is dumped"
+    if case.fatigue:
+        yield "fatigue strengths"

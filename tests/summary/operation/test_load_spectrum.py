@@ -12,7 +12,8 @@ import pytest
 from tests.chance import seeded
 from tests.commands import vstatics
 from tests.trains import random_train
-from vstatics import CaseError, Gear, Load, Mechanism, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, Spring, Transmission, solve
+from vstatics.model.fatigue import Fatigue
 from vstatics.summary.operation.load_spectrum import DutyPoints, points_of, spectrum
 
 PAIRS = Transmission(
@@ -168,3 +169,18 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     said = "note: outside the points of a the last one counts"
     assert vstatics(*given).err.count(said) == is_outside
     assert said not in vstatics(*given, "--allow", "N414").err
+
+
+def test_points_are_a_record_of_the_torques_of_devices() -> None:
+    """The example of ASTM E1049-85, 5.4.4, in 100 N*m, on a spring behind a pair of ratio 2."""
+    shaft = Spring({2: 1, 3: -1}, stiffness=9e3, name="shaft")
+    strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0)
+    pair = Mechanism(1, 2, 0, 2.0, name="pair")
+    case = Transmission(
+        3, [], [pair], [Gear(name="1")], springs=[shaft], fatigue={"shaft": strength}
+    )
+    example = (-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0)
+    rows = [(100.0, 50 * torque, 1.0) for torque in example]
+    made = spectrum(case, points(*rows)).damage["shaft"]
+    assert made.damage == pytest.approx(5.341796875e-7, rel=1e-12)
+    assert made.cycles[-1].range == pytest.approx(900)

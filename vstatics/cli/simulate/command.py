@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import signal
-from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -15,6 +14,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.one_case import file_name, one_text, tell
 from vstatics.cli.frame.scenario_run import needs, run_problems
+from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.cli.simulate.options import SimulateOptions, options
 from vstatics.cli.simulate.watched import watched
 from vstatics.errors import CaseError, ReadError
@@ -63,7 +63,8 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    for option, given in (("--limit", asked.limit), ("--out", asked.sampling.out)):
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    for option, given in events.items():
         if given is not None and asked.method != "events":
             raise click.UsageError(f"{option} is for the method `events`.")
     to = one_text(asked.wanted, inputs)
@@ -76,10 +77,14 @@ def simulate(asked: SimulateOptions) -> int:
     if out is not None and to.form not in WITH_COLUMNS:
         expected = " ".join(known(WITH_COLUMNS))
         raise click.UsageError(f"--out asks for columns over time: expected -o with {expected}.")
+    if asked.damage and to.form in ("csv", "npz", "parquet"):
+        raise click.UsageError("--damage is told in text and JSON: expected -o with .txt or .json.")
     if to.form == "parquet":
         needs("parquet", "Parquet")
     read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
+    if asked.damage:
+        expect_fatigue(read.reading)
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
     from vstatics.sweep.kept.asked import read_asked
@@ -102,7 +107,7 @@ def simulate(asked: SimulateOptions) -> int:
     notes = [one for one in happened if one.severity == "note"]
     tell(problems, telling, scenario)
     tell(notes, telling._replace(notes=True), scenario)
-    show(scenario, to, read, motion)
+    show(scenario, to, read, motion, damage=asked.damage)
     if watch.interrupted and motion.stopped is not None:
         return stopped_by(signal.SIGINT)
     failed = motion.stopped is not None or telling.fails(problems)
@@ -121,8 +126,11 @@ def _check_step(step: float | None, duration: float) -> None:
         raise click.BadParameter(message, param_hint="--step")
 
 
-def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> None:
+def show(
+    scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
+) -> None:
     """Write a motion in the format that is asked for."""
+    from vstatics.damage.grids import damage_grid
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
     from vstatics.simulation.record.grids import motion_grids
@@ -136,8 +144,8 @@ def show(scenario: str, to: Destination, read: ScenarioFile, motion: Motion) -> 
             "npz": lambda _: as_npz(motion),
             "parquet": lambda _: as_parquet(motion),
         },
-        partial(motion_grids, motion),
-        lambda: motion_answer(motion, read.scenario.case.name, targets=targets),
+        lambda: [*motion_grids(motion), *[damage_grid(motion.damage)] * damage],
+        lambda: motion_answer(motion, read.scenario.case.name, targets=targets, damage=damage),
         lay_out,
     )
     files.write_data(texts.alone(file_name(scenario), shown, to), to.output)

@@ -59,6 +59,7 @@ class SimulateOptions(NamedTuple):
     rtol: float
     method: Method
     limit: float | None
+    damage: bool
     sampling: SampleOptions
     wanted: OutputOptions
     input_format: readers.Format | None
@@ -110,6 +111,9 @@ options = gathered(
         help="`tarasik`: the published equations (12) to (15), for comparison.",
     ),
     LIMIT_OPTION,
+    click.option(
+        "--damage", is_flag=True, help="Also what torques do to devices that have `fatigue`."
+    ),
     _SAMPLES,
     formats.options(*FORMATS),
     arguments.input_format,

@@ -13,6 +13,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.one_case import CaseAnswer, show
+from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.cli.simulate.options import SimulateOptions
 from vstatics.cli.sweep.run import SweepRun, carry_out, tell_reason
 from vstatics.cli.sweep.subject import read_scenario_subject, spare
@@ -48,7 +49,11 @@ def run_samples(asked: SimulateOptions) -> int:
     subject, warnings = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
     varied = replace(cast("VariedScenario", subject), rtol=asked.rtol, limit=asked.limit)
     spare(varied, wanted.output)
-    options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=sampling.out)
+    out = sampling.out
+    if asked.damage:
+        expect_fatigue(varied.own.reading)
+        out = out and f"{out},damage"  # else it is told without being asked for
+    options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
     try:
         build.check_packages(SweepOptions(), form or "csv", sampling.sharing.scheduler)
         plan = build.sample_plan(varied, options)

@@ -29,6 +29,8 @@ UNIT_OF: dict[Measure, str] = {
     "si_torque": "N*m",
     "si_speed": "rad/s",
     "area": "m^2",
+    "section_modulus": "m^3",
+    "stress": "Pa",
     "pressure": "Pa",
     "time": "s",
     "angle": "rad",

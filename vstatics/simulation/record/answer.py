@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
+from vstatics.damage.devices import DeviceDamage
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.statics.result_arrays import Message
@@ -43,13 +44,17 @@ class MotionAnswer(NamedTuple):
     events: Sequence[Event]
     energy: Energy
     peaks: Mapping[str, Peak]
+    damage: Sometimes[Mapping[str, DeviceDamage]]
+    """If somebody asks for it."""
     targets: Sometimes[Sequence[Reached]]
     """If speeds were asked for that links reach."""
     messages: Sequence[Message]
     stopped: str | None
 
 
-def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> MotionAnswer:
+def motion_answer(
+    motion: Motion, case: str, *, targets: bool = False, damage: bool = False
+) -> MotionAnswer:
     """What is answered of a motion.
 
     Parameters
@@ -59,6 +64,8 @@ def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> Motion
         Its name.
     targets : bool
         Whether speeds were asked for that links reach.
+    damage : bool
+        Whether that of devices was asked for.
     """
     return MotionAnswer(
         case,
@@ -70,6 +77,7 @@ def motion_answer(motion: Motion, case: str, *, targets: bool = False) -> Motion
         motion.events,
         motion.energy,
         motion.peaks,
+        motion.damage if damage else None,
         motion.reached if targets else None,
         motion.messages,
         motion.stopped.told if motion.stopped else None,

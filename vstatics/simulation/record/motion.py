@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Annotated, Literal, NamedTuple
 
+from vstatics.damage.devices import DeviceDamage
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import Message
@@ -103,6 +104,8 @@ class Motion(NamedTuple):
         Why the run ends before its duration.
     asked : mapping of str to mapping of str to ndarray, shape (instants,)
         Columns that were asked for, by table and row.
+    damage : mapping of str to DeviceDamage
+        Of devices that have a fatigue strength.
     """
 
     time: Floats
@@ -120,3 +123,4 @@ class Motion(NamedTuple):
     messages: tuple[Message, ...] = ()
     stopped: Problem | None = None
     asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
+    damage: Mapping[str, DeviceDamage] = MappingProxyType({})

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from vstatics.damage.devices import damages
 from vstatics.errors import Problem, not_allowed
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.impacts import kinetic_energy
@@ -235,6 +236,7 @@ class Record:
             tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.allow)),
             stopped,
             asked,
+            damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
         )
 
     def _tell_shared(self, equations: Equations) -> None:

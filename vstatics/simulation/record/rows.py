@@ -21,6 +21,7 @@ Kind = Literal[
     "link with a road",
     "step",
     "target",
+    "device with fatigue",
     "number",
 ]
 """What has a row; a number has none. Friction is that of shift elements, of links with a resistance
@@ -104,5 +105,6 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link with a road": lambda scenario: _named(scenario, road_radii(scenario)),
     "step": _steps,
     "target": _targets,
+    "device with fatigue": lambda scenario: scenario.case.fatigue,
     "number": lambda _scenario: (),
 }

@@ -8,15 +8,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.damage.devices import DeviceDamage, damages
 from vstatics.errors import CaseError, Problem
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.statics.matrix import held_links
+from vstatics.statics.result_arrays import row_names
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.tables.answer import told
@@ -82,6 +85,8 @@ class Spectrum(NamedTuple):
     """Laws that points ask outside theirs."""
     are_shares: bool = False
     """Then energies are mean powers, and revolutions those of a second."""
+    damage: Mapping[str, DeviceDamage] = MappingProxyType({})
+    """Of devices with a fatigue strength, whose torques are those of the points in their order."""
 
 
 def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
@@ -124,7 +129,8 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     }
     efficiency = leaving / entering if entering > 0 else math.nan
     energy = DutyEnergy(entering, leaving, lost)
-    return Spectrum(energy, efficiency, members, loads.outside, points.are_shares)
+    damage = damages(case, loads.device_torques())
+    return Spectrum(energy, efficiency, members, loads.outside, points.are_shares, damage)
 
 
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
@@ -231,6 +237,11 @@ class PointLoads(NamedTuple):
         slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
         for place, element in enumerate(self.case.shift_elements):
             yield element.name, torques[:, place], slips[:, place]
+
+    def device_torques(self) -> dict[str, Floats]:
+        """By shift element, mechanism and spring: its torque at each point [N*m]."""
+        names = row_names(self.case, "torques")
+        return dict(zip(names, self.taken(self.results.lossy_torques_Nm).T, strict=True))
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
         """Device and member -> torque that its link gives to it [N*m]."""

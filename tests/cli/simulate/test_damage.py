@@ -1,0 +1,95 @@
+"""Damage of a run, of samples, of sweeps: two masses that swing on a shaft, in closed form."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import vstatics
+
+CASE = """\
+inertias: {a: 0.4, b: 0.1}
+springs: {shaft: {links: [a, b], stiffness: 800}}
+fatigue: {shaft: {section_modulus: 1 cm^3, endurance: 100 MPa, exponent: 3, cycles: 1e6}}
+"""
+SCENARIO = """\
+case: case.yaml
+duration: 2
+start: {speeds: {a: 10, b: 0}}
+samples: {start.speeds.a: {uniform: [9, 11]}}
+"""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("case.yaml").write_text(CASE, encoding="utf-8")
+    Path("run.yaml").write_text(SCENARIO, encoding="utf-8")
+
+
+def answer(*words: str) -> Any:
+    return json.loads(vstatics(*words, "-f", "json").out)
+
+
+def test_of_a_run() -> None:
+    """80 sin(100 t) N*m, as J = .08 kg*m^2: 63 halves of 160 N*m in 200 rad, 80 MPa each.
+
+    What begins and ends stays below the threshold of 60 MPa.
+    """
+    shaft = answer("simulate", "run.yaml", "--damage")["damage"]["shaft"]
+    halves = math.floor(200 / math.pi - 0.5)
+    assert halves == 63
+    assert shaft["damage"] == pytest.approx(halves / 2 * 0.8**3 / 1e6, rel=3e-3)
+    assert shaft["largest_stress"] == pytest.approx(80e6, rel=1e-9)
+    assert "damage" not in answer("simulate", "run.yaml")
+    assert "\nDamage\n" in vstatics("simulate", "run.yaml", "--damage").out
+
+
+def test_a_record_of_the_run_says_the_same() -> None:
+    vstatics("simulate", "run.yaml", "-o", "run.csv")
+    recorded = answer("damage", "case.yaml", "run.csv")["damage"]
+    assert recorded == answer("simulate", "run.yaml", "--damage")["damage"]
+
+
+def test_of_samples_and_sweeps() -> None:
+    """Damage grows with the third power of the speed at the start, if all cycles count."""
+    Path("case.yaml").write_text(CASE.replace("1e6", "1e6, threshold: 0"), encoding="utf-8")
+    words = ("simulate", "run.yaml", "--samples", "5")
+    told = answer(*words, "--damage")["results"]
+    assert told["damage[shaft]"]["variants"] == 5
+    assert told == answer(*words)["results"]
+    assert [*answer(*words, "--damage", "--out", "work+1")["results"]] == [
+        "work+1",
+        "damage[shaft]",
+    ]
+    vary = "start.speeds.a=5,10,20"
+    vstatics("sweep", "run.yaml", "--vary", vary, "--out", "damage[shaft]", "-o", "out.csv")
+    rows = [*csv.DictReader(Path("out.csv").read_text("utf-8").splitlines())]
+    by_speed = [float(one["damage[shaft]"]) / float(one["start.speeds.a"]) ** 3 for one in rows]
+    assert by_speed == pytest.approx([by_speed[0]] * 3, rel=1e-6)
+
+
+def test_samples_without_friction_tell_what_there_is() -> None:
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    told = answer("simulate", "run.yaml", "--samples", "3")["results"]
+    assert {*told} == {"abs(peaks)[shaft]", "kinetic", "elastic"}
+
+
+@pytest.mark.parametrize("more", [[], ["--samples", "3"]])
+def test_a_case_that_tells_no_strength(more: list[str]) -> None:
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    found = vstatics("simulate", "run.yaml", "--damage", *more)
+    assert found.status == 1
+    assert found.err.startswith("case.yaml:1:1: error: the case has no `fatigue`")
+
+
+@pytest.mark.parametrize("more", [["--method", "tarasik"], ["-o", "run.csv"]])
+def test_what_tells_no_damage(more: list[str]) -> None:
+    found = vstatics("simulate", "run.yaml", "--damage", *more)
+    assert found.status == 2
+    assert "--damage is" in found.err

@@ -1,0 +1,142 @@
+"""`vstatics damage`: records, closed forms, and what they refuse."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import vstatics
+
+CASE = """\
+name: shafts
+inertias: {engine: 0.15, hub: 0.01, vehicle: 9}
+springs:
+  shaft: {links: [engine, hub], stiffness: 9e4}
+  half-shaft: {links: [hub, vehicle], stiffness: 9e3}
+fatigue:
+  shaft: {section_modulus: 4e-6, endurance: 100 MPa, exponent: 3, cycles: 4e6, threshold: 0}
+"""
+BOTH = CASE + "  half-shaft: {diameter: 42 mm, endurance: 100 MPa, exponent: 3, cycles: 4e6}\n"
+EXAMPLE = (-200, 100, -300, 500, -100, 300, -400, 400, -200)
+"""ASTM E1049-85, 5.4.4, in 100 N*m."""
+RECORD = "time,torques[shaft]\n" + "".join(f"{n},{one}\n" for n, one in enumerate(EXAMPLE))
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("case.yaml").write_text(CASE, encoding="utf-8")
+    Path("both.yaml").write_text(BOTH, encoding="utf-8")
+    Path("record.csv").write_text(RECORD, encoding="utf-8")
+
+
+def answer(*words: str) -> Any:
+    return json.loads(vstatics(*words, "-f", "json").out)
+
+
+def test_a_record() -> None:
+    found = answer("damage", "case.yaml", "record.csv")
+    assert found["format"] == "vstatics-damage"
+    shaft = found["damage"]["shaft"]
+    assert shaft["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
+    assert shaft["repeats"] == pytest.approx(1 / 5.341796875e-7, rel=1e-12)
+    assert sum(one["count"] for one in shaft["cycles"]) == 4
+    assert {(one["range"], one["mean"]) for one in shaft["cycles"]} >= {(900.0, 50.0)}
+    assert answer("damage", "record", "case.yaml", "record.csv") == found
+    assert "5342" in vstatics("damage", "case.yaml", "record.csv").out
+
+
+def test_units_in_headings_and_names_in_quotes() -> None:
+    rows = [f"x,{one / 1000},{one}" for one in EXAMPLE]
+    heads = 'note,torques[shaft] [kN*m],"torques[""half-shaft""]"'
+    Path("record.csv").write_text("\n".join([heads, *rows, "", ""]), encoding="utf-8")
+    found = answer("damage", "both.yaml", "record.csv")["damage"]
+    assert found["shaft"]["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
+    assert found["half-shaft"]["cycles"][-1] == {"range": 900.0, "mean": 50.0, "count": 0.5}
+    assert found["half-shaft"]["repeats"] is None
+
+
+def test_a_device_that_was_not_recorded_is_left_out() -> None:
+    found = vstatics("damage", "both.yaml", "record.csv", "-f", "json")
+    assert [*json.loads(found.out)["damage"]] == ["shaft"]
+    assert 'record.csv:1:1: warning: there is no column `torques["half-shaft"]`' in found.err
+    quiet = vstatics("damage", "both.yaml", "record.csv", "--allow", "W880")
+    assert quiet.err == ""
+
+
+@pytest.mark.parametrize(
+    ("record", "message"),
+    [
+        ("time,torques[shafd]\n0,1\n1,2\n", "record.csv:1:1: error: there is no column `torques["),
+        ("torques[shaft]\n5\n5\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
+        ("torques[shaft]\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
+        ("torques[shaft]\n5\nnan\n", "record.csv:3:1: error: torques[shaft]: read 'nan'"),
+        ("t,torques[shaft]\n1,5\n2,\n", "record.csv:3:1: error: torques[shaft]: read ''"),
+        ("t,torques[shaft]\n1,5\n2\n", "record.csv:3:1: error: torques[shaft]: read ''"),
+        (
+            "torques[shaft] [kW]\n5\n6\n",
+            "record.csv:1:1: error: torques[shaft]: read the unit 'kW'",
+        ),
+        ("torques[shaft]\n1e300\n-1e300\n", "record.csv:1:1: error: torques of `shaft` are so lar"),
+        ("", "record.csv:1:1: error: the file is empty, expected a record"),
+    ],
+)
+def test_records_that_are_none(record: str, message: str) -> None:
+    Path("record.csv").write_text(record, encoding="utf-8")
+    found = vstatics("damage", "case.yaml", "record.csv")
+    assert found.status == 1
+    assert found.err.startswith(message)
+
+
+def test_a_case_that_tells_no_strength() -> None:
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    found = vstatics("damage", "case.yaml", "record.csv")
+    assert found.status == 1
+    assert "the case has no `fatigue`" in found.err
+
+
+def test_rayleigh() -> None:
+    """The example of Tsitovich and Algin, chapter 4.6."""
+    words = ["damage", "rayleigh", "--endurance", "100MPa", "--deviation", "60e6"]
+    words += ["--exponent", "3", "--cycles", "4e6"]
+    by_km, alone = answer(*words, "--per-km", "100"), answer(*words)
+    assert by_km["integral"] == pytest.approx(3.6191919, rel=1e-7)
+    assert by_km["life"] == pytest.approx(51167.55, rel=1e-7)
+    assert alone["life"] == pytest.approx(5116755, rel=1e-6)
+    assert answer(*words, "--sum", "2")["life"] == pytest.approx(2 * alone["life"])
+    assert "life [km]" in vstatics(*words, "--per-km", "100").out
+
+
+def test_resize() -> None:
+    words = "damage", "resize", "--diameter"
+    by_ratio = answer(*words, "42 mm", "--ratio", "2.9")
+    assert by_ratio["diameter"] == pytest.approx(56.454, abs=5e-4)
+    assert by_ratio["reduced_compliance"] == pytest.approx(2.5764, abs=5e-5)
+    by_parts = answer(*words, "42", "--torque", "2.9", "--repeats", f"{1 / 2.9!r}")
+    assert by_parts["diameter"] == pytest.approx(by_ratio["diameter"])
+    assert "reduced_compliance" not in by_parts
+    assert "diameter [mm]" in vstatics(*words, "42 mm", "--ratio", "2.9").out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("resize --diameter 42", "expected --ratio, or --torque and --repeats"),
+        ("resize --diameter 42 --ratio 2 --torque 3", "expected --ratio, or --torque and --rep"),
+        ("resize --diameter 42 --ratio 0", "read 0, expected a number above 0"),
+        ("resize --diameter 42kg --ratio 2", "this is a mass"),
+        ("resize --diameter 42 --ratio 2 --exponent 1e-9", "no diameter"),
+        ("rayleigh --endurance 0 --deviation 1 --exponent 3 --cycles 1", "--endurance"),
+        ("rayleigh --endurance 1 --deviation 1 --exponent 3 --cycles 0", "--cycles"),
+        ("rayleigh --endurance 1 --deviation 1m --exponent 3 --cycles 1", "this is a length"),
+        ("rayleigh --endurance 1 --deviation 1 --exponent 1e9 --cycles 1", "so large"),
+        ("case.yaml", "RECORD.csv"),
+    ],
+)
+def test_wrong_use(words: str, message: str) -> None:
+    found = vstatics("damage", *words.split())
+    assert found.status == 2
+    assert message in found.err

@@ -1,0 +1,50 @@
+"""What `vstatics damage` commands without a case share: their numbers, and what they answer."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.cli.frame import files, texts
+from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.formats import OutputOptions
+from vstatics.cli.frame.one_case import one_text
+from vstatics.cli.frame.options import Option
+from vstatics.cli.frame.values import above_0, told, value
+from vstatics.tables.answer import Answer, as_json
+from vstatics.tables.grid import Grid
+
+
+def number(name: str, text: str, default: float | None = None) -> Option:
+    """An option of a number above 0, which is required without a default."""
+    return click.option(
+        f"--{name}",
+        type=float,
+        required=default is None,
+        default=default,
+        show_default=default is not None,
+        callback=value(above_0),
+        metavar="X",
+        help=text,
+    )
+
+
+def stress(name: str, text: str) -> Option:
+    """An option of a stress [Pa]."""
+
+    def read(given: str) -> float:
+        from vstatics.readers.named.si_units import measured
+
+        return above_0(measured(given, "stress"))
+
+    return click.option(
+        f"--{name}", required=True, callback=value(told(read)), metavar="STRESS", help=text
+    )
+
+
+def write(wanted: OutputOptions, answer: Answer, grid: Grid) -> int:
+    """Write an answer; the exit status."""
+    to = one_text(wanted, [])
+    json = dict.fromkeys(("json", "jsonl"), lambda _: as_json(answer, to.form))
+    shown = texts.CaseOutput([], json, lambda: [grid])
+    files.write_data(texts.alone("", shown, to), to.output)
+    return DONE

@@ -1,0 +1,103 @@
+"""What was recorded over time: some columns of a CSV file, as `vstatics simulate` writes them."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import Problem, ReadError
+from vstatics.model.shape import Measure
+from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
+from vstatics.readers.named.si_units import measured
+from vstatics.readers.reading import Source
+from vstatics.tables.csv import unguarded
+
+
+class RecordedColumns(NamedTuple):
+    """Columns that were found, in SI, by their names."""
+
+    columns: Mapping[str, Floats]
+    headings: tuple[str, ...]
+    """All that there are."""
+    source: Source
+
+    def problem(self, identity: str, message: str) -> Problem:
+        """A problem of the columns as such."""
+        return Problem(identity, message, (), self.source.place(1))
+
+
+def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
+    """Read those of the wanted columns that there are.
+
+    Parameters
+    ----------
+    data : bytes
+        A line of headings, then a line for each instant.
+    file : str
+        Its name, for messages.
+    wanted : mapping of str to str
+        Headings, behind which a unit may stand in brackets, with what they measure; None: no unit.
+
+    Raises
+    ------
+    ReadError
+        With every cell of these that is no finite number, and its line.
+
+    Examples
+    --------
+    >>> data = b"time,torques[shaft] [kN*m],note\\n0,1.5,on\\n.1,-2,off"
+    >>> record = read_record(data, "a.csv", {"torques[shaft]": "si_torque"})
+    >>> record.columns["torques[shaft]"]
+    array([ 1500., -2000.])
+    """
+    source = decode(data, file, "a record").source
+    rows = csv.reader(source.lines)
+    headings = tuple(unguarded(cell.strip()) for cell in next(rows))
+    places: dict[str, tuple[int, float]] = {}
+    for place, heading in enumerate(headings):
+        name, size = _named(heading, wanted, source)
+        if name in wanted:
+            places.setdefault(name, (place, size))
+    problems: list[Problem] = []
+    values: dict[str, list[float]] = {name: [] for name in places}
+    for row in filter(None, rows):
+        for name, (place, size) in places.items():
+            cell = row[place].strip() if place < len(row) else ""
+            values[name].append(_number(cell) * size)
+            if math.isnan(values[name][-1]):
+                message = f"{name}: read {cell[:40]!r}, expected a finite number"
+                problems.append(Problem("E121", message, (), source.place(rows.line_num)))
+        if len(problems) >= MOST_PROBLEMS:
+            break
+    if problems:
+        raise ReadError(problems)
+    return RecordedColumns(
+        {name: np.array(column) for name, column in values.items()}, headings, source
+    )
+
+
+def _named(heading: str, wanted: Mapping[str, Measure | None], source: Source) -> tuple[str, float]:
+    """The name that a heading has without its unit, and the size of that in SI."""
+    name, bracket, unit = heading.rpartition(" [")
+    measure = wanted.get(name.strip())
+    if heading in wanted or not bracket or measure is None:
+        return heading, 1.0
+    try:
+        return name.strip(), measured(f"1 {unit.removesuffix(']')}", measure)
+    except ValueError as error:
+        message = f"{name.strip()}: read the unit {unit.removesuffix(']')[:40]!r}, {error}"
+        raise ReadError([Problem("E121", message, (), source.place(1))]) from None
+
+
+def _number(cell: str) -> float:
+    """A finite number, else NaN."""
+    try:
+        number = float(cell) if "_" not in cell else math.nan
+    except ValueError:
+        return math.nan
+    return number if math.isfinite(number) else math.nan
