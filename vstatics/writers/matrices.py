@@ -7,7 +7,8 @@ from vstatics.model.parts import HOUSING, OwnDevice
 from vstatics.model.transmission import ShiftElement, Transmission
 from vstatics.tables import csv
 
-MEMBERS = dict(sun="a", carrier="h", ring="b") | dict(first="a", third="h", second="b")
+OF_ELEMENTS = {"sun": "a", "carrier": "h", "ring": "b"}
+MEMBERS = OF_ELEMENTS | {"first": "a", "third": "h", "second": "b"}
 """Letters of a set's members, also of one that is given by its ratio, in their order."""
 
 
