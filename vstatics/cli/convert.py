@@ -40,6 +40,10 @@ def write(case: Transmission, output_format: str) -> tuple[str, list[str]]:
         from vstatics.writers import modelica, modelica_limits
 
         return modelica.write(case), modelica_limits.lost(case)
+    if output_format == "matrices":
+        from vstatics.writers import matrices
+
+        return matrices.write(case), []
     from vstatics.writers import named
 
     writer = named.write_yaml if output_format == "yaml" else named.write_json
@@ -54,7 +58,7 @@ def write(case: Transmission, output_format: str) -> tuple[str, list[str]]:
 @click.option(
     "--to",
     "output_format",
-    type=click.Choice([*readers.READERS, "modelica"]),
+    type=click.Choice([*readers.READERS, "modelica", "matrices"]),
     help="Format of OUT; else told by the suffix.",
 )
 def convert(
@@ -71,13 +75,16 @@ def convert(
     freewheels are engaged where they hold. What the format cannot keep is listed, and
     the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
     written at all. Modelica is written only: a model on its standard library, whose
-    links are flanges and whose shift elements are controlled by inputs.
+    links are flanges and whose shift elements are controlled by inputs. So are matrices:
+    two tables in CSV that tell the structure of planetary sets and nothing else, links by
+    members of the sets and links by shift elements.
 
     \b
     Examples:
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
       vstatics convert gearbox.yaml gearbox.mo
+      vstatics convert gearbox.yaml - --to matrices
     """
     files.spare([source], target)
     by_name = "modelica" if suffix_of(target) == ".mo" else readers.format_of_name(target)

@@ -14,7 +14,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import printable
+from vstatics.errors import CaseError, ReadError, printable
 from vstatics.jobs.files import STDOUT
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
@@ -47,8 +47,15 @@ FORMATS = ("listing", *formats.TABLES[1:])
 @click.option(
     "--pretty", is_flag=True, help="One coloured table of the gears, for people; plain with -o."
 )
+@click.option(
+    "--own-tables",
+    is_flag=True,
+    help="With --lang source: the tables of this program behind those of the source.",
+)
 @arguments.settings
-@arguments.language("the headings of a listing")
+@arguments.language(
+    "the headings of a listing; source: its published wording, nothing else", "source"
+)
 def run(
     cases: tuple[str, ...],
     wanted: OutputOptions,
@@ -82,8 +89,9 @@ def run(
     several = len(names) > 1 or files_from is not None
     others = [] if files_from is None else [files_from]
     if pretty:
-        if wanted.form is not None or jobs > 1 or resume:
-            raise click.UsageError("--pretty is for people: without -f, --jobs, --resume")
+        if wanted.form is not None or jobs > 1 or resume or wanted.style.lang == "source":
+            without = "-f, --jobs, --resume, --lang source"
+            raise click.UsageError(f"--pretty is for people: without {without}")
         return _pretty(names, settings, wanted, [*names, *others], several=several)
     to = wanted.destination([*names, *others], several=several)
     if resume and not to.is_folder:
@@ -100,11 +108,15 @@ def run(
 
 def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
     """All tables of the results of a case."""
+    if style.lang == "source":
+        as_printed = _as_printed(outcome, results, style)
+        return texts.CaseOutput([], {"listing": lambda _: as_printed})
+    lang = style.lang
 
     def listing(_: str | None) -> str:
         from vstatics.writers import listing
 
-        return listing.write(results, style.lang, style.digits or listing.LISTING_DECIMALS)
+        return listing.write(results, lang, style.digits or listing.LISTING_DECIMALS)
 
     def csv(file: str | None) -> str:
         from vstatics.writers import result_csv
@@ -132,6 +144,27 @@ def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.C
     titles = [results.case.name or outcome.file]
     own = {"listing": listing, "csv": csv}
     return texts.CaseOutput(titles, own, grids, document, lay_out)
+
+
+def _as_printed(outcome: CalculatedCase, results: Results, style: TextStyle) -> str:
+    """The listing of the source; what is drawn is calculated again by its mechanisms.
+
+    Raises
+    ------
+    ReadError
+        If the source has no words for the case.
+    """
+    from vstatics.statics.solve import solve
+    from vstatics.writers import source_listing
+    from vstatics.writers.listing import LISTING_DECIMALS
+
+    if results.case.drawing is not None:
+        results = solve(results.with_numbers_only.replace(drawing=None))
+    digits = style.digits or LISTING_DECIMALS
+    try:
+        return source_listing.write(results, digits, own_tables=style.own_tables)
+    except CaseError as error:
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
 
 
 def _frame() -> texts.Frame:

@@ -79,10 +79,16 @@ def write(case: Transmission, lang: Language = "en") -> str:
     lang : {"en", "ru"}
         Language of the headings.
     """
-    lines = [*_structure(case), *_gears(case), *_conditions(case), *_names(case)]
+    lines = [*template(case), *_conditions(case), *_names(case)]
     if lang == "ru":
         lines = [RUSSIAN.get(line, line) for line in lines]
     return "\n".join(lines) + "\n"
+
+
+def template(case: Transmission) -> Iterator[str]:
+    """The fields of the published template, each below its heading in English."""
+    yield from _structure(case)
+    yield from _gears(case)
 
 
 def lost(case: Transmission) -> list[str]:

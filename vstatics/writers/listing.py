@@ -7,7 +7,7 @@ itself a deck that can be run again, but for a case with springs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from vstatics.model.transmission import Transmission
 from vstatics.statics.results import Language, Results
@@ -55,18 +55,29 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
     if coasting:
         gears = f" ({', '.join(coasting)})" * (len(coasting) < len(case.gears))
         lines.append(COASTING.text(lang) + gears)
-    named = results.case.has_own_rows
-    for table in tables(results):
-        for heading, indices, part in _parts(table, results.case):
-            mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
-            lines += ["", f"{heading.text(lang)}{mark}:", indices]
-            lines += _rows(part, digits, named=named and table.quantity.rows != "one")
-    if results.messages:
-        lines += ["", MESSAGES.text(lang), *map(str, results.messages)]
+    lines += [*table_lines(results, tables(results), lang, digits), *messages(results, lang)]
     return "\n".join(lines) + "\n"
 
 
-def _parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Table]]:
+def table_lines(
+    results: Results, shown: Iterable[Table], lang: Language, digits: int
+) -> Iterator[str]:
+    """Some tables of the results, each below its heading."""
+    named = results.case.has_own_rows
+    for table in shown:
+        for heading, indices, part in parts(table, results.case):
+            mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
+            yield from ("", f"{heading.text(lang)}{mark}:", indices)
+            yield from _rows(part, digits, named=named and table.quantity.rows != "one")
+
+
+def messages(results: Results, lang: Language) -> list[str]:
+    """What is said of the gears, if anything is."""
+    said = [*map(str, results.messages)]
+    return ["", MESSAGES.text(lang), *said] if said else said
+
+
+def parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Table]]:
     """What is printed of a table: heading, index list and rows; torques in two parts."""
     quantity = table.quantity
     if quantity.members is None:

@@ -49,6 +49,23 @@ def test_a_list_has_a_line_for_each_scheme() -> None:
     assert all(len(set(str(one["code"]).split("-"))) == one["links"] for one in found)
 
 
+@pytest.mark.parametrize("options", [(), ("--ports",), ("--classes", "order")])
+def test_a_matrix_has_a_one_for_each_member(options: tuple[str, ...]) -> None:
+    """Member n of the code is on the link of its number, and on no other."""
+    found = structures("--sets", 2, "--matrix", *options)
+    without = structures("--sets", 2, *options)
+    assert [{k: v for k, v in one.items() if k != "matrix"} for one in found] == without
+    for one in found:
+        code = [int(link) for link in str(one["code"]).split("-")]
+        links = range(max(code) + 1)
+        assert one["matrix"] == [[int(link == member) for member in code] for link in links]
+
+
+def test_a_count_has_no_matrix() -> None:
+    said = refused("structures", "--sets", 2, "--matrix", "--count")
+    assert said == "--matrix is of a list: expected it without --count"
+
+
 def test_ports_are_links_of_the_code() -> None:
     """Two sets with one sun: the sets may be exchanged, so 10 of 20 pairs are left."""
     found = structures("--sets", 2, "--classes", "sets", "--ports", "-f", "json")

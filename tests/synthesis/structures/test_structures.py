@@ -24,6 +24,7 @@ from vstatics.synthesis.structures.growth import (
     weights,
 )
 from vstatics.synthesis.structures.json_lines import lines
+from vstatics.tables.answer import plain_data
 
 Row = tuple[int, ...]
 SMALL = [
@@ -102,7 +103,7 @@ def test_counts_of_four_sets(search: StructureSearch) -> None:
 
 def counted(search: StructureSearch) -> dict[int, int]:
     """What the oracle counts."""
-    sets, classes, unsound, with_ports, _ = search
+    sets, classes, unsound, with_ports, *_ = search
     if classes != "none":
         return oracle.classes(sets, classes, ports=with_ports, all_=unsound)
     whole = oracle.connected(sets) if unsound else oracle.sound(sets)
@@ -170,12 +171,14 @@ def test_what_can_not_be_is_refused(sets: int, links: int, message: str) -> None
         StructureSearch(2, "order", ports=True),
         StructureSearch(3, "members", unsound=True, ports=True),
         StructureSearch(3, "sets", links=(6,)),
+        StructureSearch(2, ports=True, matrix=True),
+        StructureSearch(3, "order", matrix=True),
     ],
 )
 def test_lines_have_the_records(search: StructureSearch) -> None:
     text = b"".join(lines(search, batch) for batch in batches(search))
     assert [json.loads(line) for line in text.splitlines()] == [
-        one._asdict() for one in schemes(search)
+        plain_data(one) for one in schemes(search)
     ]
 
 

@@ -73,11 +73,11 @@ def required_output(says: str) -> Callable[[Command], Command]:
     )
 
 
-def language(of: str) -> Callable[[Command], Command]:
-    """The option for the language of something."""
+def language(of: str, *more: str) -> Callable[[Command], Command]:
+    """The option for the language of something, which may have more than the usual ones."""
     return click.option(
         "--lang",
-        type=click.Choice(get_args(Language)),
+        type=click.Choice([*get_args(Language), *more]),
         default="en",
         show_default=True,
         help=f"Language of {of}.",

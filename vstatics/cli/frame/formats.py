@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import click
 
@@ -26,11 +26,13 @@ FULL = ("json", "jsonl", "csv")
 class TextStyle(NamedTuple):
     """How texts are laid out."""
 
-    lang: Language = "en"
+    lang: Language | Literal["source"] = "en"
     digits: int | None = None
     """After the point; None: those that suit a number."""
     raw: bool = False
     """Whether texts in CSV stay as they are."""
+    own_tables: bool = False
+    """Whether they follow those of the source."""
 
 
 class Destination(NamedTuple):
@@ -110,6 +112,10 @@ class OutputOptions(NamedTuple):
             raise click.UsageError(f"--digits does not apply to {chosen}, which has all digits")
         if self.style.raw and chosen != "csv":
             raise click.UsageError("--raw is for CSV")
+        if self.style.lang == "source" and chosen != "listing":
+            raise click.UsageError(f"--lang source is for a listing, not for {chosen}")
+        if self.style.own_tables and self.style.lang != "source":
+            raise click.UsageError("--own-tables is for --lang source: other listings have them")
         if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
             raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)

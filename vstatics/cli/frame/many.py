@@ -222,6 +222,7 @@ def _depends(job: Job) -> dict[str, object]:
         "--lang": style.lang if job.to.is_text else None,
         "--digits": style.digits,
         "--raw": style.raw or None,
+        "--own-tables": style.own_tables or None,
     }
 
 

@@ -69,6 +69,9 @@ def _links(text: str) -> int:
     ),
     click.option("--ports", is_flag=True, help="With every choice of an input and an output."),
     click.option(
+        "--matrix", is_flag=True, help="With the matrix of each: which members a link joins."
+    ),
+    click.option(
         "--links",
         multiple=True,
         callback=value(each(_links)),
@@ -89,8 +92,9 @@ def structures(
 
     A scheme tells which suns, carriers and rings are one link; its sets hang together, and
     it leaves two degrees of freedom or more. A line of JSON for each has its `code` (the
-    links of sun, carrier and ring of each set in turn, from 0), its number of `links`, and
-    with --ports the links of `input` and `output`.
+    links of sun, carrier and ring of each set in turn, from 0), its number of `links`, with
+    --ports the links of `input` and `output`, with --matrix its `matrix`: a row for each
+    link, a column for each sun, carrier and ring, 1 where the link has it, else 0.
 
     \b
     Examples:
@@ -98,6 +102,8 @@ def structures(
       vstatics synth structures --sets 4 --classes sets --count
       vstatics synth structures --sets 5 --classes sets --ports --dry-run
     """
+    if counted and asked.matrix:
+        raise click.UsageError("--matrix is of a list: expected it without --count")
     with wrong_value("--links"):
         search.check_search(asked)
     if dry_run:

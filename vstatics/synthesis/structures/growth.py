@@ -8,7 +8,7 @@ found before, and memory does not grow with their number.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
@@ -18,7 +18,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.structures import arrays
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
-from vstatics.tables.answer import Count, Words
+from vstatics.tables.answer import Count, Sometimes, Words
 
 Classes = Literal["none", "sets", "members", "order"]
 """Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring
@@ -39,6 +39,8 @@ class StructureSearch(NamedTuple):
     """Whether an input and an output are chosen."""
     links: tuple[int, ...] = ()
     """Only with so many; any when empty."""
+    matrix: bool = False
+    """Whether their matrices are told, too."""
 
     @property
     def link_range(self) -> range:
@@ -237,6 +239,19 @@ class FoundScheme(NamedTuple):
     input: Count | None
     """Links of the code; None where none are chosen."""
     output: Count | None
+    matrix: Sometimes[Sequence[Sequence[int]]] = None
+    """A row for each link, a column for each sun, carrier and ring: 1 where it has that."""
+
+
+def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
+    """The matrix of each scheme, as `FoundScheme` has it.
+
+    >>> [batch] = batches(StructureSearch(1))
+    >>> [*matrices(batch)]
+    [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]]
+    """
+    for code, links in zip(batch.codes, batch.links.tolist(), strict=True):
+        yield (np.arange(links)[:, np.newaxis] == code).astype(int).tolist()
 
 
 def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
@@ -250,11 +265,11 @@ def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
     Examples
     --------
     >>> for one in schemes(StructureSearch(2, "order")):
-    ...     print(*one)
-    0-1-2-0-1-3 4 None None
-    0-1-2-0-3-4 5 None None
+    ...     print(one.code, one.links)
+    0-1-2-0-1-3 4
+    0-1-2-0-3-4 5
     >>> next(schemes(StructureSearch(2, ports=True)))
-    FoundScheme(code='0-1-2-0-1-3', links=4, input=0, output=1)
+    FoundScheme(code='0-1-2-0-1-3', links=4, input=0, output=1, matrix=None)
     """
     for batch in batches(search):
         codes = ["-".join(map(str, row)) for row in batch.codes.tolist()]
@@ -264,4 +279,5 @@ def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
             chosen = zip(*(one.tolist() for one in ports(batch)), strict=True)
         else:
             chosen = ((row, None, None) for row in range(len(codes)))
-        yield from (FoundScheme(codes[row], links[row], *ends) for row, *ends in chosen)
+        told = [*matrices(batch)] if search.matrix else [None] * len(codes)
+        yield from (FoundScheme(codes[k], links[k], i, o, told[k]) for k, i, o in chosen)

@@ -6,14 +6,17 @@ as long, and longer than the schemes take to be found.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from itertools import permutations
 
 import numpy as np
 
 from vstatics.synthesis.structures.arrays import MEMBERS
-from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, ports
+from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, matrices, ports
 
+NO_PORTS = '{}"input": null, "output": null}}\n'
+"""The end of a line, where no input and output are chosen."""
 ZERO, TEN = np.uint8(ord("0")), np.uint8(10)
 
 
@@ -30,7 +33,14 @@ def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
     {"code": "0-1-2", "links": 3, "input": 0, "output": 2}
     {"code": "0-1-2", "links": 3, "input": 1, "output": 0}
     """
-    return _with_ports(batch).encode() if search.ports else _without_ports(batch)
+    if not (search.ports or search.matrix):
+        return _without_ports(batch)
+    heads = _heads(batch)
+    if search.matrix:
+        told = zip(heads, matrices(batch), strict=True)
+        heads = [f'{head}"matrix": {matrix}, ' for head, matrix in told]
+    text = _with_ports(heads, batch) if search.ports else "".join(map(NO_PORTS.format, heads))
+    return text.encode()
 
 
 def _without_ports(batch: SchemeBatch) -> bytes:
@@ -48,9 +58,8 @@ def _without_ports(batch: SchemeBatch) -> bytes:
     return data
 
 
-def _with_ports(batch: SchemeBatch) -> str:
+def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
     """A line for each choice of a scheme, by the text that they share."""
-    heads = _heads(batch)
     found = ports(batch)
     pairs = found.input * int(batch.links.max()) + found.output
     counts = np.bincount(found.which, minlength=len(heads))
