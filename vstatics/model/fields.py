@@ -2,7 +2,296 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+from vstatics.errors import Problem, listed, nearest, typed_number
+from vstatics.model.parts import (
+    Direction,
+    Gear,
+    Law,
+    Load,
+    Mechanism,
+    Member,
+    OwnDevice,
+    Planet,
+    ShiftElement,
+    SpeedOf,
+)
+from vstatics.model.springs import Spring
 
 if TYPE_CHECKING:  # who has none does without
-    pass
+    from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.converters import Converter
+    from vstatics.model.fatigue import Fatigue
+    from vstatics.model.vehicle import Vehicle
+
+IdleConvention = Literal["published", "exact"]
+"""Which sign an idle mechanism gets; see docs/method.md."""
+
+
+class AnyDrawing(Protocol):
+    """What a case was drawn as, as far as the model knows: the room `elements` has the rest."""
+
+    @property
+    def links(self) -> int:
+        """The case's own links; those of planets come after them."""
+
+    @property
+    def mechanisms(self) -> Sequence[Mechanism]:
+        """Those that were given as such, not made from elements."""
+
+    @property
+    def devices(self) -> Sequence[OwnDevice]:
+        """Elements and mechanisms, in the order of the mechanisms that they became."""
+
+    def problems(self) -> Iterator[Problem]:
+        """Every error of its elements."""
+
+    def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
+        """The fields of a case that follow from it, for names of its own links."""
+
+
+@dataclass(frozen=True)
+class TransmissionFields:
+    """The fields of a `Transmission`, whose docstring tells of them."""
+
+    links: int
+    shift_elements: Sequence[ShiftElement]
+    mechanisms: Sequence[Mechanism]
+    gears: Sequence[Gear]
+    input: int = 1
+    output: int = 0
+    idle: IdleConvention = "exact"
+    coast: bool | None = None
+    name: str = ""
+    description: str = ""
+    source: str = ""
+    link_names: Sequence[str] = ()
+    load: Load | None = None
+    drawing: AnyDrawing | None = None
+    outputs: Sequence[int] = ()
+    inertias: Mapping[int, float] = field(default_factory=dict)
+    springs: Sequence[Spring] = ()
+    converters: Sequence[Converter] = ()
+    dump: ClutchDump | None = None
+    vehicle: Vehicle | None = None
+    fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
+    allow: Sequence[str] = ()
+    _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
+    """The drawing that the mechanisms were made from; with another one they are not its own."""
+
+    def __post_init__(self) -> None:
+        """Nothing is checked here, but by `Transmission`."""
+
+    @property
+    def main_output(self) -> int:
+        """The output link also where it is not given: the first output, else the last link."""
+        return self.output or next(iter(self.outputs), self.links)
+
+    @property
+    def own_links(self) -> int:
+        """How many links the case itself has, without those of planets."""
+        return self.links if self.drawing is None else self.drawing.links
+
+    @cached_property
+    def own_devices(self) -> Sequence[OwnDevice]:
+        """Mechanisms and drawn elements as the case itself names them."""
+        if self.drawing is not None:
+            return self.drawing.devices
+        return [_own_device(number, one) for number, one in enumerate(self.mechanisms)]
+
+    def gear_number(self, asked: int | str) -> int:
+        """The number of a gear from 1: the one of a name, else the one of a number.
+
+        Raises
+        ------
+        ValueError
+            If there is none; it tells the nearest name.
+        """
+        return _number_of(asked, [gear.name for gear in self.gears], "gear")
+
+    def link_number(self, asked: int | str) -> int:
+        """The number of one of the case's own links: the one of a name, else the one of a number.
+
+        Raises
+        ------
+        ValueError
+            If there is none; it tells the nearest name.
+        """
+        return _number_of(str(asked), self.link_names[: self.own_links], "link")
+
+    def gear_input(self, gear: Gear) -> int:
+        """The input link of a gear."""
+        return gear.input or self.input
+
+    def gear_output(self, gear: Gear) -> int:
+        """The output link of a gear."""
+        return gear.output or self.output
+
+    def further_outputs(self, gear: Gear) -> list[int]:
+        """The outputs of a gear besides that of its ratio."""
+        ends = self.gear_input(gear), self.gear_output(gear)
+        return [link for link in self.outputs if link not in ends]
+
+    def gear_load(self, gear: Gear) -> Load:
+        """The load of a gear: its own, filled up with that of the case.
+
+        `coast` turns its torque against the input's speed, or along it if it is false.
+        """
+        load = (gear.load or Load()).or_else(self.load or Load())
+        coast = self.gear_coast(gear)
+        if coast is None or not load.torque:
+            return load
+        against = load.torque * (load.speed or 1.0) < 0
+        return load if against == coast else load._replace(torque=-load.torque)
+
+    def gear_coast(self, gear: Gear) -> bool | None:
+        """What a gear, or else the case, says of power that enters at the output."""
+        return self.coast if gear.coast is None else gear.coast
+
+    def coasts(self, gear: Gear) -> bool:
+        """Whether the input is driven: the sign of its power says so, else `coast`."""
+        load = self.gear_load(gear) if gear.load or self.load else Load()
+        if load.speed and load.torque:
+            return load.speed * load.torque < 0
+        return bool(self.gear_coast(gear))
+
+    def torque_unit(self, gear: Gear) -> float:
+        """What torques of a gear are related to: that of the input with its sign [N*m].
+
+        1 N*m where the load gives none, along its speed unless the gear coasts; 0 if no load
+        tells a torque.
+        """
+        load = self.gear_load(gear)
+        if load.torque is None or load.torque:
+            return load.torque or 0.0
+        return math.copysign(1.0, load.speed or 1.0) * (-1.0 if self.coasts(gear) else 1.0)
+
+    def input_torque(self, gear: Gear) -> float:
+        """The torque of the input in the unit of all torques: 1, or 0 where the load gives none."""
+        if gear.load is None and self.load is None:
+            return 1.0
+        return 0.0 if self.gear_load(gear).torque == 0 else 1.0
+
+    @property
+    def unloaded(self) -> list[int]:
+        """Indices of the gears whose load gives no torque: theirs are relative to 1 N*m."""
+        loads = [self.load, *(gear.load for gear in self.gears)]
+        if not any(load is not None and load.torque == 0 for load in loads):
+            return []
+        return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
+
+    def input_turns(self, gear: Gear) -> Direction | Literal[""]:
+        """The way in which the input of a gear turns, as it says itself or its load does."""
+        if gear.input_turns or (gear.load is None and self.load is None):
+            return gear.input_turns
+        load = self.gear_load(gear)
+        said = load.speed or load.torque
+        return "" if not said else "forward" if said > 0 else "backward"
+
+    @property
+    def has_converter(self) -> bool:
+        """Whether output torque by input torque is not the ratio, even without losses."""
+        return any(one.kind == "converter" for one in self.mechanisms)
+
+    @property
+    def own_mechanisms(self) -> slice:
+        """Where the mechanisms stand that the case gives: behind those of drawn elements."""
+        drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
+        return slice(drawn, len(self.mechanisms))
+
+    def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
+        """The ratio of each mechanism in a gear [-]: its speed ratios in place of others.
+
+        Parameters
+        ----------
+        ratios : sequence, optional
+            In place of the mechanisms' own, for all gears. [-]
+        """
+        own = list(ratios) if ratios is not None else [one.ratio for one in self.mechanisms]
+        for number, ratio in gear.speed_ratios.items():
+            place = self.own_mechanisms.start + number - 1
+            if place < len(own):  # else of one of the converters
+                own[place] = ratio
+        return own
+
+    def link_name(self, link: int) -> str:
+        """The name of a link; the housing is ``housing``."""
+        return self.link_names[link - 1] if link else "housing"
+
+    def speed_text(self, speed: float | SpeedOf) -> str:
+        """A given speed in words: ``0.5``, or ``1.05*FL`` for that of another link."""
+        if not isinstance(speed, SpeedOf):
+            return f"{speed:g}"
+        name = self.link_name(speed.link)
+        name = f"link {name}" if name.isdigit() else name
+        return name if speed.factor == 1 else f"{speed.factor:g}*{name}"
+
+    @property
+    def freewheels(self) -> list[int]:
+        """Numbers of the shift elements that are freewheels."""
+        return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
+
+    @property
+    def has_drag(self) -> bool:
+        """Whether anything drags, in one gear at least."""
+        torques = [element.drag for element in self.shift_elements]
+        for gear in self.gears:
+            torques += [*gear.drag.values(), *gear.open_drag.values()]
+        return any(torques)
+
+    @property
+    def laws(self) -> list[Law]:
+        """Drags and efficiencies that depend on speed or torque."""
+        numbers = [element.drag for element in self.shift_elements]
+        for one in self.mechanisms:
+            numbers += [one.efficiency, one.back_efficiency or 0.0]
+        for gear in self.gears:
+            numbers += [*gear.drag.values(), *gear.open_drag.values()]
+        return [number for number in numbers if isinstance(number, Law)]
+
+    @property
+    def depends(self) -> bool:
+        """Whether a drag or an efficiency depends on speed or torque, or a torque on a balance."""
+        return bool(self.laws) or any(gear.balance is not None for gear in self.gears)
+
+    @property
+    def devices(self) -> list[str]:
+        """Names of all devices in the order of the structural-distribution matrix."""
+        elements = [element.name for element in self.shift_elements]
+        mechanisms = [mechanism.name for mechanism in self.mechanisms]
+        return [*elements, *mechanisms, *(spring.name for spring in self.springs)]
+
+    @property
+    def has_own_rows(self) -> bool:
+        """Whether rows of results have names that no deck tells: of elements, of springs."""
+        return self.drawing is not None or bool(self.springs)
+
+    @property
+    def among_devices(self) -> slice:
+        """Where the mechanisms stand among the devices: shift elements before, springs behind."""
+        elements = len(self.shift_elements)
+        return slice(elements, elements + len(self.mechanisms))
+
+
+def _number_of(asked: int | str, names: Sequence[str], what: str) -> int:
+    if asked in names:
+        return names.index(str(asked)) + 1
+    if number := typed_number(str(asked), len(names)):
+        return number
+    hint = nearest(str(asked), names) or f"; {what}s are {listed(names, 12)}"
+    raise ValueError(f"no {what} {asked!r}{hint}")
+
+
+def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:
+    """A mechanism that was not made from an element."""
+    links = mechanism.links if mechanism.third else mechanism.links[:2]
+    members = [
+        Member(name, link, ((index, place),))
+        for place, (name, link) in enumerate(zip(("first", "second", "third"), links, strict=False))
+    ]
+    return OwnDevice(mechanism.name, (index,), tuple(members), (Planet(mechanism.name, index),))
