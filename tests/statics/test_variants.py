@@ -49,6 +49,8 @@ from vstatics import (
     Transmission,
     solve,
 )
+from vstatics.model.converters import Converter
+from vstatics.model.fatigue import Fatigue
 from vstatics.model.parts import Friction, Load
 from vstatics.model.transmission import IdleConvention
 from vstatics.model.vehicle import Vehicle
@@ -664,6 +666,8 @@ OTHER: dict[type, dict[str, object]] = {
         "inertias": {1: 0.5},
         "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
         "vehicle": Vehicle(1000.0, 0.3),
+        "converters": (Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0))),),
+        "fatigue": {"axle": Fatigue(1e8, 3.0, 4e6, diameter=0.042)},
     },
 }
 """Another value of each field; what is made of parts or of a drawing is tried elsewhere."""
