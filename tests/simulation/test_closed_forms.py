@@ -9,6 +9,7 @@ import pytest
 
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
+from vstatics.model.converters import Converter
 from vstatics.model.parts import Friction, OfLoad
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, ShiftElement, Transmission
@@ -16,7 +17,7 @@ from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Resistance, Road, TorqueLaw, constant
-from vstatics.simulation.scenario.parts import Control, Converter, Scenario, Start
+from vstatics.simulation.scenario.parts import Control, Scenario, Start
 
 EXACT = 1e-8
 

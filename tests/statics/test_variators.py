@@ -9,6 +9,7 @@ import pytest
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.errors import CaseError
 from vstatics.readers import loads
+from vstatics.writers.named import write_yaml
 
 VARIATOR = Mechanism(1, 2, 0, 0.4, 0.86, kind="variator", name="hydro")
 POINTS = ((0.0, 2.4), (0.8, 1.0), (1.0, 1.0))
@@ -91,17 +92,19 @@ def test_points_of_a_converter_ascend() -> None:
         Transmission(2, [], [wrong], [Gear(speed_ratios={1: 0})])
 
 
-def test_lambda_behind_the_points_of_a_converter_is_passed_over() -> None:
-    """The points of a scenario's converter serve a case; what is no number is still told."""
+def test_lambda_behind_the_points_of_a_converter_changes_nothing_in_statics() -> None:
+    """The points of a scenario's converter serve a case; what is no number is told."""
     text = """
 links: [engine, turbine]
 mechanisms: {{TC: {{kind: converter, first: engine, second: turbine, points: {points}}}}}
 gears: {{a: {{speed_ratios: {{TC: 0.4}}}}}}
 """
     bare = text.format(points="[[0, 2.4], [.8, 1], [1, 1]]")
-    assert loads(text.format(points="[[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3], [1, 1, 0]]")) == loads(
-        bare
-    )
+    known = loads(text.format(points="[[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3], [1, 1, 0]]"))
+    assert solve(known).torques.tolist() == solve(loads(bare)).torques.tolist()
+    assert loads(write_yaml(known)) == known
+    with pytest.raises(CaseError, match="expected lambda in all points or in none"):
+        loads(text.format(points="[[0, 2.4, 3.1e-3], [.8, 1]]"))
     with pytest.raises(CaseError, match=r"points\[1\]\[3\]"):
         loads(text.format(points="[[0, 2.4, x], [.8, 1]]"))
     with pytest.raises(CaseError, match="expected 2 numbers"):

@@ -42,7 +42,8 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
-    if _moves(case) or any(part.stiffness is not None or part.damping for part in parts):
+    elastic = any(part.stiffness is not None or part.damping for part in parts)
+    if _moves(case) or case.converters or elastic:
         from vstatics.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)

@@ -25,6 +25,7 @@ from vstatics.model.springs import Spring
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.converters import Converter
     from vstatics.model.fatigue import Fatigue
     from vstatics.model.vehicle import Vehicle
 
@@ -75,6 +76,7 @@ class TransmissionFields:
     outputs: Sequence[int] = ()
     inertias: Mapping[int, float] = field(default_factory=dict)
     springs: Sequence[Spring] = ()
+    converters: Sequence[Converter] = ()
     dump: ClutchDump | None = None
     vehicle: Vehicle | None = None
     fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
@@ -212,7 +214,9 @@ class TransmissionFields:
         """
         own = list(ratios) if ratios is not None else [one.ratio for one in self.mechanisms]
         for number, ratio in gear.speed_ratios.items():
-            own[self.own_mechanisms.start + number - 1] = ratio
+            place = self.own_mechanisms.start + number - 1
+            if place < len(own):  # else of one of the converters
+                own[place] = ratio
         return own
 
     def link_name(self, link: int) -> str:

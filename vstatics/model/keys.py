@@ -45,7 +45,7 @@ from vstatics.model.shape import (
     Numbers,
     RowOf,
 )
-from vstatics.model.torsional_keys import ABOVE_0, DUMP, ELASTIC, SPRING
+from vstatics.model.torsional_keys import ABOVE_0, CONVERTER, DUMP, ELASTIC, SPRING
 from vstatics.model.vehicle_keys import VEHICLE
 
 COEFFICIENTS = ByKey(
@@ -270,7 +270,8 @@ MECHANISM = ByKey(
                 RowOf((NUMBER, NUMBER), "speed ratio, torque ratio", (Leaf("pump_factor"),)),
             ),
             "Of a converter: [speed ratio, torque ratio M_second/M_first] in ascending order, "
-            "straight between; a third number, the lambda of a scenario, is passed over.",
+            "straight between; with a third number, lambda in N*m*s^2, it is one of `converters` "
+            "for vibration and motion.",
             examples=([[0, 2.4], [0.8, 1]],),
         ),
         KeyShape(
@@ -452,6 +453,11 @@ CASE = ByKey(
             ByName("spring", SPRING),
             "Elastic devices in order, each under its name; with them or with inertias a case may "
             "go without mechanisms, links and gears.",
+        ),
+        KeyShape(
+            "converters",
+            ByName("converter", CONVERTER),
+            "Torque converters by their names, for vibration, and for scenarios without their own.",
         ),
         KeyShape(
             "gears",

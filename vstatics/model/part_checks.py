@@ -224,32 +224,42 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         message = f"read {mechanism.ratio}, expected a finite number"
         yield Problem("E229", message, (*path, "speed_ratio"))
     if mechanism.kind == "converter":
-        yield from _torque_ratios(mechanism.points, (*path, "points"))
+        yield from of_characteristic(mechanism.points, (*path, "points"))
 
 
-def _torque_ratios(points: Sequence[tuple[float, float]], path: Path) -> Iterator[Problem]:
-    """Speed ratios that ascend, torque ratios of 0 or more."""
+def of_characteristic(
+    points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
+) -> Iterator[Problem]:
+    """Speed ratios that ascend, torque ratios of 0 or more; so many numbers, or more, in each."""
     if not points:
         yield Problem("E219", "there is no point, expected one at least", path)
     before = -math.inf
-    for number, (speed_ratio, torque_ratio) in enumerate(points, 1):
+    for number, (speed_ratio, torque_ratio, *rest) in enumerate(points, 1):
         if not before < speed_ratio < math.inf:
             message = f"read {speed_ratio:g}, expected a speed ratio above {before:g}"
             yield Problem("E274", f"{message}: points are in ascending order", (*path, number, 1))
         what, right = "a torque ratio of 0 or more", 0 <= torque_ratio < math.inf
         yield from expect(torque_ratio, what, (*path, number, 2), right=right)
+        for factor in rest:
+            what = "a lambda of 0 or more up to i = 1"
+            right = math.isfinite(factor) and (factor >= 0 or speed_ratio >= 1)
+            yield from expect(factor, what, (*path, number, 3), right=right)
+        if 2 + len(rest) != max(len(points[0]), numbers):
+            message = f"read {2 + len(rest)} numbers, expected lambda in all points or in none"
+            yield Problem("E522", message, (*path, number))
         before = speed_ratio
 
 
 def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
     """Those that a gear gives to variators and converters."""
     own = case.mechanisms[case.own_mechanisms]
+    last = len(own) + len(case.converters)
     for number, ratio in gear.speed_ratios.items():
         inner = (*path, "speed_ratios", number)
-        if not is_number(number, len(own), 1):
-            expected = f"the number of a mechanism, from 1 to {len(own)}"
+        if not is_number(number, last, 1):
+            expected = f"the number of a mechanism, from 1 to {last}"
             yield Problem("E275", f"read {number!r}, expected {expected}", inner)
-        elif not own[number - 1].kind:
+        elif number <= len(own) and not own[number - 1].kind:
             name = own[number - 1].name or number
             message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
             yield Problem("E276", message, inner)

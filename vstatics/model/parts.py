@@ -270,8 +270,9 @@ class Mechanism(NamedTuple):
     kind : {"variator", "converter"}, optional
         A variator divides power as a pair of wheels of the ratio ``1/x`` would; one with the
         speed ratio x = 0 holds its second link. A converter is hydrodynamic.
-    points : sequence of (float, float)
-        Of a converter: speed ratio, torque ratio ``M_second/M_first``. [-]
+    points : sequence of (float, float) or (float, float, float)
+        Of a converter: speed ratio, torque ratio ``M_second/M_first`` [-], and perhaps lambda, by
+        which a `Converter` has its torque [N*m*s^2].
     """
 
     first: int
@@ -286,7 +287,7 @@ class Mechanism(NamedTuple):
     damping: Damping | float = NO_DAMPING
     is_set: bool = False
     kind: MechanismKind | Literal[""] = ""
-    points: tuple[tuple[float, float], ...] = ()
+    points: tuple[tuple[float, ...], ...] = ()
 
     @property
     def links(self) -> tuple[int, int, int]:
@@ -566,8 +567,8 @@ class Gear(NamedTuple):
     balance : BatteryBalance, optional
         One of its links has neither a speed nor a torque, which is found.
     speed_ratios : mapping of int to float
-        Number of a variator or converter among the mechanisms that the case gives -> its speed
-        ratio in this gear, in place of its own. [-]
+        Number of a variator or converter among the mechanisms that the case gives, behind which
+        its `converters` stand -> its speed ratio in this gear, in place of its own. [-]
     """
 
     engaged: Sequence[int] = ()

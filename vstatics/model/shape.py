@@ -172,8 +172,8 @@ class RowOf(NamedTuple):
     items: tuple[Shape, ...]
     kind: str
     """What messages call them: ``slip, coefficient``."""
-    passed_over: tuple[Shape, ...] = ()
-    """What may stand behind them, and is not taken."""
+    optional: tuple[Shape, ...] = ()
+    """What may stand behind them."""
 
 
 class ByPoints(NamedTuple):

@@ -8,8 +8,9 @@ from itertools import pairwise
 
 from vstatics.errors import Path, Problem, nearest, quoted
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
+from vstatics.model.converters import Converter
 from vstatics.model.fields import TransmissionFields
-from vstatics.model.part_checks import called, expect, of_link
+from vstatics.model.part_checks import called, expect, of_characteristic, of_link
 from vstatics.model.parts import HOUSING, Damping, damping, element_name, mechanism_name
 from vstatics.model.springs import Spring, ends, spring_name
 
@@ -26,6 +27,8 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_elastic(element.stiffness, element.damping, ("shift_elements", number))
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
+    for number, converter in enumerate(case.converters, 1):
+        yield from of_converter(converter, ("converters", number), case.own_links)
     yield from _of_names(case)
 
 
@@ -89,6 +92,15 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
             yield Problem("E693", f"read {what} beside `points`, expected none", (*path, name))
 
 
+def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Problem]:
+    """What is wrong with a converter between two of so many links."""
+    for place, link in zip(("first", "second"), converter.links, strict=True):
+        yield from of_link(link, (*path, place), links, lowest=1)
+    if converter.pump == converter.turbine:
+        yield Problem("E638", "expected two different links, pump and turbine", (*path, "links"))
+    yield from of_characteristic(converter.points, (*path, "points"), numbers=3)
+
+
 def of_elastic(
     stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
 ) -> Iterator[Problem]:
@@ -135,6 +147,11 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
         if other := taken.get(name) or rows.get(name):
             message = f"`{name}` is the name of {other} too, expected another"
             yield Problem("E257", message, ("springs", number))
+    taken |= dict.fromkeys(names, "a spring")
+    for number, converter in enumerate(case.converters, 1):
+        if other := taken.get(converter.name) or rows.get(converter.name):
+            message = f"`{converter.name}` is the name of {other} too, expected another"
+            yield Problem("E257", message, ("converters", number))
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:

@@ -126,6 +126,26 @@ SPRING = ByKey(
     spring_fault,
 )
 
+CONVERTER = ByKey(
+    "Converter",
+    "A torque converter: -M on the pump, +K*M on the turbine, M = lambda*w_P*|w_P|, by "
+    "i = w_T/w_P.",
+    (
+        KeyShape(
+            "links", Ends(), "Pump and turbine.", required=True, examples=(["engine", "turbine"],)
+        ),
+        KeyShape(
+            "points",
+            ListOf(
+                RowOf((NUMBER, NUMBER, Leaf("pump_factor")), "i, K, lambda"), "points", unique=False
+            ),
+            "Speed ratio i, torque ratio K, lambda in N*m*s^2; i ascends.",
+            required=True,
+            examples=([[0, 2.4, 3.1e-3], [0.8, 1.0, 2.2e-3], [1, 1, 0]],),
+        ),
+    ),
+)
+
 
 _OF = {
     "J1": "the engine and the driving parts of the clutch",

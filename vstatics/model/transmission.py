@@ -68,6 +68,8 @@ class Transmission(TransmissionFields):
     springs : sequence of Spring
         Elastic devices; with them a case may go without mechanisms, and without gears it has
         one with nothing engaged.
+    converters : sequence of Converter
+        Torque converters, for vibration and motion; for all else they are open.
     dump : ClutchDump, optional
         A clutch that is dumped.
     vehicle : Vehicle, optional
@@ -248,7 +250,7 @@ def _completed(case: Transmission) -> dict[str, object]:
                 else as_float(mechanism.back_efficiency),
                 stiffness=_float(mechanism.stiffness),
                 damping=damping(mechanism.damping),
-                points=tuple((float(one), float(other)) for one, other in mechanism.points),
+                points=tuple(tuple(map(float, point)) for point in mechanism.points),
             )
             for number, mechanism in enumerate(case.mechanisms, 1)
         ),
@@ -268,6 +270,10 @@ def _completed(case: Transmission) -> dict[str, object]:
                 friction=float(spring.friction),
             )
             for number, spring in enumerate(case.springs, 1)
+        ),
+        "converters": tuple(
+            one._replace(points=tuple(tuple(map(float, point)) for point in one.points))
+            for one in case.converters
         ),
         "dump": case.dump and case.dump.completed(),
         "vehicle": case.vehicle and case.vehicle.completed(),

@@ -30,17 +30,18 @@ from typing import TYPE_CHECKING
 from vstatics.extras import later
 
 if TYPE_CHECKING:
+    from vstatics.model.converters import Converter
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.formula import Formula
     from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
-    from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
+    from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
     from vstatics.simulation.stepping import begin
 
 _LATER = {
     "Capacity": "vstatics.simulation.scenario.parts",
-    "Converter": "vstatics.simulation.scenario.parts",
+    "Converter": "vstatics.model.converters",
     "Dog": "vstatics.simulation.scenario.parts",
     "Formula": "vstatics.simulation.scenario.formula",
     "Motion": "vstatics.simulation.record.motion",

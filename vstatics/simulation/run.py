@@ -14,7 +14,12 @@ from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
 from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
-from vstatics.simulation.events.start import start_gear, start_speeds, with_fixed_ratios
+from vstatics.simulation.events.start import (
+    start_gear,
+    start_speeds,
+    with_all_converters,
+    with_fixed_ratios,
+)
 from vstatics.simulation.record.asked import rows_of_tables
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
@@ -101,8 +106,8 @@ def begun(
     columns: Sequence[tuple[str, str]] = (),
 ) -> EventRun:
     """A run at its start, by the equations of motion; see `simulate`."""
+    scenario = with_fixed_ratios(with_all_converters(scenario))
     asked = rows_of_tables(columns, scenario)
-    scenario = with_fixed_ratios(scenario)
     gear = start_gear(scenario)
     engaged = (*scenario.start.engaged, *(gear.engaged if gear else ()))
     system = motion_system(scenario, programmes(scenario, engaged), gear)

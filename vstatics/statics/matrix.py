@@ -88,7 +88,7 @@ def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 
 def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
     """``M_second/M_first`` of a converter: straight between its points, constant outside [-]."""
-    points = converter.points
+    points = tuple((point[0], point[1]) for point in converter.points)
     if is_exact(speed_ratio):
         exact = type(speed_ratio)
         points = tuple((exact(one), exact(other)) for one, other in points)

@@ -45,6 +45,7 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
+    yield "converter", [one.name for one in case.converters]
     yield "speed ratio", [one.name for one in case.mechanisms if one.kind]
     yield "inertia", [case.link_name(link) for link, one in case.inertias.items() if one]
     yield "stiffness", [part.name for part in parts if part.stiffness is not None]

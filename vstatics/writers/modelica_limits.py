@@ -48,6 +48,7 @@ def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     warmed = [one.name for one in elements if one.pack and one.pack.table]
     yield "the coefficient of friction by temperature of", warmed
     yield "the limit of", [one.name for one in case.springs if one.limit is not None]
+    yield "the converter", [one.name for one in case.converters]
     yield "the points of", [one.name for one in case.springs if one.points]
     yield "the friction of", [one.name for one in case.springs if one.friction]
     elastic: list[Spring | Mechanism] = [*case.springs, *mechanisms]

@@ -73,10 +73,14 @@ def mapping(case: Transmission) -> dict[str, Any]:
     sets = values["mechanisms"]  # those of a drawing, where there is one
     values["mechanisms"] = {name: mechanism_record(one) for name, one in sets.items()}
     values["springs"] = {one.name: spring_record(one) for one in case.springs}
+    values["converters"] = {
+        one.name: {"links": one.links, "points": one.points} for one in case.converters
+    }
     values["dump"] = dump_record(case.dump)
     values["vehicle"] = vehicle_record(case.vehicle)
     order = _CASE if shape is CASE else _as_written(shape)
-    return _Writer(links, ["", *values["shift_elements"]], ["", *sets]).by_key(values, order)
+    ratios = ["", *sets, *values["converters"]]
+    return _Writer(links, ["", *values["shift_elements"]], ratios).by_key(values, order)
 
 
 def write_yaml(case: Transmission) -> str:
@@ -194,7 +198,8 @@ class _Writer:
         return [self.links[link] for link in value]
 
     def row(self, value: Any, shape: RowOf) -> list[Any]:
-        return [self.value(one, item) for one, item in zip(value, shape.items, strict=True)]
+        known = (*shape.items, *shape.optional)
+        return [self.value(one, item) for one, item in zip(value, known, strict=False)]
 
     def by_law(self, value: Any, shape: ByLaw) -> Any:
         """A number, or a law as it was given; points of a file stand in the case."""

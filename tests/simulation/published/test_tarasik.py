@@ -23,12 +23,13 @@ from tests.simulation.boxes import (
 )
 from tests.simulation.test_golden import happened
 from vstatics.errors import CaseError
+from vstatics.model.converters import Converter
 from vstatics.model.springs import Spring, between
 from vstatics.simulation import simulate
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.simulation.published.two_masses import TwoMasses, two_masses
 from vstatics.simulation.scenario.laws import Resistance, constant
-from vstatics.simulation.scenario.parts import Converter, Dog, Scenario, Start
+from vstatics.simulation.scenario.parts import Dog, Scenario, Start
 from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.devices import motion_system
 

@@ -8,11 +8,12 @@ from pathlib import Path
 import pytest
 
 from vstatics import ReadError, readers, solve
+from vstatics.model.converters import Converter
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.file import ScenarioFile, load_scenario, read_scenario
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Capacity, Converter, Dog, Scenario, Shift, Start
+from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
 from vstatics.simulation.scenario.programme import newton_metres
 from vstatics.simulation.system.devices import drags
 from vstatics.writers import named
@@ -156,10 +157,10 @@ FAULTS = [
     (
         "converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}",
         "4:30",
-        "a link that can turn",
+        "a link number from 1",
     ),
-    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
-    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:58", "in their"),
+    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "there is no point"),
+    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascending"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
     ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in their order"),

@@ -12,8 +12,9 @@ from tests.chance import seeded
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
 from vstatics.torsion.forced.cycle import summed
-from vstatics.torsion.forced.harmonic_torques import RAD_PER_RPM, Harmonic, response
+from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.forced.torque_table import read_torque_table
+from vstatics.torsion.system.working_points import RAD_PER_RPM
 from vstatics.torsion.vibration.gear_modes import modes
 
 SPEEDS = np.array([100.0, 300.0, 1000.0])

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,6 +16,9 @@ from vstatics.cli.frame.values import value, wrong_value
 from vstatics.errors import Problem, listed
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.readers.reading import Reading
+
+if TYPE_CHECKING:
+    from vstatics.torsion.system.working_points import WorkingGear
 
 
 def _torque(text: str) -> float:
@@ -33,6 +38,43 @@ static_torque = click.option(
     help="Torque at the input, in N*m, under which springs with `points` have their slopes; "
     "that of the load of CASE when not given, else 0.",
 )
+
+
+def _ratios(texts: Sequence[str]) -> dict[str, float]:
+    """Speed ratios by names of converters."""
+    found = {}
+    for text in texts:
+        name, _, ratio = text.rpartition("=")
+        try:
+            found[name] = float(ratio)
+        except ValueError:
+            found[name] = math.nan
+        if not name or not math.isfinite(found[name]):
+            raise ValueError(f"read {text!r}, expected the name of a converter and a number: TC=.6")
+    return found
+
+
+speed_ratios = click.option(
+    "--speed-ratio",
+    "ratios",
+    multiple=True,
+    callback=value(_ratios),
+    metavar="TC=I",
+    help="Speed ratio of a converter, turbine by pump, in place of that of the gear; when neither "
+    "gives it that at which it takes the torque of the load.",
+)
+
+
+def working_gears(
+    case: Transmission, gears: Sequence[str], ratios: Mapping[str, float]
+) -> list[WorkingGear]:
+    """Gears by their names, with their converters at the speed ratios of an option."""
+    from vstatics.torsion.system.working_points import working_gear
+
+    with wrong_value("--speed-ratio"):
+        return [working_gear(case, case.gears[case.gear_number(one) - 1], ratios) for one in gears]
+
+
 CASE_OPTIONS = (
     click.argument("case", type=click.Path()),
     formats.options(*formats.TABLES),
@@ -112,12 +154,21 @@ def located(
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
-    """Which slopes springs with points have in gears, by their names."""
-    from vstatics.torsion.system.slopes import spring_slopes
+    """Which slopes springs with points have in gears, by their names; converters are open."""
+    from vstatics.torsion.system.working_points import WorkingGear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
+    return working_slope_notes(reading, [WorkingGear(reading.case, by_name[one]) for one in gears])
+
+
+def working_slope_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
+    """The same where converters work."""
+    from vstatics.torsion.system.slopes import spring_slopes
+
     return [
-        reading.locate(Problem("N506", f"gear {name}: {one}", ("springs", one.number, "points")))
-        for name in gears
-        for one in spring_slopes(reading.case, by_name[name])
+        reading.locate(
+            Problem("N506", f"gear {gear.name}: {one}", ("springs", one.number, "points"))
+        )
+        for case, gear, _ in gears
+        for one in spring_slopes(case, gear)
     ]

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.cli.torsion.case import elastic_case, gear_names, located, slope_notes
+from vstatics.cli.torsion.case import (
+    elastic_case,
+    gear_names,
+    located,
+    speed_ratios,
+    working_gears,
+    working_slope_notes,
+)
 from vstatics.readers.reading import Reading
 
 
@@ -20,8 +29,11 @@ from vstatics.readers.reading import Reading
     help="The first N modes that are not rigid; all when not given, of a case with more than 50 "
     "links the first 20.",
 )
+@speed_ratios
 @elastic_case
-def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
+def modes(
+    one: OneCase, gears: tuple[str, ...], count: int | None, ratios: Mapping[str, float]
+) -> int:
     """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
 
     CASE has `inertias` of links [kg*m^2] and `springs`, mechanisms or shift elements with
@@ -29,7 +41,8 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
     damping and with it, amplitudes of links (the largest is 1), torques of all devices at
     these, shares of the energy, the number of nodes. Given speeds, losses and drag take no
     part; freewheels hold as in `vstatics run`, and springs with `points` have their slopes
-    at what they carry there under the torque at the input.
+    at what they carry there under the torque at the input. Converters are open, but in the
+    damped vibration, where they resist by their slopes at the speeds and torques of the load.
 
     \b
     Examples:
@@ -48,8 +61,10 @@ def modes(one: OneCase, gears: tuple[str, ...], count: int | None) -> int:
         from vstatics.torsion.vibration.grids import modes_grids
 
         case = reading.case
-        found = modes_of(case, gear_names(case, gears), count=count)
-        notes = slope_notes(reading, [gear.name for gear in found])
+        working = working_gears(case, gear_names(case, gears), ratios)
+        names = [one.gear.name for one in working]
+        found = modes_of(case, names, count=count, speed_ratios=ratios)
+        notes = working_slope_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         doubts = ((gear.name, text) for gear in found for text in gear.warnings)
         return CaseAnswer(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -13,7 +13,15 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import numbers, value
-from vstatics.cli.torsion.case import CASE_OPTIONS, gear_names, link_name, located, slope_notes
+from vstatics.cli.torsion.case import (
+    CASE_OPTIONS,
+    gear_names,
+    link_name,
+    located,
+    speed_ratios,
+    working_gears,
+    working_slope_notes,
+)
 from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
@@ -69,6 +77,7 @@ def _speeds(text: str) -> Floats:
     help="All orders together: the largest value over a cycle, and the RMS.",
 )
 @arguments.some_gears
+@speed_ratios
 @gathered("one", OneCase, *CASE_OPTIONS)
 def response(
     one: OneCase,
@@ -78,13 +87,14 @@ def response(
     torque: str | None,
     with_sum: bool,
     gears: tuple[str, ...],
+    ratios: Mapping[str, float],
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
     A harmonic torque acts on LINK. For each order: amplitudes of links [rad] and torques
     of devices [N*m] over the speeds, and where an order meets a natural frequency that
-    LINK takes part in; such speeds are added. Springs with `points` have their slopes under
-    the load of CASE. Text shows the largest values, CSV (a line
+    LINK takes part in; such speeds are added. Springs with `points` and converters have
+    their slopes under the load of CASE. Text shows the largest values, CSV (a line
     for each), XLSX and JSON all. There is no value where an undamped system is hit exactly.
 
     \b
@@ -108,10 +118,12 @@ def response(
         case = reading.case
         harmonics = _harmonics(orders, torque)
         link = link_name(case, at, "--at")
-        found = responses(case, link, harmonics, speed, gear_names(case, gears))
+        working = working_gears(case, gear_names(case, gears), ratios)
+        names = [one.gear.name for one in working]
+        found = responses(case, link, harmonics, speed, names, speed_ratios=ratios)
         if with_sum:
             found = [gear.with_sum() for gear in found]
-        notes = slope_notes(reading, [gear.name for gear in found])
+        notes = working_slope_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from vstatics.errors import Path
+from vstatics.model.converters import converters_of
 from vstatics.model.keys import CASE
 from vstatics.model.part_checks import of_drag
 from vstatics.model.parts import HOUSING, Gear, Law, Load, OfLoad, ShiftElement, SpeedOf
@@ -40,6 +41,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     return {
         **{key: values[key] for key in _OWN if key in values},
         **parts,
+        "converters": converters_of(values.get("converters", {})),
         "shift_elements": elements,
         "gears": [gear._replace(load=_or_none(gear.load)) for gear in gears],
         "load": _or_none(load),

@@ -84,11 +84,11 @@ class ReadsShapes(Protocol):
 
 def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     """As many values as the row has."""
-    node, count, known = spot.node, len(shape.items), (*shape.items, *shape.passed_over)
+    node, count, known = spot.node, len(shape.items), (*shape.items, *shape.optional)
     if not isinstance(node, Listing) or not count <= len(node.items) <= len(known):
         return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", length(node))
     items = enumerate(zip(node.items, known, strict=False), 1)
-    return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)[:count]
+    return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
 
 def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:

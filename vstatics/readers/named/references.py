@@ -60,6 +60,10 @@ class References:
         """The mechanisms in order, without those of drawn elements, or the springs."""
         self._others[kind] = _numbered(names)
 
+    def add_converters(self, names: Iterable[str]) -> None:
+        """Converters have speed ratios, too: their numbers are behind those of mechanisms."""
+        self.set_others("mechanism", [*self._others["mechanism"], *names])
+
     def other(self, kind: str, text: str) -> int:
         """The number of a mechanism or a spring.
 

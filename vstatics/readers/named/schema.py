@@ -176,7 +176,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Pair():
             return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
         case RowOf():
-            known = (*shape.items, *shape.passed_over)
+            known = (*shape.items, *shape.optional)
             return {
                 "type": "array",
                 "prefixItems": list(map(_shape, known)),

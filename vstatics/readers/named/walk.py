@@ -130,6 +130,8 @@ class Walk:
             self.references.set_elements(key.text for key, _ in given)
         if shape.kind == "mechanism":
             self.references.set_others("mechanism", (key.text for key, _ in given))
+        if shape.kind == "converter":
+            self.references.add_converters(key.text for key, _ in given)
         items: dict[str, Any] = {}
         for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)

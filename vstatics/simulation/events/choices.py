@@ -9,11 +9,11 @@ from itertools import repeat
 
 import numpy as np
 
+from vstatics.model.converters import Converter
 from vstatics.simulation.events.instants import Instant, seen_at, sliding_speed
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice
 from vstatics.simulation.scenario.laws import Points
-from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.system.curves import curve_at, programme_at
 from vstatics.simulation.system.matrices import (
     SIGNS,

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, listed
+from vstatics.model.open_converters import with_open_converters
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.laws import constant
@@ -18,24 +19,40 @@ from vstatics.simulation.system.structure import null, solved
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 
 
-def with_fixed_ratios(scenario: Scenario) -> Scenario:
-    """The scenario with variators as pairs of the ratios that they have in its first gear.
-
-    Those that move, or stand at 0, stay.
+def with_all_converters(scenario: Scenario) -> Scenario:
+    """The scenario with the converters of its case, too, of which none is a mechanism.
 
     Raises
     ------
     CaseError
-        If there is a converter.
+        If one has no lambda.
+    """
+    before = scenario.case
+    try:
+        case = with_open_converters(before)
+    except CaseError as error:
+        problems = [one._replace(path=("case", *one.path)) for one in error.problems]
+        raise CaseError(problems) from None
+    own = {one.name for one in before.converters} if scenario.converters else set()
+    moved = {one.name: one for one in case.converters if one.name not in own}
+    names = [one.name for one in case.mechanisms]
+    ratios = {
+        names.index(before.mechanisms[number - 1].name) + 1: ratio
+        for number, ratio in scenario.speed_ratios.items()
+    }
+    converters = (moved | {one.name: one for one in scenario.converters}).values()
+    return scenario._replace(case=case, converters=tuple(converters), speed_ratios=ratios)
+
+
+def with_fixed_ratios(scenario: Scenario) -> Scenario:
+    """The scenario with variators as pairs of the ratios that they have in its first gear.
+
+    Those that move, or stand at 0, stay.
     """
     case, name = scenario.case, scenario.start.gear
     kinds = [one for one in case.mechanisms if one.kind]
     if not kinds:
         return scenario
-    if any(one.kind == "converter" for one in kinds):
-        [converter, *_] = (one for one in kinds if one.kind == "converter")
-        message = f"{converter.name} is a converter, which a scenario can't have yet"
-        raise CaseError("E698", message, ("case",))
     gear = next((one for one in case.gears if one.name == name), Gear())
     ratios = dict(enumerate(case.gear_ratios(gear), 1))
     moving = dict(scenario.speed_ratios)

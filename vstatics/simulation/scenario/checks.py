@@ -15,7 +15,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
+from vstatics.model.converters import Converter
 from vstatics.model.parts import HOUSING
+from vstatics.model.torsional_checks import of_converter
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
@@ -28,7 +30,7 @@ from vstatics.simulation.scenario.formula import (
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Converter, Scenario, Start
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, largest_control
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import vocabulary
@@ -236,13 +238,7 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
             message = f"{quoted(converter.name)} is the name of another device of the case"
             yield Problem("E637", message, path)
         names.append(converter.name)
-        for place, link in enumerate((converter.pump, converter.turbine), 1):
-            yield from _of_link(link, case, (*path, "links", place))
-        if converter.pump == converter.turbine:
-            yield Problem(
-                "E638", "expected two different links, pump and turbine", (*path, "links")
-            )
-        yield from of_characteristic(converter.points, (*path, "points"))
+        yield from of_converter(converter, path, case.links)
 
 
 def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
@@ -319,28 +315,6 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
             if not -1 <= law.slope <= 1:
                 expected = "expected the sine of an angle, from -1 to 1"
                 yield Problem("E645", f"read {law.slope:g}, {expected}", (*road, "slope"))
-
-
-def of_characteristic(
-    points: Sequence[tuple[float, float, float]], path: Path
-) -> Iterator[Problem]:
-    """Of a converter: speed ratios in order, no negative torque ratio."""
-    if not points:
-        yield Problem("E646", "read no points, expected one at least", path)
-    ratios = [ratio for ratio, _, _ in points]
-    yield from _ascending(ratios, "speed ratios in their order", path)
-    for number, (one, other) in enumerate(pairwise(ratios), 2):
-        if one == other:
-            message = f"read {other:g} twice, expected a converter without a jump"
-            yield Problem("E647", message, (*path, number))
-    for number, row in enumerate(points, 1):
-        yield from of_finite(row, "a number", (*path, number))
-        if row[1] < 0:
-            message = f"read {row[1]:g}, expected a torque ratio K of 0 or more"
-            yield Problem("E648", message, (*path, number, 2))
-        if row[2] < 0 and row[0] < 1:
-            message = f"read {row[2]:g}, expected a lambda of 0 or more up to i = 1"
-            yield Problem("E649", message, (*path, number, 3))
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:

@@ -150,7 +150,7 @@ class ScenarioDocument(NamedTuple):
             numbers={name: float(one) for name, one in read.get("numbers", {}).items()},
             values=[*names("set"), *names("states")],
             tables=dict(made.tables(read.get("tables", {}))),
-            converters=names("converters"),
+            converters=names("converters") or [one.name for one in case.converters],
         )
 
 
@@ -296,8 +296,6 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     own = (*start, names.get(str(name), name))
     if path[0] == "sequences" and rest:
         return _own_step((*own, *rest), spots)
-    if path[0] == "converters" and rest[:1] == ("links",) and len(rest) > 1:
-        return (*own, "first" if rest[1] == 1 else "second")
     for number, part in enumerate(rest):
         between = spots.has((*own, "points")) and isinstance(part, int) and number < len(rest)
         own = (*own, "points", part) if between and not spots.has((*own, part)) else (*own, part)

@@ -15,7 +15,6 @@ from vstatics.model.shape import (
     ByForm,
     ByKey,
     ByName,
-    Ends,
     KeyShape,
     Leaf,
     ListOf,
@@ -24,6 +23,7 @@ from vstatics.model.shape import (
     Parsed,
     RowOf,
 )
+from vstatics.model.torsional_keys import CONVERTER
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.formula import Vocabulary
 from vstatics.simulation.scenario.given import (
@@ -175,26 +175,6 @@ START = ByKey(
             "engaged", ENGAGED, "Shift elements that do not slip at t = 0.", examples=(["FH"],)
         ),
         KeyShape("settled", FLAG, "Springs are loaded as they are at rest.", default=False),
-    ),
-)
-
-CONVERTER = ByKey(
-    "Converter",
-    "A torque converter: -M on the pump, +K*M on the turbine, M = lambda*w_P*|w_P|, by "
-    "i = w_T/w_P.",
-    (
-        KeyShape(
-            "links", Ends(), "Pump and turbine.", required=True, examples=(["engine", "turbine"],)
-        ),
-        KeyShape(
-            "points",
-            ListOf(
-                RowOf((NUMBER, NUMBER, Leaf("pump_factor")), "i, K, lambda"), "points", unique=False
-            ),
-            "Speed ratio i, torque ratio K, lambda in N*m*s^2; i ascends.",
-            required=True,
-            examples=([[0, 2.4, 3.1e-3], [0.8, 1.0, 2.2e-3], [1, 1, 0]],),
-        ),
     ),
 )
 
@@ -396,7 +376,9 @@ def scenario_shape(words: Vocabulary) -> ByKey:
                 examples=({"tyre": [[0, 3000], [2, 1800]]},),
             ),
             KeyShape(
-                "converters", ByName("converter", CONVERTER), "Torque converters by their names."
+                "converters",
+                ByName("converter", CONVERTER),
+                "Torque converters by their names, in place of those of the case.",
             ),
             KeyShape(
                 "shifts",

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
+from vstatics.model.converters import Converter
 from vstatics.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.formula import Formula
@@ -54,19 +55,6 @@ class Dog(NamedTuple):
 
 
 Control: TypeAlias = Capacity | Dog
-
-
-class Converter(NamedTuple):
-    """A torque converter between two links.
-
-    ``M_P = lambda w_P |w_P|``, ``M_T = K M_P``, by the points i = w_T/w_P, K, lambda.
-    """
-
-    name: str
-    pump: int
-    turbine: int
-    points: tuple[tuple[float, float, float], ...]
-    """i [-], K [-], lambda [N*m*s^2]; i ascends."""
 
 
 class Shift(NamedTuple):
@@ -132,6 +120,7 @@ class Scenario(NamedTuple):
     torques : sequence of (int, TorqueLaw)
         Outside torques on links; a link may stand there several times. [N*m]
     converters : sequence of Converter
+        Of these the case has none of the same name: they stand in place of its own.
     shifts : sequence of Shift, optional
         None: there is no such key.
     targets : mapping of int to sequence of float

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import Path, quoted
+from vstatics.model.converters import converters_of
 from vstatics.model.parts import ShiftElement
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
@@ -29,7 +30,6 @@ from vstatics.simulation.scenario.parts import (
     Capacity,
     Control,
     ControlState,
-    Converter,
     Dog,
     Scenario,
     SequenceStep,
@@ -60,18 +60,13 @@ class ScenarioValues:
         torques = tuple(self._torques(values.get("torques", {})))
         radii = {link: law.radius for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
-        converters: Mapping[str, Any] = values.get("converters", {})
         return Scenario(
             self.case,
             float(values["duration"]),
             self._start(values["start"], radii),
             None if controls is None else dict(self._controls(controls)),
             torques,
-            tuple(
-                Converter(name, pump, turbine, tuple(map(_floats, one["points"])))
-                for name, one in converters.items()
-                for pump, turbine in [one["links"]]
-            ),
+            converters_of(values.get("converters", {})) or tuple(self.case.converters),
             None
             if shifts is None
             else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.model.converters import Converter
 from vstatics.model.parts import HOUSING, Friction, Law
 from vstatics.model.springs import TwistCurve
 from vstatics.model.transmission import Transmission
@@ -23,7 +24,7 @@ from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
-from vstatics.simulation.scenario.parts import Converter, Scenario, formulas
+from vstatics.simulation.scenario.parts import Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme, slip_points
 
 

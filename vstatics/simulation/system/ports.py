@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
+from vstatics.model.converters import Converter
 from vstatics.model.parts import Law
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.laws import Points, Road
-from vstatics.simulation.scenario.parts import Converter
 from vstatics.simulation.scenario.programme import (
     Look,
     Programme,
@@ -362,7 +362,8 @@ def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
     """K and lambda."""
     points = converter.points
     if piece in (0, len(points)):
-        return points[min(piece, len(points) - 1)][1:]
+        _, *outside = points[min(piece, len(points) - 1)]
+        return outside[0], outside[1]
     (i0, k0, l0), (i1, k1, l1) = points[piece - 1 : piece + 1]
     part = (ratio - i0) / (i1 - i0)
     return k0 + part * (k1 - k0), l0 + part * (l1 - l0)

@@ -4,23 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.numerics.tolerances import NO_POWER
 from vstatics.tables.answer import Failure, Sometimes, told
 from vstatics.torsion.forced.cycle import Sum, summed
+from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
+from vstatics.torsion.system.working_points import (
+    RAD_PER_RPM,
+    Ratios,
+    WorkingGear,
+    working_gear,
+)
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
 
-RAD_PER_RPM = math.pi / 30
 ENTRIES = 1_000_000
 """Of the matrices that are solved at once."""
 
@@ -79,7 +86,7 @@ class SummedResponse(NamedTuple):
     torques: Mapping[str, Sum]
 
 
-@told("name", "speeds", "orders", "sum", "resonances", "error")
+@told("name", "speeds", "orders", "sum", "resonances", "converters", "error")
 class GearResponse(NamedTuple):
     """The response of a gear."""
 
@@ -91,6 +98,8 @@ class GearResponse(NamedTuple):
     error: Failure = ""
     sum: Sometimes[SummedResponse] = None
     """If it was asked for."""
+    converters: Sometimes[Mapping[str, WorkingConverter]] = None
+    """About their working points."""
 
     def with_sum(self) -> GearResponse:
         """The same with all orders together."""
@@ -104,12 +113,14 @@ class GearResponse(NamedTuple):
         return self._replace(sum=SummedResponse(*map(total, parts))) if orders else self
 
 
-def response(
+def response(  # noqa: PLR0913 - all but the first by name
     case: Transmission,
     at: int | str,
     harmonics: Sequence[Harmonic],
     speeds: Sequence[float] | Floats,
     gears: Sequence[int | str] | None = None,
+    *,
+    speed_ratios: Ratios = MappingProxyType({}),
 ) -> list[GearResponse]:
     """The forced vibration of the gears of a case.
 
@@ -125,11 +136,13 @@ def response(
         Of the link `at`; resonances between them of modes that are damped are added. [rpm]
     gears : sequence of int or str, optional
         Numbers from 1 or names; all gears when not given.
+    speed_ratios : mapping of str to float, optional
+        Of converters, in place of those of the gears. [-]
 
     Raises
     ------
     ValueError
-        If there is no such link or gear.
+        If there is no such link, gear or converter.
 
     Examples
     --------
@@ -144,22 +157,20 @@ def response(
     """
     asked = asked_gears(case, gears)
     link, given = case.link_number(at) - 1, np.asarray(speeds, dtype=np.float64)
-    return [_gear_response(case, gear, link, harmonics, given) for gear in asked]
+    working = [working_gear(case, gear, speed_ratios) for gear in asked]
+    return [_gear_response(one, link, harmonics, given) for one in working]
 
 
 def _gear_response(
-    case: Transmission, gear: Gear, at: int, harmonics: Sequence[Harmonic], speeds: Floats
+    working: WorkingGear, at: int, harmonics: Sequence[Harmonic], speeds: Floats
 ) -> GearResponse:
+    case, gear, converters = working
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearResponse(gear.name, speeds, error=system)
-    split = coordinates(system)
-    excitable = ~split.undetermined & split.free.any(axis=1)
-    if not excitable[at]:
-        why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
-        others = [name for name, can in zip(case.link_names, excitable, strict=False) if can]
-        other = f"expected another, such as {', '.join(others[:3])}"
-        return GearResponse(gear.name, speeds, error=f"link {system.names[at]} {why}: {other}")
+    system, split = system._replace(converters=converters), coordinates(system)
+    if error := not_excitable(system, split, at):
+        return GearResponse(gear.name, speeds, error=error)
     natural = natural_modes(system, split)
     undamped = _are_undamped(system, natural)
     largest = np.abs(natural.shapes[: system.own]).max(axis=0)
@@ -177,7 +188,19 @@ def _gear_response(
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.own], amplitudes, strict=False))
         found.append(OrderResponse(one.order, links, named))
-    return GearResponse(gear.name, speeds, found, resonances)
+    by_name = {one.name: one for one in converters}
+    return GearResponse(gear.name, speeds, found, resonances, converters=by_name)
+
+
+def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
+    """Why nothing can excite a link, by its index, if so."""
+    excitable = ~split.undetermined & split.free.any(axis=1)
+    if excitable[at]:
+        return ""
+    why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
+    others = [name for name, can in zip(system.names, excitable, strict=True) if can]
+    other = f"expected another, such as {', '.join(others[:3])}"
+    return f"link {system.names[at]} {why}: {other}"
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
@@ -188,6 +211,9 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
         energy = device.rate * form_values(device.twist, natural.shapes) ** 2
         stored += energy
         resisted += energy * bool(device.damping)
+    for link in np.flatnonzero(system.slip_resistance.any(axis=0)):
+        size = np.abs(system.slip_resistance[:, link]).max()
+        resisted += size * natural.omegas * natural.shapes[link] ** 2
     return resisted <= NO_POWER * stored
 
 
@@ -267,6 +293,7 @@ def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Fl
     stiffness, resistance, hysteresis = (
         twists.T @ (by_device[:, None] * twists) for by_device in (rates, viscous, lost)
     )
+    resistance += free.T @ system.slip_resistance @ free
     mass = bodies.T @ (system.inertias[:, None] * bodies)
     return mass, stiffness, resistance, hysteresis
 
@@ -282,4 +309,16 @@ def _torques(
         own, rate = device.damping, device.rate
         resisted = excited * own.viscous + np.sign(excited) * rate * own.loss_factor
         elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
-    return with_rigid(system, balance(system), acting, elastic)
+    slipping = 1j * excited * (system.slip_resistance @ amplitudes)
+    found = with_rigid(system, balance(system), acting - slipping, elastic)
+    return found | {
+        one.name: _pump_torque(one, 1j * excited * amplitudes) for one in system.converters
+    }
+
+
+def _pump_torque(converter: WorkingConverter, speeds: Complex) -> Complex:
+    """What the pump takes beyond its torque at the working point [N*m]."""
+    torque: Complex = (
+        converter.A1 * speeds[converter.pump] + converter.A2 * speeds[converter.turbine]
+    )
+    return torque

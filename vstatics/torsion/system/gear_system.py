@@ -22,6 +22,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import Form, free_motions, values_of
 from vstatics.statics.matrix import rows, value
 from vstatics.torsion.system.bodies import Body, Shares, planet_bodies
+from vstatics.torsion.system.converters import WorkingConverter
 
 
 class TorsionalDevice(NamedTuple):
@@ -59,6 +60,8 @@ class TorsionalSystem(NamedTuple):
         Indices of the input and the output of the gear.
     planet_shares : sequence of tuple
         Name of a set, and what its planets add to `link_inertias`.
+    converters : sequence of WorkingConverter
+        About their working points; without these they are open.
     """
 
     names: tuple[str, ...]
@@ -68,6 +71,7 @@ class TorsionalSystem(NamedTuple):
     link_inertias: tuple[float, ...]
     ends: tuple[int, int] = (0, 0)
     planet_shares: tuple[tuple[str, Shares], ...] = ()
+    converters: tuple[WorkingConverter, ...] = ()
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
@@ -104,6 +108,15 @@ class TorsionalSystem(NamedTuple):
         return values_of(forms, len(self.names))
 
     @property
+    def slip_resistance(self) -> Floats:
+        """What converters add to ``D``, shape (links, links); not symmetric [N*m*s/rad]."""
+        made = np.zeros((len(self.names), len(self.names)))
+        for one in self.converters:
+            made[one.pump, [one.pump, one.turbine]] += one.A1, one.A2
+            made[one.turbine, [one.pump, one.turbine]] -= one.A3, one.A4
+        return made
+
+    @property
     def twists(self) -> Floats:
         """Those of the elastic devices as rows, shape (devices, links)."""
         return self.rows(self.elastic_twists)
@@ -123,7 +136,8 @@ def torsional_system(
 ) -> TorsionalSystem:
     """The system of a gear whose freewheels that hold stand among the engaged elements.
 
-    Springs with points have the slopes that are given by name; one of 0 is open. [N*m/rad]
+    Springs with points have the slopes that are given by name; one of 0 is open [N*m/rad]. So are
+    converters.
 
     Examples
     --------
@@ -166,6 +180,7 @@ def _devices(
         stiffness = one.rate if isinstance(one, Spring) else one.stiffness
         stiffness = slopes.get(one.name, stiffness)
         is_open = isinstance(one, ShiftElement) and number not in gear.engaged
+        is_open |= isinstance(one, Mechanism) and one.kind == "converter"
         if not (is_open or stiffness == 0):
             twist = {link - 1: float(value(part)) for link, part in column.items()}
             yield TorsionalDevice(one.name, twist, stiffness, damping(one.damping))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.errors import spoken
+from vstatics.errors import CaseError, spoken
+from vstatics.model.open_converters import without_lambda
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.freewheels import with_engaged
 from vstatics.statics.solve import solve
@@ -22,7 +23,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     Raises
     ------
     CaseError
-        If such a slope is not known.
+        If such a slope is not known, or a converter has no lambda.
 
     Examples
     --------
@@ -32,6 +33,8 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     >>> vibrating(case, case.gears[0]).partition(";")[0]
     'tied up: B and pair let nothing move'
     """
+    if faults := list(without_lambda(case)):
+        raise CaseError(faults)
     slopes = {one.name: one.slope for one in spring_slopes(case, gear)}
     if case.freewheels:
         results = solve(case.replace(gears=[gear]))

@@ -46,7 +46,8 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
     """The damped vibration of a system in which anything is damped.
 
     A loss factor is taken at each natural frequency as the viscous damping that is equal to it
-    there, ``c * loss_factor / omega``; then the eigenvalues are those of the natural modes.
+    there, ``c * loss_factor / omega``; then the eigenvalues are those of the natural modes, and of
+    rigid ones that converters resist.
 
     Examples
     --------
@@ -69,4 +70,8 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
         return DampedModes(found.eigenvalues, found.values(range(len(modes.omegas))))
     of_modes = pairs_of_modes(pencil, modes.omegas)
     upper = np.concatenate([of_modes[:, 0], of_modes[of_modes[:, 1].imag == 0, 1]])
+    if pencil.rigid:
+        upper = np.concatenate(
+            [upper, eigen_pairs(pencil, pencil.viscous).of_no_mode(len(of_modes))]
+        )
     return DampedModes(upper[order_of(upper)], of_modes)

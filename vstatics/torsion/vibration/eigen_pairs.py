@@ -14,12 +14,14 @@ from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import REAL_EIGENVALUE, SAME_MODULUS
-from vstatics.torsion.vibration.natural import NaturalModes, weighted_twists
+from vstatics.torsion.vibration.natural import NaturalModes, weighted_bodies, weighted_twists
 from vstatics.torsion.vibration.refined import Pencils
 
 
 class Pencil(NamedTuple):
     """``M q'' + D q' + K q`` by natural modes, in which M is 1, and massless motions that creep.
+
+    Behind the natural modes stand the rigid ones if converters resist, whose D is not symmetric.
 
     Attributes
     ----------
@@ -27,16 +29,26 @@ class Pencil(NamedTuple):
         ``K``, and ``D`` at omega is ``viscous + lost/omega``.
     modes : int
         How many of the coordinates are natural modes, the first ones.
+    rigid : int
+        How many rigid modes are behind them, of modal mass 1, too.
+    symmetric : bool
     """
 
     stiffness: Floats
     viscous: Floats
     lost: Floats
     modes: int
+    rigid: int = 0
+    symmetric: bool = True
+
+    @property
+    def massive(self) -> int:
+        """How many of the coordinates have a mass."""
+        return self.modes + self.rigid
 
     def at(self, omegas: Floats) -> Pencils:
         """With the ``D`` of each frequency."""
-        masses = (np.arange(len(self.stiffness)) < self.modes).astype(float)
+        masses = (np.arange(len(self.stiffness)) < self.massive).astype(float)
         return Pencils(masses, self.stiffness, self.viscous + self.lost / omegas[:, None, None])
 
     def resistance_of_all(self, omegas: Floats) -> Floats:
@@ -51,8 +63,8 @@ class Pencil(NamedTuple):
 
     def lengths(self, shapes: Complex, values: Complex) -> Floats:
         """Of shapes by columns, 1 of a natural mode: all energy as if it were that of masses."""
-        swinging, creeping = shapes[: self.modes], shapes[self.modes :]
-        stiff = self.stiffness[self.modes :, self.modes :]
+        swinging, creeping = shapes[: self.massive], shapes[self.massive :]
+        stiff = self.stiffness[self.massive :, self.massive :]
         elastic = (creeping.conjugate() * (stiff @ creeping)).real.sum(axis=0)
         sizes = np.abs(values)
         with np.errstate(all="ignore"):
@@ -66,13 +78,34 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     viscous = np.array([one.viscous for one in dampings])
     lost = np.array([one.loss_factor for one in dampings]) * system.rates
     stiff = weighted_twists(system)
-    damped = np.sqrt(viscous + lost)[:, None] * system.twists
-    basis = np.hstack([modes.shapes, _damped_massless(split, damped, stiff)])
+    slipping = system.slip_resistance
+    damped = np.vstack([np.sqrt(viscous + lost)[:, None] * system.twists, _resisted(slipping)])
+    rigid = _rigid_basis(system, split)
+    basis = np.hstack([modes.shapes, rigid, _damped_massless(split, damped, stiff)])
     twists, count = system.twists @ basis, len(modes.omegas)
     stiffness = (stiff @ basis).T @ (stiff @ basis)
     stiffness[:count, :count] = np.diag(modes.omegas**2)
+    massive = count + rigid.shape[1]
+    stiffness[count:massive] = stiffness[:, count:massive] = 0.0
     resisted, hysteresis = (twists.T @ (sizes[:, None] * twists) for sizes in (viscous, lost))
-    return Pencil(stiffness, resisted, hysteresis, count)
+    resisted += basis.T @ slipping @ basis
+    return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not slipping.any())
+
+
+def _rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
+    """Rigid motions of modal mass 1 if converters resist them, else none."""
+    if not system.converters or not split.rigid.size:
+        return split.rigid[:, :0]
+    _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
+    basis: Floats = linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
+    return basis
+
+
+def _resisted(slipping: Floats) -> Floats:
+    """The links that converters resist, as rows by the roots of their slopes."""
+    sizes = np.maximum(np.abs(slipping).max(axis=0), np.abs(slipping).max(axis=1))
+    rows: Floats = np.diag(np.sqrt(sizes))[sizes > 0]
+    return rows
 
 
 def _damped_massless(split: Coordinates, damped: Floats, stiff: Floats) -> Floats:
@@ -116,6 +149,11 @@ class EigenPairs(NamedTuple):
             return swinging, swinging
         return min(first, second), max(first, second)
 
+    def of_no_mode(self, modes: int) -> Complex:
+        """Those that belong to none of the natural modes."""
+        taken = {place for mode in range(modes) for place in self.of_mode(mode)}
+        return self.eigenvalues[[n for n in range(len(self.eigenvalues)) if n not in taken]]
+
     def values(self, modes: Iterable[int]) -> Complex:
         """Both of natural modes, of shape (modes, 2)."""
         places = np.array([self.of_mode(mode) for mode in modes], int).reshape(-1, 2)
@@ -132,6 +170,8 @@ def _largest(parts: Floats, swings: Booleans) -> int:
 def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     """Of a state of modal coordinates, their speeds, and massless motions that are damped.
 
+    Of rigid motions the speeds alone are in it. Those that keep their speed are left out.
+
     A massless motion y that is damped follows by its own rate:
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
 
@@ -140,15 +180,26 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     CaseError
         Of numbers that have no eigenvalues in floats.
     """
-    count, size = pencil.modes, len(pencil.stiffness)
-    state = _state(_finite(pencil.stiffness), _finite(resistance), count)
+    state = _state(pencil, _finite(pencil.stiffness), _finite(resistance))
     values, vectors = linalg.eig(_finite(state))
-    values = settled(values)
-    kept = np.flatnonzero(values.imag >= 0)
-    values, vectors = values[kept], vectors[:size, kept].astype(np.complex128)
+    values = settled(values) if pencil.symmetric else _real_if_close(values)
+    kept = np.argsort(np.abs(values), kind="stable")[_steady(pencil, resistance) :]
+    kept = np.sort(kept[values[kept].imag >= 0])
+    values, vectors = values[kept], vectors[:, kept].astype(np.complex128)
+    first, last = pencil.modes, len(vectors) - pencil.massive
+    turning = vectors[last + pencil.modes :] / values
     order = order_of(values)
-    shapes = vectors[:, order]
+    shapes: Complex = np.vstack([vectors[:first], turning, vectors[first:last]])[:, order]
     return EigenPairs(values[order], shapes / pencil.lengths(shapes, values[order]))
+
+
+def _steady(pencil: Pencil, resistance: Floats) -> int:
+    """How many rigid motions keep their speed, as no converter resists them."""
+    if not pencil.rigid:
+        return 0
+    rigid = slice(pencil.modes, pencil.massive)
+    sizes = linalg.svdvals(resistance[rigid, rigid])
+    return int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
 
 
 def _finite(matrix: Floats) -> Floats:
@@ -164,27 +215,46 @@ def _finite(matrix: Floats) -> Floats:
 
 def settled(values: Complex) -> Complex:
     """Eigenvalues without rounding: nothing here feeds a vibration, and some are real."""
-    values = np.minimum(values.real, 0.0) + 1j * values.imag
+    return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
+
+
+def _real_if_close(values: Complex) -> Complex:
     return np.where(np.abs(values.imag) <= REAL_EIGENVALUE * np.abs(values), values.real, values)
 
 
-def _state(stiffness: Floats, resistance: Floats, count: int) -> Floats:
+def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
     """The matrix of ``x' = A x`` for the state of modal coordinates, massless ones, speeds."""
-    size = len(stiffness)
+    size, count = len(stiffness), pencil.massive
     fast, slow = slice(0, count), slice(count, size)
     matrix = np.zeros((size + count, size + count))
     speeds = slice(size, size + count)
     matrix[fast, speeds] = np.eye(count)
     if size > count:
-        own = resistance[slow, slow]
-        scale = 1 / np.sqrt(np.diag(own))[:, None]  # dampings may differ by many powers of ten
         right = np.hstack([stiffness[slow, :], resistance[slow, fast]])
-        solved = linalg.solve(own * scale * scale.T, scale * right, assume_a="pos")
-        matrix[slow, :] = -scale * solved
+        matrix[slow, :] = -_rates(resistance[slow, slow], right, symmetric=pencil.symmetric)
     matrix[speeds, :size] = -stiffness[fast, :]
     matrix[speeds, speeds] = -resistance[fast, fast]
     matrix[speeds, :] -= resistance[fast, slow] @ matrix[slow, :]
-    return matrix
+    kept = np.r_[0 : pencil.modes, count : size + count]
+    state: Floats = matrix[np.ix_(kept, kept)]
+    return state
+
+
+def _rates(own: Floats, right: Floats, *, symmetric: bool) -> Floats:
+    """What solves ``own x = right``, for dampings that may differ by many powers of ten."""
+    sizes = np.diag(own) if symmetric else np.abs(own).max(axis=1)
+    scale = 1 / np.sqrt(sizes)[:, None]
+    scaled = own * scale * scale.T
+    if not symmetric and np.linalg.cond(scaled) * REAL_EIGENVALUE > 1:
+        message = (
+            "a pump or turbine has no inertia, and the torque of its converter does not depend on "
+            "its speed: give its link an inertia"
+        )
+        raise CaseError("E526", message, ("inertias",))
+    solved: Floats = scale * linalg.solve(
+        scaled, scale * right, assume_a="pos" if symmetric else "gen"
+    )
+    return solved
 
 
 def order_of(values: Complex) -> NDArray[np.intp]:

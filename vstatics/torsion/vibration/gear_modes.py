@@ -10,16 +10,18 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError, plural, spoken
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.motions import Form
 from vstatics.numerics.tolerances import TIE
-from vstatics.tables.answer import Failure, told
+from vstatics.tables.answer import Failure, Sometimes, told
+from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 from vstatics.torsion.system.slopes import spring_slopes
 from vstatics.torsion.system.state import asked_gears, vibrating
+from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_gear
 from vstatics.torsion.vibration.damped import DampedModes, damped_modes
 from vstatics.torsion.vibration.natural import NaturalModes, lowest_modes, natural_modes
 from vstatics.torsion.vibration.nodes import count_nodes
@@ -112,6 +114,8 @@ class GearModes(NamedTuple):
         Why the gear has no modes.
     slopes : mapping of str to float
         Of springs with points, under the load; 0 of one that is open. [N*m/rad]
+    converters : mapping of str to WorkingConverter
+        About their working points; in `modes` they are open, in `damped` they resist.
     """
 
     name: str
@@ -121,6 +125,7 @@ class GearModes(NamedTuple):
     warnings: Sequence[str] = ()
     error: Failure = ""
     slopes: Named = MappingProxyType({})
+    converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
 
 def modes(
@@ -129,6 +134,7 @@ def modes(
     *,
     count: int | None = None,
     coast: bool | None = None,
+    speed_ratios: Ratios = MappingProxyType({}),
 ) -> list[GearModes]:
     """The natural modes of the gears of a case.
 
@@ -145,11 +151,13 @@ def modes(
         50 links the first 20.
     coast : bool, optional
         Whether power enters at the output, on which freewheels depend; else as the case says.
+    speed_ratios : mapping of str to float, optional
+        Of converters, in place of those of the gears. [-]
 
     Raises
     ------
     ValueError
-        If there is no such gear.
+        If there is no such gear or converter.
     CaseError
         If nothing has an inertia, or numbers are too far apart for floats.
 
@@ -176,20 +184,22 @@ def modes(
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
     with np.errstate(all="ignore"):  # what is no number is told where it matters
-        return [_gear_modes(case, gear, count) for gear in asked]
+        return [_gear_modes(working_gear(case, gear, speed_ratios), count) for gear in asked]
 
 
-def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
+def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
+    case, gear, converters = working
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearModes(gear.name, error=system)
+    system = system._replace(converters=converters)
     split, held = coordinates(system), balance(system)
     if count is not None and split.has_many_more(count):
         natural = lowest_modes(system, split, count)
     else:
         natural = natural_modes(system, split)
     damped = None
-    if any(device.damping for device in system.elastic):
+    if converters or any(device.damping for device in system.elastic):
         damped = damped_modes(system, split, natural)
     warnings = list(_warnings(system, split, held))
     if damped and len(natural.omegas) < split.modes:
@@ -203,6 +213,7 @@ def _gear_modes(case: Transmission, gear: Gear, count: int | None) -> GearModes:
         [] if damped is None else [complex(one) for one in damped.eigenvalues],
         warnings,
         slopes={one.name: one.slope for one in spring_slopes(case, gear)},
+        converters={one.name: one for one in converters},
     )
 
 
@@ -261,7 +272,7 @@ def _of_mode(by_name: Mapping[str, Floats], mode: int) -> dict[str, float]:
 
 
 def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
-    if not system.elastic:
+    if not system.elastic and not system.converters:
         yield "nothing is elastic; expected `springs`, or a `stiffness` of a device that takes part"
     names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
     if names:

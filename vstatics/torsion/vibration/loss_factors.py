@@ -31,10 +31,12 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
     """Both eigenvalues of each natural mode, of shape (modes, 2)."""
     if not len(omegas):
         return np.zeros((0, 2), np.complex128)
-    found = eigen_pairs(pencil, pencil.resistance_of_all(omegas))
-    pieces = math.ceil(len(omegas) * len(pencil.stiffness) ** 2 / STACKED_NUMBERS)
-    parts = np.array_split(np.arange(len(omegas)), pieces)
-    pairs = np.concatenate([_corrected(pencil, omegas[one], one, found) for one in parts])
+    pairs = np.full((len(omegas), 2), np.nan, np.complex128)
+    if pencil.symmetric:  # as what is corrected takes for granted
+        found = eigen_pairs(pencil, pencil.resistance_of_all(omegas))
+        pieces = math.ceil(len(omegas) * len(pencil.stiffness) ** 2 / STACKED_NUMBERS)
+        parts = np.array_split(np.arange(len(omegas)), pieces)
+        pairs = np.concatenate([_corrected(pencil, omegas[one], one, found) for one in parts])
     for mode in np.flatnonzero(np.isnan(pairs[:, 0])).tolist():
         own = eigen_pairs(pencil, pencil.viscous + pencil.lost / omegas[mode])
         pairs[mode] = own.values([mode])

@@ -115,8 +115,9 @@ def own_torques(
 ) -> dict[str, Values]:
     """Torques of devices by the rows of `torques` in results; what is open has 0.
 
-    That of a member of a set is what it gives to the planets, so those of a set do not add up to
-    0: what its planets take from a link, ``J_share w^2 q``, is none of the member's own.
+    A converter has that on its pump. That of a member of a set is what it gives to the planets, so
+    those of a set do not add up to 0: what its planets take from a link, ``J_share w^2 q``, is none
+    of the member's own.
 
     Parameters
     ----------
@@ -129,8 +130,12 @@ def own_torques(
     named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
     springs = {one.name: by_device.get(one.name, nothing) for one in case.springs}
     if case.drawing is None:
-        return named | {one.name: by_device[one.name] for one in case.mechanisms} | springs
+        meshes = {one.name: by_device.get(one.name, nothing) for one in case.mechanisms}
+        return named | meshes | springs
     for device in case.own_devices:
+        if case.mechanisms[device.mechanisms[0]].kind == "converter":
+            named[device.name] = by_device.get(device.name, nothing)
+            continue
         shares = _shares_of(system, device.name)
         for member in device.members:
             share = shares.pop(member.link - 1, 0.0) if member.link else 0.0

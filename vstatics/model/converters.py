@@ -1,0 +1,47 @@
+"""Torque converters between two links."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from vstatics.model.parts import HOUSING, Mechanism
+
+
+class Converter(NamedTuple):
+    """A torque converter between two links.
+
+    ``M_P = lambda w_P |w_P|``, ``M_T = K M_P``, by the points i = w_T/w_P, K, lambda.
+    """
+
+    name: str
+    pump: int
+    turbine: int
+    points: tuple[tuple[float, ...], ...]
+    """i [-], K [-], lambda [N*m*s^2]; i ascends."""
+
+    @property
+    def links(self) -> tuple[int, int]:
+        """Pump and turbine."""
+        return self.pump, self.turbine
+
+    def at_ratio(self, ratio: float) -> Mechanism:
+        """The mechanism that it is at a speed ratio."""
+        return Mechanism(
+            self.pump,
+            self.turbine,
+            HOUSING,
+            ratio,
+            name=self.name,
+            kind="converter",
+            points=self.points,
+        )
+
+
+def converters_of(given: Mapping[str, Any]) -> tuple[Converter, ...]:
+    """The converters of a document, by their names."""
+    return tuple(
+        Converter(name, pump, turbine, tuple(tuple(map(float, row)) for row in one["points"]))
+        for name, one in given.items()
+        for pump, turbine in [one["links"]]
+    )

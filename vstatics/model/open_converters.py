@@ -1,0 +1,58 @@
+"""Converters that are mechanisms, at a speed ratio that is given, and by themselves, open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from vstatics.errors import CaseError, Problem
+from vstatics.model.converters import Converter
+from vstatics.model.parts import Mechanism
+from vstatics.model.transmission import Transmission
+
+
+def with_open_converters(case: Transmission) -> Transmission:
+    """A case whose mechanisms that are converters are `converters` instead.
+
+    Raises
+    ------
+    CaseError
+        If one has no lambda.
+    """
+    if faults := list(without_lambda(case)):
+        raise CaseError(faults)
+    own = case.mechanisms[case.own_mechanisms]
+    kept = [one for one in own if one.kind != "converter"]
+    if len(kept) == len(own):
+        return case
+    moved = [
+        Converter(one.name, one.first, one.second, one.points)
+        for one in own
+        if one.kind == "converter"
+    ]
+    others = [one.name for one in case.converters]
+    before = [*(one.name for one in own), *others]
+    after = [*(one.name for one in kept), *others, *(one.name for one in moved)]
+    gears = []
+    for gear in case.gears:
+        ratios = {before[n - 1]: ratio for n, ratio in gear.speed_ratios.items()}
+        numbers = {after.index(name) + 1: ratio for name, ratio in ratios.items()}
+        gears.append(gear._replace(speed_ratios=numbers))
+    return with_mechanisms(case, kept, gears=gears, converters=[*case.converters, *moved])
+
+
+def with_mechanisms(case: Transmission, own: Sequence[Mechanism], **changes: Any) -> Transmission:
+    """A case with others in place of the mechanisms that it gives itself, and further changes."""
+    if case.drawing is None:
+        return case.replace(mechanisms=own, **changes)
+    drawing: Any = case.drawing
+    return case.replace(drawing=replace(drawing, mechanisms=tuple(own)), **changes)
+
+
+def without_lambda(case: Transmission) -> Iterator[Problem]:
+    """Mechanisms that are converters of which no torque is known."""
+    for number, one in enumerate(case.mechanisms, 1):
+        if one.kind == "converter" and len(one.points[0]) == 2:
+            message = f"{one.name} has no lambda, so its torque is not known: expected points "
+            yield Problem("E698", f"{message}[i, K, lambda]", ("mechanisms", number, "points"))

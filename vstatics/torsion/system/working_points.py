@@ -1,0 +1,185 @@
+"""At which speeds and torques the converters of a gear work, about which it vibrates.
+
+The pump's speed follows from the load, by the speeds of the gear. The speed ratio is given, or that
+at which the converter takes the torque that the load brings to its pump. Where other devices join
+pump and turbine, as a lock-up clutch does, it is theirs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.errors import CaseError, Path, nearest, plural, spoken
+from vstatics.model.converters import Converter
+from vstatics.model.open_converters import with_mechanisms, with_open_converters
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
+from vstatics.torsion.system.converters import (
+    WorkingConverter,
+    characteristic,
+    working_converter,
+)
+from vstatics.torsion.system.gear_system import torsional_system
+from vstatics.torsion.tolerances import REAL_EIGENVALUE
+
+RAD_PER_RPM = math.pi / 30
+Ratios = Mapping[str, float]
+"""Speed ratios of converters, by their names [-]."""
+
+
+class WorkingGear(NamedTuple):
+    """A gear, its case with the converters as mechanisms of their speed ratios, and these."""
+
+    case: Transmission
+    gear: Gear
+    converters: tuple[WorkingConverter, ...] = ()
+
+
+def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
+    """The converters of a gear where they work.
+
+    Parameters
+    ----------
+    given : mapping of str to float
+        Speed ratios, in place of those of the gear. [-]
+
+    Raises
+    ------
+    CaseError
+        If a speed or a speed ratio is not known, or a converter has no lambda.
+    ValueError
+        If there is no converter of a name that is given.
+    """
+    opened = with_open_converters(case)
+    names = [one.name for one in opened.converters]
+    for name in given:
+        if name not in names:
+            hint = nearest(name, names) or ("; there are " + spoken(names) if names else "")
+            raise ValueError(f"no converter {name!r}{hint}")
+    if not names:
+        return WorkingGear(case, gear)
+    return _WorkingPoints(case, opened, case.gear_number(gear.name) - 1).found(given)
+
+
+class _WorkingPoints:
+    """The converters of a gear."""
+
+    def __init__(self, case: Transmission, opened: Transmission, gear: int) -> None:
+        self.case = case
+        self.opened = opened
+        self.gear = opened.gears[gear]
+        self.path: Path = ("gears", gear + 1)
+        self.load = opened.gear_load(self.gear)
+        self.joined = dict(self._joined())
+        self.closed = [one for one in opened.converters if one.name not in self.joined]
+
+    def found(self, given: Ratios) -> WorkingGear:
+        """Where they work."""
+        ratios = self._given() | dict(given)
+        unknown = [one for one in self.closed if one.name not in ratios]
+        if len(unknown) == 1:
+            ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
+        elif unknown:
+            raise self._unknown(unknown, "of one converter alone it follows from the load")
+        case = self._with(ratios)
+        results = solve(case)
+        working = []
+        for one in self.opened.converters:
+            ratio = self.joined.get(one.name, ratios.get(one.name, 0.0))
+            if self.load.speed is None and one.name in self.joined:
+                at_once = working_converter("", (0, 0), one.points, ratio, 1.0)
+                if not any(at_once[-4:]):  # at any speed it takes no part
+                    continue
+            speed = self._pump_speed(one, results)
+            links = one.pump - 1, one.turbine - 1
+            working.append(working_converter(one.name, links, one.points, ratio, speed))
+        return WorkingGear(case, case.gears[0], tuple(working))
+
+    def _joined(self) -> Iterator[tuple[str, float]]:
+        """Speed ratios of converters whose links other devices join; 0 where the pump stands."""
+        system = torsional_system(self.opened, self.gear)
+        motions = system.free(*system.elastic_twists)
+        for one in self.opened.converters:
+            pump, turbine = motions[one.pump - 1], motions[one.turbine - 1]
+            sizes = np.abs(pump)
+            if not sizes.any():
+                yield one.name, 0.0
+                continue
+            ratio = float(turbine[sizes.argmax()] / pump[sizes.argmax()])
+            apart = np.abs(turbine - ratio * pump).max()
+            if apart <= REAL_EIGENVALUE * max(sizes.max(), np.abs(turbine).max()):
+                yield one.name, ratio
+
+    def _given(self) -> dict[str, float]:
+        """Speed ratios that the mechanisms or the gear give."""
+        own = [one for one in self.case.mechanisms if one.kind == "converter"]
+        found = {one.name: one.ratio for one in own if not math.isnan(one.ratio)}
+        first = len(self.opened.mechanisms[self.opened.own_mechanisms])
+        names = [one.name for one in self.opened.converters]
+        for number, ratio in self.gear.speed_ratios.items():
+            if number > first:
+                found[names[number - first - 1]] = ratio
+        return found
+
+    def _with(self, ratios: Ratios) -> Transmission:
+        """The case of this gear with converters as mechanisms."""
+        own = self.opened.mechanisms[self.opened.own_mechanisms]
+        kept = {n: ratio for n, ratio in self.gear.speed_ratios.items() if n <= len(own)}
+        mechanisms = [*own, *(one.at_ratio(ratios[one.name]) for one in self.closed)]
+        gears = [self.gear._replace(speed_ratios=kept)]
+        return with_mechanisms(self.opened, mechanisms, converters=(), gears=gears)
+
+    def _pump_speed(self, converter: Converter, results: Results) -> float:
+        """The speed of a pump [rad/s]."""
+        relative = float(results.speeds[0, converter.pump - 1])
+        if self.load.speed is None:
+            message = f"the speed of the pump of {converter.name} is not known: give `speed` in "
+            raise CaseError("E523", f"{message}the `load`", self.path)
+        speed = relative * self.load.speed * RAD_PER_RPM
+        if math.isnan(speed):
+            message = f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
+            raise CaseError("E524", f"{message}`vstatics run` tells of it", self.path)
+        return speed
+
+    def _ratio(self, converter: Converter, ratios: Ratios) -> float:
+        """The largest speed ratio up to 1 at which a converter takes what comes to its pump."""
+        if not self.load.torque or self.load.speed is None:
+            raise self._unknown([converter], "speed and torque of the `load` would tell it")
+        corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
+        excess = {ratio: self._excess(converter, ratios, ratio) for ratio in corners}
+        for above, below in pairwise(sorted(corners, reverse=True)):
+            if excess[above] == 0:
+                return above
+            if excess[above] * excess[below] <= 0:
+                from scipy.optimize import brentq  # most gears do without
+
+                def of(ratio: float) -> float:
+                    return self._excess(converter, ratios, ratio)
+
+                return float(brentq(of, below, above, xtol=1e-15))
+        why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
+        raise self._unknown([converter], why)
+
+    def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
+        """What a converter takes at a speed ratio less what comes to its pump [N*m]."""
+        case = self._with({**ratios, converter.name: ratio})
+        results = solve(case)
+        speed = self._pump_speed(converter, results)
+        behind = len(case.devices) - case.devices.index(converter.name)
+        brought = float(results.lossy_torques_Nm[0, -1 - behind])
+        return characteristic(converter.points, ratio).factor * speed * abs(speed) - brought
+
+    def _unknown(self, converters: list[Converter], why: str) -> CaseError:
+        names = spoken([one.name for one in converters])
+        message = (
+            f"the {plural('speed ratio', len(converters))} of {names} in gear {self.gear.name} "
+            f"{'is' if len(converters) == 1 else 'are'} not known: give `speed_ratios` in the "
+            f"gear, or --speed-ratio; {why}"
+        )
+        return CaseError("E525", message, self.path)
