@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, nearest, plural, spoken
+from vstatics.errors import CaseError, Path, listed, nearest, plural, spoken
 from vstatics.model.converters import Converter
 from vstatics.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.model.transmission import Gear, Transmission
@@ -60,7 +60,7 @@ def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
     names = [one.name for one in opened.converters]
     for name in given:
         if name not in names:
-            hint = nearest(name, names) or ("; there are " + spoken(names) if names else "")
+            hint = nearest(name, names) or f"; converters are {listed(names) or 'none'}"
             raise ValueError(f"no converter {name!r}{hint}")
     if not names:
         return WorkingGear(case, gear)
