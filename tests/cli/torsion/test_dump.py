@@ -80,23 +80,26 @@ def test_json_has_the_limits_that_tables_have() -> None:
     text = NUMBERS % "M_phi: 507"
     made = json.loads(said("-f", "json", text=text).out)
     assert made["case"] == "V3"
-    assert made["clutch_breaks_away"] == pytest.approx(1344 * (4.29 + 0.1 + 0.0674) / 4.29)
-    assert made["wheels_break_away"] == pytest.approx(507 * (1 + 0.147 / 10.8))
+    assert made["clutch_breaks_at"] == pytest.approx(1344 * (4.29 + 0.1 + 0.0674) / 4.29)
+    assert made["tyres_break_at"] == pytest.approx(507 * (1 + 0.147 / 10.8))
     assert made["grabs_below"] == pytest.approx(0.8 * 1344 * (2600e-6 / 0.1) ** 0.5)
+    assert made["grip_ratio"] == pytest.approx(1344 / 507)  # (3.1)
+    assert made["dynamic_factor_of_least"] == pytest.approx(1481 / 507, rel=1e-3)  # (3.4)
     cells = said("-f", "csv", text=text).out
     numbers = [one for one in made.values() if isinstance(one, float)]
-    assert len(numbers) == 8
+    assert len(numbers) == 10
     assert all(repr(one) in cells for one in numbers)
     grips = json.loads(said("-f", "json", text=NUMBERS % "M_phi: .inf").out)
-    assert grips["wheels_break_away"] is None
+    assert (grips["tyres_break_at"], grips["grip_ratio"]) == (None, 0.0)
+    assert grips["dynamic_factor_of_least"] == pytest.approx(grips["max_torque"] / 1344)
 
 
 def test_the_limits_of_gears_are_told() -> None:
     made = json.loads(said("-f", "json", text=FOUR).out)["gears"][0]
     text, cells = said(text=FOUR).out, said("-f", "csv", text=FOUR).out
     for name, row in (
-        ("clutch_breaks_away", "the clutch breaks away at [N*m]"),
-        ("wheels_break_away", "the wheels break away at [N*m]"),
+        ("clutch_breaks_at", "the clutch breaks away at [N*m]"),
+        ("tyres_break_at", "the wheels break away at [N*m]"),
         ("grabs_below", "the clutch grabs below a speed of [rad/s]"),
     ):
         assert row in text

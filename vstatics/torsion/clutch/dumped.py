@@ -69,9 +69,13 @@ class DumpTorque(NamedTuple):
     """The same, of `max_torque_simplified`. [N*m]"""
     dynamic_factor: float
     """`max_torque` by the torque of the clutch that slips, as in table 3.16. [-]"""
-    clutch_breaks_away: float
+    dynamic_factor_of_least: float
+    """`max_torque` by the lesser of M_C0 and M_phi, (3.4). [-]"""
+    grip_ratio: float
+    """M_C0 by M_phi, (3.1). [-]"""
+    clutch_breaks_at: float
     """Torque of the spring from which on a clutch that is stuck slips. [N*m]"""
-    wheels_break_away: float
+    tyres_break_at: float
     """Torque of the spring from which on the tyres slip; infinite where they grip. [N*m]"""
     grabs_below: float
     """Speed of the engine below which the clutch grabs. [rad/s]"""
@@ -148,6 +152,8 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         _at_input_shaft(given, case, largest),
         _at_input_shaft(given, case, simplified),
         largest / given.slipping_torque,
+        largest / min(given.M_C0, given.M_phi),
+        given.M_C0 / given.M_phi,
         given.clutch_limit,
         given.grip_limit,
         given.boundary_speed,

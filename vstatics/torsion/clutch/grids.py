@@ -34,14 +34,16 @@ def grids(made: DumpTorque) -> Iterator[Grid]:
         "largest torque, simplified": made.max_torque_simplified,
         "at the input shaft": made.input_shaft_torque,
         "at the input shaft, simplified": made.input_shaft_torque_simplified,
-        "the clutch breaks away at": made.clutch_breaks_away,
-        "the wheels break away at": made.wheels_break_away,
+        "the clutch breaks away at": made.clutch_breaks_at,
+        "the wheels break away at": made.tyres_break_at,
     }
     rows = [
         ("case", made.case, ""),
         *((name, torque, "as M_C0") for name, torque in torques.items()),
         ("the clutch grabs below a speed of", made.grabs_below, "as omega1"),
         ("dynamic factor", made.dynamic_factor, "-"),
+        ("dynamic factor of the least", made.dynamic_factor_of_least, "-"),
+        ("grip ratio", made.grip_ratio, "-"),
     ]
     if made.engagement is not None:
         name = f"dynamic factor, engaged at a rate of {made.engagement.rate:g}"
@@ -65,10 +67,12 @@ _TORQUES = {
     "max_torque_simplified": "largest torque, simplified [N*m]",
     "input_shaft_torque": "at the input shaft [N*m]",
     "input_shaft_torque_simplified": "at the input shaft, simplified [N*m]",
-    "clutch_breaks_away": "the clutch breaks away at [N*m]",
-    "wheels_break_away": "the wheels break away at [N*m]",
+    "clutch_breaks_at": "the clutch breaks away at [N*m]",
+    "tyres_break_at": "the wheels break away at [N*m]",
     "grabs_below": "the clutch grabs below a speed of [rad/s]",
     "dynamic_factor": "dynamic factor",
+    "dynamic_factor_of_least": "dynamic factor of the least",
+    "grip_ratio": "grip ratio",
 }
 
 
