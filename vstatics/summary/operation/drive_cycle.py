@@ -221,7 +221,7 @@ class _CycleSteps(NamedTuple):
         return {
             "time [s]": starts + self.trace.duration / 2,
             "speed [km/h]": 3.6 * self.trace.speed,
-            "gear number": self.gears + 1.0,
+            "gear number": np.add(self.gears, 1, dtype=np.float64),
             "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
             "engine torque [N*m]": engine,
             "wheel force [N]": self.forces,
