@@ -155,3 +155,15 @@ def test_needed_capacities_are_the_largest_torques_with_the_reserve() -> None:
     _, brake = needed_capacities(solve(case), 1.2)
     assert (brake.element, brake.gear) == ("B", "low")
     assert (brake.capacity, brake.capacity_Nm) == pytest.approx((3.0, 300.0))
+
+
+def test_needed_capacities_are_at_the_loads_of_the_gears() -> None:
+    """-u of 100 N*m in `low`, of 300 N*m in `much`: no load of the case has to tell them."""
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    low = Gear([2], name="low", load=Load(torque=100.0))
+    gears = [low, low._replace(name="much", load=Load(torque=300.0))]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], gears)
+    clutch, brake = needed_capacities(solve(case), 1.2)
+    assert brake.gear == "much"
+    assert (brake.capacity, brake.capacity_Nm) == pytest.approx((3.0, 900.0))
+    assert (clutch.gear, clutch.capacity_Nm) == ("", 0)

@@ -8,6 +8,7 @@ import pytest
 
 from tests.summary.gearboxes import differential, summary_of
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics.model.parts import OfLoad
 from vstatics.summary import Summary, summarize
 from vstatics.summary.shifts import transitions
 
@@ -76,3 +77,26 @@ def test_slip_power_is_the_torque_after_by_the_slip_before() -> None:
     assert shift.slip_power == pytest.approx({"C": u / (u - 1), "B": -u * n})
     power = 100 * 1000 * math.pi / 30 / 1000
     assert shift.slip_power_kW == pytest.approx({k: v * power for k, v in shift.slip_power.items()})
+
+
+def test_slip_power_is_at_the_load_of_the_gear_before() -> None:
+    """Upward the clutch closes at the load of `low`, downward the brake at that of `high`."""
+    u = -2.5
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    gears = [Gear([2], load=Load(1000.0, 100.0)), Gear([1], load=Load(500.0, 40.0))]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, u)], gears)
+    [shift] = transitions(solve(case))
+    rad = math.pi / 30 / 1000
+    expected = {"C": u / (u - 1) * 100 * 1000 * rad, "B": -u * 40 * 500 * rad}
+    assert shift.slip_power_kW == pytest.approx(expected)
+
+
+def test_without_an_input_torque_no_slip_power_is_relative_to_it() -> None:
+    """10 N*m on the output from outside: the brake holds u/(1 - u) of them."""
+    torque = Gear([2], torques={3: OfLoad(10.0, 1.0)}, load=Load(1000.0, 0.0), output=1, input=3)
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    case = Transmission(
+        3, elements, [Mechanism(1, 2, 3, -2.5)], [torque, torque._replace(engaged=[1])]
+    )
+    [shift] = transitions(solve(case))
+    assert [*map(math.isnan, shift.slip_power.values())] == [True, True]

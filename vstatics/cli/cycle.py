@@ -18,6 +18,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import value
 from vstatics.errors import CaseError, Problem, ReadError, of_file
 from vstatics.statics.results import Results
+from vstatics.tables import csv
 from vstatics.tables.grid import Grid, grid_of
 
 if TYPE_CHECKING:
@@ -63,11 +64,18 @@ def _shifts(text: str) -> list[ShiftSpeed]:
     metavar="TEXT",
     help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
 )
+@click.option(
+    "--steps",
+    type=click.Path(),
+    metavar="FILE",
+    help="Also write a CSV of all steps over time, for `plot --kind curves`.",
+)
 @arguments.settings
 def cycle(
     case: str,
     trace: str,
     wanted: OutputOptions,
+    steps: str | None,
     least_speed: float | None,
     shifts: list[ShiftSpeed] | None,
     settings: CaseOptions,
@@ -87,6 +95,8 @@ def cycle(
       vstatics cycle car.yaml trace.csv --least-speed '1200 rpm'
       vstatics cycle car.yaml trace.csv --shift '1-2: 15 km/h/12 km/h'
       vstatics cycle car.yaml trace.csv -f json | jq .cycle.fuel
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' --steps steps.csv
+      vstatics plot steps.csv --kind curves -o cycle.svg
 
     \b
     Exit status: 0 done; 1 a case or the trace is in error, or a gear has no
@@ -95,21 +105,24 @@ def cycle(
     if least_speed is not None and shifts is not None:
         raise click.UsageError("--least-speed and --shift exclude one another")
     to = wanted.destination([case, trace])
+    files.spare([case, trace], steps)
     arguments.check_streams([case, trace])
     from vstatics.summary.operation.drive_cycle import GearChoice
     from vstatics.summary.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace))
     choice = GearChoice(least_speed, shifts or ())
-    show = partial(_shown, trace=read, choice=choice)
+    show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
 
 
 def _shown(
-    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
+    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice, steps: str | None
 ) -> texts.CaseOutput:
     """What a case takes for a cycle."""
     made = _driven(outcome, results, trace, choice)
+    if steps:
+        files.write_output(_as_sweep(made), steps)
     if made.beyond:
         files.say(
             f"{outcome.file}: in {made.beyond} of {len(made.gears)} steps the engine would have "
@@ -134,6 +147,15 @@ def _shown(
         return CycleAnswer(results.case.name, made)
 
     return texts.CaseOutput([results.case.name or outcome.file], {}, tables, answer)
+
+
+def _as_sweep(made: DriveCycle) -> str:
+    """The steps as a written sweep over time."""
+    time, *others = made.steps
+    columns = [range(len(made.gears)), made.steps[time].tolist(), ["ok"] * len(made.gears)]
+    columns += [made.steps[name].tolist() for name in others]
+    rows = zip(*columns, strict=True)
+    return csv.lines([["variant", time, "status", *others], *(map(str, row) for row in rows)])
 
 
 def _driven(

@@ -137,6 +137,21 @@ def _least_margin(summary: Summary) -> Fact:
     return least.least, f"{least.element}, {least.gear}"
 
 
+def _most_needed(summary: Summary) -> Fact:
+    most = max(summary.needed, key=lambda one: one.capacity, default=None)
+    return (most.capacity, f"{most.element}, {most.gear}") if most and most.gear else (None, "")
+
+
+def _most_slip_power(summary: Summary) -> Fact:
+    powers = (
+        (power, f"{name}, {one.start}-{one.end}")
+        for one in summary.transitions
+        for name, power in one.slip_power.items()
+        if not one.skipped and power > 0
+    )
+    return max(powers, default=(None, ""), key=lambda fact: fact[0] or 0.0)
+
+
 FACTS: Mapping[str, Callable[[Summary], Fact]] = {
     "forward gears": lambda one: (len(one.design.forward), ""),
     "shift elements": lambda one: (len(one.results.case.shift_elements), ""),
@@ -152,6 +167,8 @@ FACTS: Mapping[str, Callable[[Summary], Fact]] = {
     "mean forward efficiency": lambda one: (_mean_efficiency(one), ""),
     "efficiency of the duty cycle": lambda one: (one.cycle.efficiency if one.cycle else None, ""),
     "least margin": _least_margin,
+    "largest slip power": _most_slip_power,
+    "largest needed capacity": _most_needed,
 }
 """What is told of a case as a whole, where it is known of any."""
 

@@ -115,7 +115,7 @@ def margins(results: Results) -> list[Margin]:
     [Margin(element='B', capacity=4.0, by_gear=[1.6, nan], least=1.6, gear='low')]
     """
     case = results.case
-    torques, carrying = _carried(results)
+    torques, carrying = _carried(results, case.load.torque_size if case.load else 0.0)
     return [
         _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
         for number, element in enumerate(case.shift_elements)
@@ -128,11 +128,12 @@ class Needed(NamedTuple):
 
     element: str
     capacity: float
-    """Its largest torque with the reserve, relative to the input torque of the case. [-]"""
+    """Its largest torque with the reserve, relative to the input torque of the case, or the
+    largest of the gears if they alone have one. [-]"""
     gear: str
     """The first gear with the largest torque; empty if it carries nothing."""
     capacity_Nm: float  # noqa: N815
-    """The same with the load of the case [N*m]; NaN without one."""
+    """The same with the load [N*m]; NaN where a gear has none."""
 
 
 def needed_capacities(results: Results, reserve: float) -> list[Needed]:
@@ -147,9 +148,10 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     Needed(element='B', capacity=3.0, gear='low', capacity_Nm=nan)
     """
     case = results.case
-    torques, carrying = _carried(results)
-    sizes = np.where(carrying, torques, 0.0)
-    unit = (case.load and case.load.torque_size) or math.nan
+    own = [case.gear_load(gear).torque_size for gear in case.gears]
+    common = (case.load and case.load.torque_size) or (max(own) if all(own) else 0.0)
+    torques, carrying = _carried(results, common)
+    sizes, unit = np.where(carrying, torques, 0.0), common or math.nan
     found = []
     for element, column in zip(case.shift_elements, sizes.T, strict=True):
         top = float(column.max(initial=0.0))
@@ -159,12 +161,12 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     return found
 
 
-def _carried(results: Results) -> tuple[Floats, Booleans]:
-    """(gears, shift elements): torques by the case's input torque, and whether there are any."""
+def _carried(results: Results, common: float) -> tuple[Floats, Booleans]:
+    """(gears, shift elements): torques by a common input torque, and whether there are any."""
     count = len(results.case.shift_elements)
     names = "torques", "lossy_torques"
     both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
-    torques = np.fmax(*both) * _loads(results)[:, np.newaxis]
+    torques = np.fmax(*both) * _loads(results, common)[:, np.newaxis]
     carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
     return torques, carrying
 
@@ -182,9 +184,8 @@ def _margin(
     return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
 
 
-def _loads(results: Results) -> Floats:
-    """The unit of torque of each gear by that of the case; 1 where one of them is not told."""
+def _loads(results: Results, common: float) -> Floats:
+    """The unit of torque of each gear by a common one; 1 where one of them is not told."""
     case = results.case
-    common = 0.0 if case.load is None else case.load.torque_size
     own = (case.gear_load(gear).torque_size for gear in case.gears)
     return np.array([abs(torque / common) if torque and common else 1.0 for torque in own])

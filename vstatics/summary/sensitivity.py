@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
+from vstatics.model.parts import Law, Mechanism
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.points.laws import without_laws
 from vstatics.statics.results import Results
@@ -72,7 +75,8 @@ BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
 def efficiency_sensitivities(results: Results) -> Floats:
     """By how many per cent the efficiency of a gear changes by one per cent of a mechanism's.
 
-    Differences to lower efficiencies, as none is above 1. The results are of one case.
+    Differences to lower efficiencies, as none is above 1. Laws count as the numbers that they
+    come to in each gear. The results are of one case.
 
     Returns
     -------
@@ -88,15 +92,42 @@ def efficiency_sensitivities(results: Results) -> Floats:
     >>> efficiency_sensitivities(solve(case)).round(9), round(2.4 / 3.4, 9)
     (array([[0.70588235]]), 0.705882353)
     """
-    case = results.case
-    own = np.array([one.efficiency for one in case.mechanisms])
+    by_gear = _at_load(results)
+    slopes = {own: _efficiency_slopes(results.case, own) for own in dict.fromkeys(by_gear)}
+    of_gears = np.array([slopes[own][:, index] for index, own in enumerate(by_gear)])
+    with np.errstate(all="ignore"):
+        relative: Floats = of_gears / results.efficiency[:, np.newaxis]
+    relative[np.abs(relative) < NO_DIFFERENCE] = 0.0
+    return np.where(np.isfinite(relative), relative, np.nan)
+
+
+def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
+    """The mechanisms as they are in each gear, with numbers in place of laws."""
+    case, points = results.case, results.points
+
+    def plain(own: Any, there: float) -> Any:
+        return there if isinstance(own, Law) else own
+
+    if points is None or not points.efficiencies:
+        return [tuple(case.mechanisms)] * len(case.gears)
+    return [
+        tuple(
+            one._replace(
+                efficiency=plain(one.efficiency, there.forward),
+                back_efficiency=plain(one.back_efficiency, there.back),
+            )
+            for one, there in zip(case.mechanisms, of_gear, strict=True)
+        )
+        for of_gear in points.efficiencies
+    ]
+
+
+def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) -> Floats:
+    """``n dETA/dn`` of other mechanisms in a case, (mechanisms, gears)."""
+    own = np.array([one.efficiency for one in mechanisms])
     count, steps = len(own), len(BACKWARD)
     efficiencies = np.tile(own, (count, steps, 1))
     lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)
     efficiencies[range(count), :, range(count)] = own[:, np.newaxis] * lower
-    found = solve(case, efficiencies=efficiencies).efficiency  # (mechanisms, steps, gears)
-    slopes = np.tensordot(found, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE
-    with np.errstate(all="ignore"):
-        relative: Floats = (slopes / results.efficiency).T
-    relative[np.abs(relative) < NO_DIFFERENCE] = 0.0
-    return np.where(np.isfinite(relative), relative, np.nan)
+    found = solve(case.with_numbers(mechanisms), efficiencies=efficiencies).efficiency
+    return np.tensordot(found, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -32,7 +33,7 @@ class Transition(NamedTuple):
     """Of each element that is engaged upward, its torque after by its slip before, and of those
     released, which engage downward, the other way; by the input power. [-]"""
     slip_power_kW: Mapping[str, float]  # noqa: N815
-    """The same with the load before the shift, NaN without one [kW]."""
+    """The same with the load of the gear before, upward or downward; NaN without one [kW]."""
 
     @property
     def changes(self) -> int:
@@ -97,11 +98,14 @@ def _slip_powers(
     case = results.case
     count = len(case.shift_elements)
     torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])
-    slips, unit = np.abs(results.slip_speeds), abs(gear_scales(case)[start]["kW"])
-    found = {}
+    slips, units = np.abs(results.slip_speeds), [one["kW"] for one in gear_scales(case)]
+    relative, loaded = {}, {}
     for place, element in enumerate(case.shift_elements):
         was, holds = results.holds[start, place], results.holds[end, place]
         if was != holds:
-            closed, open_ = (end, start) if holds else (start, end)
-            found[element.name] = float(torques[closed, place] * slips[open_, place])
-    return found, {name: power * unit for name, power in found.items()}
+            after, before = (end, start) if holds else (start, end)
+            power = float(torques[after, place] * slips[before, place])
+            has_torque = case.input_torque(case.gears[after]) != 0
+            relative[element.name] = power if has_torque else math.nan
+            loaded[element.name] = power * units[before]
+    return relative, loaded

@@ -14,6 +14,7 @@ from tests.chance import seeded
 from tests.commands import vstatics
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.readers import sweep_tables
 from vstatics.summary.operation.drive_cycle import GearChoice, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.summary.operation.shifting import read_shifts
@@ -201,3 +202,46 @@ def test_the_engine_gives_what_statics_asks_for() -> None:
     torque = made.energy.engine / speed
     results = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
     assert results.lossy_output_torque_Nm[0] * 4.1 / 0.3 == pytest.approx(made.energy.wheels / 15)
+
+
+CAR_FILE = """
+links: [engine, a, b, out]
+shift_elements: {A: [engine, a], B: [engine, b]}
+mechanisms:
+  first: {first: a, second: out, ratio: 4, efficiency: .8}
+  second: {first: b, second: out, ratio: 2, efficiency: .9}
+gears: {low: [A], high: [B]}
+vehicle: {mass: 1000 kg, radius: 0.5, fuel: {file: fuel.csv}}
+"""
+TRACE_FILE = "time [s],speed [m/s],gear\n2,0,low\n4,10,low\n5,12,high\n9,12,low\n10,0,low\n"
+
+
+def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(tmp_path: Path) -> None:
+    """F = m a at the wheels, M = F r/(i n) at the engine, w = v i/r, no fuel below 0 N*m."""
+    case, given, steps = (str(tmp_path / name) for name in ("car.yaml", "trace.csv", "steps.csv"))
+    Path(case).write_text(CAR_FILE)
+    Path(given).write_text(TRACE_FILE)
+    fuel = "speed [rad/s],torque [N*m],fuel [g/h]\n0,0,500\n0,900,500\n400,0,500\n400,900,500\n"
+    (tmp_path / "fuel.csv").write_text(fuel)
+    assert vstatics("cycle", case, given, "--steps", steps).status == 0
+    table = sweep_tables.read(Path(steps).read_bytes(), steps)
+    assert table.varied == ("time [s]",)
+    forces, speeds, ratios = [5000, 2000, 0, -12000], [5, 11, 12, 6], [4, 4, 2, 4]
+    expected = {
+        "time [s]": [3, 4.5, 7, 9.5],
+        "speed [km/h]": [3.6 * v for v in speeds],
+        "gear number": [1, 1, 2, 1],
+        "engine speed [rpm]": [
+            v / 0.5 * i * 30 / math.pi for v, i in zip(speeds, ratios, strict=True)
+        ],
+        "engine torque [N*m]": [5000 * 0.5 / 4 / 0.8, 2000 * 0.5 / 4 / 0.8, 0, 0],
+        "wheel force [N]": forces,
+        "fuel [g/h]": [500] * 4,
+    }
+    assert table.columns == {name: pytest.approx(column) for name, column in expected.items()}
+    picture = str(tmp_path / "cycle.svg")
+    assert vstatics("plot", steps, "-k", "curves", "-o", picture).status == 0
+    assert "engine torque" in Path(picture).read_text()
+    before = Path(given).read_bytes()
+    assert vstatics("cycle", case, given, "--steps", given).status == 2
+    assert Path(given).read_bytes() == before

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -57,6 +58,8 @@ class DriveCycle(NamedTuple):
     """Steps in which the engine would have to give more than at full load."""
     outside: Sequence[str] = ()
     """Laws that steps ask outside their points."""
+    steps: Mapping[str, Floats] = MappingProxyType({})
+    """By heading, with units: what each step has in its middle."""
 
 
 class GearChoice(NamedTuple):
@@ -114,13 +117,16 @@ def drive(
     )
     full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
     beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
-    taken = math.nan
+    taken, course = math.nan, steps.course(engine)
     if fuel is not None:
-        taken = float(fuel.at(np.where(trace.speed > 0, speeds, 0.0), engine) @ trace.duration)
+        rates = fuel.at(np.where(trace.speed > 0, speeds, 0.0), engine)
+        taken = float(rates @ trace.duration)
+        course["fuel [g/h]"] = 3600 * rates
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
-    return DriveCycle(duration, distance, taken, energy, gears, beyond, [*lost.outside])
+    outside = [*lost.outside]
+    return DriveCycle(duration, distance, taken, energy, gears, beyond, outside, course)
 
 
 SAME_ENGINE_TORQUE = 1e-9
@@ -208,6 +214,18 @@ class _CycleSteps(NamedTuple):
     def engine_speeds(self) -> Floats:
         """Of the engine, forward [rad/s]."""
         return np.abs(self._links("input"))
+
+    def course(self, engine: Floats) -> dict[str, Floats]:
+        """What each step has in its middle, where speeds are their means, by heading."""
+        starts = np.array(self.trace.table.numbers["time"][:-1])
+        return {
+            "time [s]": starts + self.trace.duration / 2,
+            "speed [km/h]": 3.6 * self.trace.speed,
+            "gear number": np.add(self.gears, 1, dtype=np.float64),
+            "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
+            "engine torque [N*m]": engine,
+            "wheel force [N]": self.forces,
+        }
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
         """``-J dw/dt`` on a link in some rows [N*m]."""
