@@ -216,6 +216,7 @@ class EventRun:
                 raise CaseError(
                     "E677", f"at {seen[0]:.9g} s {name} is {value:g}, expected a number", path
                 )
+        self.record.sets(self.at.time, values)
         self.give(step, values)
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 

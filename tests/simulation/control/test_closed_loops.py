@@ -57,6 +57,17 @@ torques: {e: 90, o: -40}
     assert not motion.events
 
 
+def test_a_rate_of_3_t_is_one_of_the_time_and_no_mass() -> None:
+    """x = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
+    motion = simulated("""duration: 2
+start: {speeds: {e: 0, o: 0}}
+states: {x: {rate: 3*t}}
+controls: {C: 0}
+torques: {e: x}
+""")
+    assert motion.speeds[-1, 0] == pytest.approx(2.0, rel=1e-9)
+
+
 def test_a_state_stays_at_its_limit_until_its_rate_turns() -> None:
     """X = sin t up to 0.5, then 0.5 until cos t is below 0, then sin t - 0.5."""
     motion = simulated("""duration: 3
