@@ -58,7 +58,7 @@ torques: {e: 90, o: -40}
 
 
 def test_a_rate_of_3_t_is_one_of_the_time_and_no_mass() -> None:
-    """x = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
+    """X = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
     motion = simulated("""duration: 2
 start: {speeds: {e: 0, o: 0}}
 states: {x: {rate: 3*t}}
