@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -108,13 +109,25 @@ def test_what_is_set_comes_before_sequences() -> None:
         (1.0, {"comand": 1.0}, "no `comand` to set; did you mean `command`?"),
         (1.0, {"xyz": 1.0}, "no `xyz` to set, expected command, target, p"),
         (1.0, {"p": float("nan")}, "p is nan, expected a number"),
-        (0.0, {}, "advance by 0 s, expected a number above 0"),
+        (1.0, {"p": "a"}, "p is a, expected a number"),
+        (1.0, {"p": 101.0}, "p: read 101, expected at most 100, its max"),
+        ("x", {}, "advance by x s, expected a number above 0"),
+        (0.0, {}, "advance by 0.0 s, expected a number above 0"),
         (float("inf"), {}, "advance by inf s, expected a number above 0"),
     ],
 )
-def test_what_cannot_be_set(seconds: float, settings: dict[str, float], message: str) -> None:
+def test_what_cannot_be_set(seconds: Any, settings: dict[str, Any], message: str) -> None:
     with pytest.raises(CaseError, match=message.replace("?", r"\?")):
-        begin(written(LAG)).advance(seconds, **settings)
+        begin(written(LAG.replace('0.06"', '0.06", max: 100'))).advance(seconds, **settings)
+
+
+def test_a_state_is_one_that_a_run_was_in() -> None:
+    run = begin(written(LAG))
+    before: Any = 3
+    with pytest.raises(CaseError, match="state is 3, expected one that a run was in"):
+        run.state = before
+    run.advance(1)
+    assert run.time == 1
 
 
 def test_a_run_that_has_no_way_on_stays_where_it_was() -> None:

@@ -26,7 +26,7 @@ from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.record.words import event_of, released
 from vstatics.simulation.scenario.parts import SequenceStep
-from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import States
@@ -160,6 +160,7 @@ class EventRun:
 
     def _settled(self) -> Selected:
         """What sticks and slips, with all steps done that are due here."""
+        self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
             selected = self._selected()
@@ -168,6 +169,8 @@ class EventRun:
             if not (self.sequences.going or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state)
+            if self._drags_otherwise(judge):
+                continue
             due = self.sequences.due(self.at.time, judge, self.record.happened)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
@@ -185,6 +188,23 @@ class EventRun:
         )
         raise CaseError("E697", message, ("sequences",))
 
+    def _drags_otherwise(self, judge: Judge) -> bool:
+        """Whether an element that drags while it is open opens or closes here by what it sees.
+
+        Its control is 0 at such an instant: what it is next follows from how all moves.
+        """
+        carrying, states = self.selection.choices.carrying, judge.equations.states
+        for contact, state in zip(self.system.contacts, states.contacts, strict=True):
+            element = contact.while_open
+            if element is None or element in carrying:
+                continue
+            programme = self.system.by_element[element].programme
+            carries = programme_at(programme, *judge.ahead) > 0
+            if programme.look is not None and carries != (state == "open"):
+                carrying[element] = carries
+                return True
+        return False
+
     def _do(self, due: SequenceProgress, seen: tuple[float, Sequence[float]]) -> None:
         """Do a step that is due."""
         step = due.step
@@ -196,6 +216,7 @@ class EventRun:
                 raise CaseError(
                     "E677", f"at {seen[0]:.9g} s {name} is {value:g}, expected a number", path
                 )
+        self.record.sets(self.at.time, values)
         self.give(step, values)
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 

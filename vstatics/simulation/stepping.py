@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from numbers import Real
 
 import numpy as np
 
@@ -68,6 +69,17 @@ class SteppedRun:
         self.state = state
 
     @property
+    def state(self) -> EventRun:
+        """Where the run is."""
+        return self._state
+
+    @state.setter
+    def state(self, state: EventRun) -> None:
+        if not isinstance(state, EventRun):
+            raise CaseError("E730", f"state is {state!r}, expected one that a run was in")
+        self._state = state
+
+    @property
     def time(self) -> float:
         """The present [s]."""
         return self.state.at.time
@@ -117,12 +129,19 @@ class _SteppedSpeeds(dict[str, float]):
 
 
 def _check(scenario: Scenario, seconds: float, settings: Mapping[str, float]) -> None:
-    if not 0 < seconds < math.inf:
-        raise CaseError("E675", f"advance by {seconds:g} s, expected a number above 0")
+    if not (_is_number(seconds) and seconds > 0):
+        raise CaseError("E675", f"advance by {seconds!s} s, expected a number above 0")
     known = [*scenario.settings, *(one.name for one in scenario.states)]
     for name, value in settings.items():
         if name not in known:
             hint = nearest(name, known) or f", expected {listed(known) or 'no name'}"
             raise CaseError("E676", f"the scenario has no {quoted(name)} to set{hint}")
-        if not math.isfinite(value):
-            raise CaseError("E677", f"{name} is {value:g}, expected a number")
+        if not _is_number(value):
+            raise CaseError("E677", f"{name} is {value!s}, expected a number")
+    for state in scenario.states:
+        if state.name in settings and (beyond := state.beyond(settings[state.name])):
+            raise CaseError("E684", f"{state.name}: {beyond}")
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, Real) and math.isfinite(value)

@@ -57,6 +57,17 @@ torques: {e: 90, o: -40}
     assert not motion.events
 
 
+def test_a_rate_of_3_t_is_one_of_the_time_and_no_mass() -> None:
+    """X = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
+    motion = simulated("""duration: 2
+start: {speeds: {e: 0, o: 0}}
+states: {x: {rate: 3*t}}
+controls: {C: 0}
+torques: {e: x}
+""")
+    assert motion.speeds[-1, 0] == pytest.approx(2.0, rel=1e-9)
+
+
 def test_a_state_stays_at_its_limit_until_its_rate_turns() -> None:
     """X = sin t up to 0.5, then 0.5 until cos t is below 0, then sin t - 0.5."""
     motion = simulated("""duration: 3
@@ -157,6 +168,26 @@ torques: {e: 375}
     place = int(np.abs(motion.time - open_at).argmin())
     assert motion.time[place] == pytest.approx(open_at, abs=1e-9)
     assert motion.speeds[place:, 1] == pytest.approx(output, rel=1e-10)
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_an_open_clutch_drags_up_to_the_instant_at_which_its_control_leaves_0(back: bool) -> None:
+    """6 N*m of drag for .5 s, and again from 1.5 s on if it opens; a lag or a ramp between."""
+    motion = simulated(
+        f"""duration: 3
+start: {{speeds: {{e: 500, o: 0}}}}
+set: {{command: 0}}
+states: {{p: {{rate: {"command" if back else '"(command - p)/0.1"'}, min: 0}}}}
+controls: {{C: p}}
+sequences:
+  s: [{{when: "t >= 0.5", set: {{command: 80}}}}, {{when: "t >= 1", set: {{command: {-80 if back else 80}}}}}]
+""",
+        "links: [e, o]\ninertias: {e: 2, o: 3}\n"
+        "shift_elements: {C: {links: [e, o], drag: 6 N*m}}\ngears: {g: [C]}\n"
+        "load: {speed: 100 rpm, torque: 1 N*m}\n",
+    )
+    impulse = 80 * 0.5**2 + 6 * 2.0 if back else 80 * (2.5 - 0.1 * (1 - math.exp(-25))) + 6 * 0.5
+    assert motion.speeds[-1] == pytest.approx([500 - impulse / 2, impulse / 3], rel=1e-10)
 
 
 def test_a_clutch_that_is_heated_by_a_constant_power_is_cooled() -> None:

@@ -238,6 +238,8 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
         ("set: {speed: 0}", "is a word of formulas"),
         ("states: {p: {start: 0}}", "`rate` is missing"),
         ("states: {p: {rate: 1, start: 3, max: 2}}", "expected at most 2, its max"),
+        ("states: {p: {rate: 1, max: 2}}\nsequences: {s: [{set: {p: 3}}]}",
+         "7:24 sequences.s[1].set.p: read 3, expected at most 2, its max"),
         ("tables: {q: [[1, 0], [0, 1]]}", "expected rows in ascending order"),
         ("tables: {q: {file: missing.csv}}", "can't be read"),
         ("tables: {q: {columns: [0, 1], rows: [[1, 2, 3], [0, 1, 2]]}}", "6:49 tables.q.rows[2]: read 0 behind 1"),
@@ -280,6 +282,19 @@ def test_a_control_that_is_no_number_stops_the_run_and_is_named() -> None:
     stopped = simulate(written(text)).stopped
     assert stopped is not None
     assert (stopped.id, stopped.path) == ("E700", ("controls", "C"))
+
+
+def test_a_state_that_a_formula_sets_beyond_its_limits_is_told_once() -> None:
+    """From -1, its min, on it rises with the time: 20 N*m for 3 s, then t - 4 for 1 s."""
+    motion = simulated(
+        REST.replace("20", "p")
+        + """states: {p: {start: 20, rate: 0, min: -1}}
+sequences: {s: {repeat: true, steps: [{when: "t >= 3", wait: 0.5, set: {p: "-10*t"}}]}}
+"""
+    )
+    [note] = [one.text for one in motion.messages if one.id == "N611"]
+    assert note.startswith("at 3.5 s p is set beyond its limits: read -35, expected at least -1")
+    assert motion.speeds[-1, 0] == pytest.approx((20 * 3.5 - 0.5) / 2)
 
 
 def test_formulas_of_one_text_call_each_their_own_table() -> None:

@@ -29,7 +29,15 @@ from vstatics.simulation import simulate
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.simulation.published.two_masses import TwoMasses, two_masses
 from vstatics.simulation.scenario.laws import Resistance, constant
-from vstatics.simulation.scenario.parts import Dog, Scenario, Start
+from vstatics.simulation.scenario.parts import (
+    ControlState,
+    Dog,
+    Scenario,
+    SequenceStep,
+    Shift,
+    Start,
+    StepSequence,
+)
 from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.devices import motion_system
 
@@ -119,10 +127,14 @@ def test_what_it_does_not_know() -> None:
     case = planetary_set().replace(springs=[spring])
     converter = Converter("TC", 1, 2, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
     base = first_gear()
+    step = SequenceStep(wait=0.1, shift=Shift(0.0, base.case.gears[0].name))
     for scenario, path in (
         (first_gear(case), ("case", "springs", 1)),
         (base._replace(converters=(converter,)), ("converters", "TC")),
         (base._replace(controls={1: Dog(((0.1, True),))}), ("controls", "F1")),
+        (base._replace(states=(ControlState("x", constant(1.0)),)), ("states",)),
+        (base._replace(sequences=(StepSequence("s", (step,)),)), ("sequences",)),
+        (base._replace(speeds={2: constant(10.0)}), ("speeds",)),
         (base._replace(torques=((2, Resistance(5.0)),)), ("torques", "h")),
         (base._replace(torques=((3, points((0, 5))),)), ("torques", "b")),
     ):

@@ -57,6 +57,8 @@ class ModeChoices:
         """Outside torques on links whose speeds can jump in the same way."""
         self.within = AHEAD * system.scenario.duration
         """How far it is looked ahead. [s]"""
+        self.carrying: dict[int, bool] = {}
+        """Of elements by index, where it is known: whether they carry anything from now on."""
 
     def at(
         self,
@@ -113,7 +115,8 @@ class ModeChoices:
             capacity = programme_at(contact.programme, times[1], self.seen)
         if contact.while_open is not None:
             programme = self.system.by_element[contact.while_open].programme
-            if any(programme_at(programme, time, self.seen) for time in times):
+            carries = any(programme_at(programme, time, self.seen) for time in times)
+            if self.carrying.get(contact.while_open, carries):
                 return "open"
         may_rise = contact.one_way or contact.programme.look is not None
         if capacity == 0 and not may_rise:

@@ -72,10 +72,10 @@ class ModeSelection:
         self.within = self.choices.within
 
     def of(self, system: MotionSystem) -> ModeSelection:
-        """The same in a system whose programmes and settings are others."""
+        """The same in a system whose programmes and settings are others, or at another instant."""
         made = copy(self)
         made.system, made.choices = system, copy(self.choices)
-        made.choices.system = system
+        made.choices.system, made.choices.carrying = system, {}
         return made
 
     def select(

@@ -257,6 +257,9 @@ _INSTEAD = "take the events, the method by default"
 def refusals(system: MotionSystem) -> Iterator[Problem]:
     """All that (12) to (15) have no place for, each where it stands in the scenario."""
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
+    for key in ("states", "sequences", "speeds", "speed_ratios"):
+        if getattr(system.scenario, key):
+            yield Problem("E731", f"(12) has none of these: {_INSTEAD}", (key,))
     for spring in system.springs:
         text = f"{spring.name} bends, but (12) is of a rigid box: {_INSTEAD}"
         yield Problem("E618", text, ("case", "springs", numbers.get(spring.name, spring.name)))

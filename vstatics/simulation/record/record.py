@@ -68,7 +68,7 @@ class Record:
         """Contacts that have just joined by an impact."""
         self.messages: list[Message] = []
         self.cut: set[str] = set()
-        """Elements whose controls were above their capacity."""
+        """Elements whose controls were above their capacity, states that were set beyond limits."""
         self.pieces: list[Piece] = []
         """Those that are kept in full: what was before is drawn."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
@@ -121,6 +121,15 @@ class Record:
             "turns at once to where they balance"
         )
         self.messages.append(Message("W602", text))
+
+    def sets(self, time: float, values: Mapping[str, float]) -> None:
+        """Note states that a step sets beyond their limits at a time [s], each once."""
+        for state in self.system.scenario.states:
+            beyond = state.beyond(values.get(state.name, state.start))
+            if beyond and state.name not in self.cut:
+                self.cut.add(state.name)
+                text = f"at {time:.6g} s {state.name} is set beyond its limits: {beyond}"
+                self.messages.append(Message("N611", f"{text}; so it is that, then and later"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
         """Note controls that are cut at a capacity of the case, each once."""

@@ -9,7 +9,7 @@ from itertools import chain, pairwise
 from vstatics.errors import Path, Problem, nearest, quoted, spoken
 from vstatics.numerics.lookup_table import LookupTable
 from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.laws import Curve
+from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
 from vstatics.simulation.scenario.words import name_problems
 
@@ -65,11 +65,7 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
     if state.least > state.most:
         message = f"read {state.most:g}, expected at least {state.least:g}, its min"
         yield Problem("E684", message, (*path, "max"))
-    elif state.start > state.most:
-        message = f"read {state.start:g}, expected at most {state.most:g}, its max"
-        yield Problem("E684", message, (*path, "start"))
-    elif state.start < state.least:
-        message = f"read {state.start:g}, expected at least {state.least:g}, its min"
+    elif message := state.beyond(state.start):
         yield Problem("E684", message, (*path, "start"))
 
 
@@ -106,6 +102,10 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
             hint = hint or (f"; there are {spoken(known)}" if known else "; there are none")
             message = f"read {quoted(name)}, expected a name of `set` or a state{hint}"
             yield Problem("E687", message, (*path, "set", name))
+    for state in scenario.states:
+        value = step.settings.get(state.name)
+        if isinstance(value, Points) and (message := state.beyond(value.y[0])):
+            yield Problem("E684", message, (*path, "set", state.name))
     elements = scenario.case.shift_elements
     for number in step.dogs:
         if 0 < number <= len(elements) and elements[number - 1].kind != "dog_clutch":

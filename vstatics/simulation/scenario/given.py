@@ -8,10 +8,11 @@ scenario of these.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple, get_args
 
-from vstatics.errors import quoted, spoken
+from vstatics.errors import ReadError, quoted, spoken
 from vstatics.model.shape import Measure, Parsed
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.named.arithmetic import calculated
@@ -80,7 +81,7 @@ class GivenSteps(NamedTuple):
 def _curve(
     text: str, measures: Sequence[Measure], names: Sequence[str], words: Vocabulary
 ) -> float | Formula:
-    """A number, bare or with its unit, or a formula."""
+    """A number, bare or with its unit, or a formula: in ``3*t`` no tonnes, but the time."""
     try:
         behind = calculated(text).behind
     except ValueError:
@@ -88,9 +89,11 @@ def _curve(
     if not behind or behind[0].isalpha() or behind[0] == "°":
         return in_any_unit(text, measures)
     try:
-        return in_any_unit(text, measures)
-    except ValueError:
         return read_formula(Excerpt(text, ""), names, words)
+    except ReadError:
+        with suppress(ValueError):
+            return in_any_unit(text, measures)
+        raise
 
 
 def _number(measures: Sequence[Measure], expected: str) -> Parsed:

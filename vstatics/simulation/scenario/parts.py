@@ -79,6 +79,14 @@ class ControlState(NamedTuple):
     most: float = math.inf
     """While it is at a limit and its rate points outward, it stays there."""
 
+    def beyond(self, value: float) -> str:
+        """What is said of a value beyond its limits; nothing of one between them."""
+        if value > self.most:
+            return f"read {value:g}, expected at most {self.most:g}, its max"
+        if value < self.least:
+            return f"read {value:g}, expected at least {self.least:g}, its min"
+        return ""
+
 
 class SequenceStep(NamedTuple):
     """What is done once a condition was true."""
