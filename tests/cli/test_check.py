@@ -113,3 +113,25 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points(tmp_path: Path) -
     )
     said = vstatics("check", str(case)).err
     assert "case.yaml:6:3: note: gear far: outside the points of out the last one counts" in said
+
+
+@pytest.mark.parametrize(
+    ("drag", "said"),
+    [("1 - 0.1*w", "the drag of out: read -9.47198"), ("exp(w*w)", "the drag of out: read inf")],
+)
+def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
+    tmp_path: Path, drag: str, said: str
+) -> None:
+    """At 1000 rpm w is 104.7198 rad/s."""
+    case, result = tmp_path / "case.yaml", tmp_path / "result.json"
+    case.write_text(
+        "links: [in, out]\n"
+        "load: {speed: 1000 rpm, torque: 50 N*m}\n"
+        "mechanisms: {pair: {first: in, second: out, ratio: 1}}\n"
+        f"gears: {{one: {{drag: {{out: '{drag}'}}}}}}\n"
+    )
+    for command in (["check"], ["run", "-o", str(result)], ["flow"]):
+        ran = vstatics(*command, str(case))
+        assert ran.status == 1
+        assert "case.yaml:4:22: error: gears.one.drag.out: " + said in ran.err
+    assert not result.exists()

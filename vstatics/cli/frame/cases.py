@@ -13,7 +13,7 @@ from vstatics.cli.frame import documents, files
 from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
-from vstatics.errors import Problem, ReadError, not_allowed, of_file, plural, spoken
+from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
@@ -191,7 +191,7 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         else:
             reading = readers.read(data, name, settings.input_format)
             reading = reading.allowing(settings.telling.allow)
-        results = solve(reading.case, coast=settings.coast, idle=settings.idle)
+        results = _solved(reading, settings)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
         found = _located(reading, results, each_gear=each)
@@ -207,6 +207,20 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     told = settings.telling.told(problems)
     is_run = settings.of_runs and scenario is not None
     return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run)
+
+
+def _solved(reading: Reading, settings: CaseOptions) -> Results:
+    """The results of a case.
+
+    Raises
+    ------
+    ReadError
+        If a law of it gives no torque that can be, with its place.
+    """
+    try:
+        return solve(reading.case, coast=settings.coast, idle=settings.idle)
+    except CaseError as error:
+        raise ReadError(map(reading.locate, error.problems)) from None
 
 
 def read_data(

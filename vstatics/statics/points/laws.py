@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Path, Problem
 from vstatics.model.parts import HOUSING, Law
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
@@ -178,8 +178,14 @@ def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
     """What a law gives; else the first value that can't be."""
     wrong = ~(np.isfinite(values) & (values >= 0))
     if wrong.any():
-        message = f"read {values[wrong][0]:g}, expected a torque of 0 or more at every speed"
-        path = (f"the drag of {_called(case, number)}",)
+        what = f"the drag of {_called(case, number)}"
+        message = (
+            f"{what}: read {values[wrong][0]:g}, expected a torque of 0 or more at every speed"
+        )
+        index, quantity, owner = number
+        path: Path = ("gears", (index or 0) + 1, quantity, owner)
+        if quantity == "open_drag" and owner not in case.gears[index or 0].open_drag:
+            path = ("shift_elements", owner, "drag")
         raise CaseError([Problem("E268", message, path)])
     found: Floats = values
     return found
