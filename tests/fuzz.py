@@ -2,7 +2,8 @@
 
 Each input must end in a result or in an error of vstatics, within a second of the processor;
 files are carried out by their commands, too, within ten.
-The same seed makes the same inputs; `--from N` starts at one that failed.
+The same seed makes the same inputs; `--from N` starts at one that failed, `--kinds run,driven`
+tries some kinds only.
 """
 
 from __future__ import annotations
@@ -11,14 +12,14 @@ import argparse
 import io
 import json
 import re
-import resource
 import sys
 import time
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, partial
 from multiprocessing import Pool
+from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
 
@@ -48,8 +49,8 @@ from vstatics.writers import listing, named, result_json
 READING_SECONDS, COMMAND_SECONDS = 1.0, 10.0
 """Of the processor, to read and to carry out a command; more is a fault."""
 MOST_MEMORY = 2**30
-"""Of a process; more is a fault. [bytes]"""
-CHUNK = 500
+"""Of an input, beside what its process had before; more is a fault. [bytes]"""
+CHUNK = 100
 
 PIECES = (
     *("0", "-1", "1", "7", "1e308", "1e-308", "1e999999999", "999999999", "nan", "inf", "1/0"),
@@ -79,6 +80,22 @@ converters: {TC: {links: [in, b0], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3]]
 shifts: [{at: 2, to: "2", overlap: 300 ms}]
 targets: {out: [8.3, 50 km/h]}
 samples: {controls.FH.scale: {normal: [.7, .05], min: .5}}
+"""
+
+CONTROLLED = """\
+case: tarasik-box.yaml
+duration: 6 s
+start: {gear: "1", speed: 600 rpm}
+numbers: {lag: .03, top: 9 kN*m}
+tables: {engine: {columns: [0, .5, 1], rows: [[80, -20, 150, 380], [200, -30, 220, 420]]}, pedal: [[0, 1], [4, .2]]}
+set: {command: 0, closed: 0}
+states: {grip: {rate: "(command - grip)/lag", min: 0, max: 9000}, e: {start: 1, rate: "closed*(abs(slip('F1')) - e)"}}
+controls: {F1: "grip + 10*e", FH: 3000}
+torques: {in: "engine(speed, pedal(t))"}
+speeds: {out: [[0, 0], [2, 30 rpm]]}
+sequences:
+  fill: [{when: "t > .3", set: {command: top}}, {when: "locks('F1')", within: 2, wait: .1, shift: {to: "2", overlap: .3}}]
+  again: {steps: [{wait: .5, set: {closed: 1}}, {when: "e < 1 or slips('F1')", set: {closed: "closed/2"}}], repeat: true}
 """
 
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
@@ -179,6 +196,7 @@ def kinds() -> dict[str, Kind]:
         "scenario": Kind(
             (
                 SCENARIO,
+                CONTROLLED,
                 *(one.read_text("utf-8") for one in sorted(CASES.glob("scenarios/tarasik-box*"))),
             ),
             _scenario,
@@ -278,12 +296,22 @@ def with_other_words(rng: Random, tokens: list[str]) -> bytes:
     return data
 
 
-def tried(number: int) -> tuple[str, str, str]:
+def memory(what: str) -> int:
+    """Of this process, as the kernel calls it [bytes]."""
+    found = re.search(rf"{what}:\s+(\d+) kB", Path("/proc/self/status").read_text("utf-8"))
+    assert found
+    return int(found[1]) * 1024
+
+
+def tried(number: int, names: Sequence[str] = ()) -> tuple[str, str, str]:
     """Kind, outcome and fault of the input of a number; the fault is empty if all is well."""
     rng = Random(number)  # noqa: S311
-    name = [*kinds()][number % len(kinds())]
+    names = names or [*kinds()]
+    name = names[number % len(names)]
     kind = kinds()[name]
     data = mutated(rng, kind.good)
+    Path("/proc/self/clear_refs").write_text("5", "utf-8")  # the peak begins anew
+    before = memory("VmRSS")
     begin = time.process_time()
     outcome, fault = "read", ""
     try:
@@ -298,16 +326,16 @@ def tried(number: int) -> tuple[str, str, str]:
     seconds = time.process_time() - begin
     if seconds > kind.seconds:
         fault += f"took {seconds:.1f} s"
-    if (memory := resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024) > MOST_MEMORY:
-        fault += f"took {memory / 2**20:.0f} MB"
+    if (more := memory("VmHWM") - before) > MOST_MEMORY:
+        fault += f"took {more / 2**20:.0f} MB"
     return name, outcome, f"{fault}\n{data[:2000]!r}" if fault else ""
 
 
-def _many(start: int) -> tuple[Counter[tuple[str, str]], list[str]]:
+def _many(names: Sequence[str], start: int) -> tuple[Counter[tuple[str, str]], list[str]]:
     counts: Counter[tuple[str, str]] = Counter()
     faults = []
     for number in range(start, start + CHUNK):
-        name, outcome, fault = tried(number)
+        name, outcome, fault = tried(number, names)
         counts[name, outcome] += 1
         if fault:
             faults.append(f"input {number}, {name}: {fault}")
@@ -315,11 +343,11 @@ def _many(start: int) -> tuple[Counter[tuple[str, str]], list[str]]:
 
 
 def run(
-    first: int, count: int, processes: int
+    first: int, count: int, processes: int, names: Sequence[str]
 ) -> Iterator[tuple[Counter[tuple[str, str]], list[str]]]:
     """Counts and faults of some inputs, a chunk at a time."""
     with Pool(processes) as pool:
-        yield from pool.imap_unordered(_many, range(first, first + count, CHUNK))
+        yield from pool.imap_unordered(partial(_many, names), range(first, first + count, CHUNK))
 
 
 def main() -> int:
@@ -328,15 +356,16 @@ def main() -> int:
     parser.add_argument("count", type=int)
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--kinds", type=lambda text: text.split(","), default=[*kinds()])
     asked = parser.parse_args()
     counts: Counter[tuple[str, str]] = Counter()
     failed = 0
-    for found, faults in run(asked.first, asked.count, asked.jobs):
+    for found, faults in run(asked.first, asked.count, asked.jobs, asked.kinds):
         counts += found
         failed += len(faults)
         for fault in faults:
             print(fault, flush=True)  # noqa: T201
-    for name in kinds():
+    for name in asked.kinds:
         of_kind = {outcome: n for (kind, outcome), n in counts.items() if kind == name}
         print(f"{name:12} {of_kind}")  # noqa: T201
     accepted = sum(n for (_, outcome), n in counts.items() if outcome == "read")

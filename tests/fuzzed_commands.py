@@ -38,6 +38,55 @@ start: {speeds: {sun: 500 rpm, carrier: 0}}
 controls: {brake: [[0, 120], [.2, 0]], lock-up: "200*(t > .25)"}
 torques: {sun: {over: speed, points: [[0, 60], [50, 20]]}, carrier: {resistance: 30}}
 """
+PLANT = """\
+links: [dyno, e, m, o, h]
+inertias: {e: .2, m: .1, o: 3, h: 1/2}
+springs:
+  S: {links: [e, m], points: [[0, 0], [.02, 0], [.1, 200]], damping: 2}
+  T: {links: [dyno, e], stiffness: 4e3, damping: 5, limit: 300 N*m}
+shift_elements:
+  C:
+    links: [m, o]
+    friction: {radius: 10 cm, area: 60 cm^2, surfaces: 8, heat_capacity: 900, cooling: 5, ambient: 30,
+      coefficient: {columns: [30, 230], rows: [[0, .12, .1], [60, .13, .08]]}}
+  D: {links: [o, housing], kind: dog_clutch}
+mechanisms: {hydro: {kind: variator, first: o, second: h, speed_ratio: .4, efficiency: .9}}
+gears: {drive: [C], free: [], held: [D]}
+"""
+DRIVEN = """\
+case: plant.yaml
+duration: 0.1
+start: {speeds: {dyno: 900 rpm, e: 900 rpm, m: 900 rpm, o: 0}}
+numbers: {lag: 0.02, top: 3 bar}
+tables:
+  engine: {columns: [0, 1], rows: [[50, -5, 80], [150, -20, 60]]}
+  ramp: [[0, 1], [.2, .5]]
+set: {command: 0, closed: 0}
+states:
+  pressure: {start: 1e5, rate: "(command - pressure)/lag", min: 0, max: 9e5}
+  error: {rate: "closed*(abs(slip('C')) - 5)", min: -50}
+controls: {C: "pressure + 100*error"}
+torques:
+  m: "engine(speed, ramp(t)) - temperature('C')/100"
+  o: [{resistance: 3}, "-.02*speed*abs(speed)"]
+speeds: {dyno: [[0, 900 rpm], [.06, 700 rpm]]}
+speed_ratios: {hydro: "0.4 - t"}
+limits: {T: [[0, 250], [.1, 120]]}
+sequences:
+  shift:
+    - {when: "t >= .01", set: {command: top}}
+    - {when: "temperature('C') > 30.2 or locks('C')", within: 1, wait: .01, set: {closed: 1}, dog: {D: closed}}
+  pulse: {steps: [{wait: .03, set: {closed: 0}}, {wait: .02, set: {closed: 1}}], repeat: true}
+"""
+WARM = """\
+case: warm.yaml
+duration: 0.05
+start: {speeds: {dyno: 900 rpm, e: 900 rpm, m: 900 rpm, o: 0}}
+speeds: {dyno: 900 rpm}
+speed_ratios: {hydro: [[0, .4], [1, -2]]}
+limits: {T: "200 - 1e3*t"}
+controls: {C: [[0, 0], [.02, 3 bar]]}
+"""
 DUMP = """\
 J1: 4.29
 J2: 0.1
@@ -73,6 +122,8 @@ def _folder() -> Path:
     (folder / "set.yaml").write_bytes(scenarios.CASE)
     (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
     (folder / "box.yaml").write_text(BOX, encoding="utf-8")
+    (folder / "plant.yaml").write_text(PLANT, encoding="utf-8")
+    (folder / "warming.yaml").write_text(WARM, encoding="utf-8")
     return folder
 
 
@@ -108,6 +159,14 @@ def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]
         "run": (
             (scenarios.SCENARIO.decode(), STICKS),
             _command("run.yaml", "simulate", "run.yaml", "-f", "json", *limit),
+        ),
+        "driven": (
+            (DRIVEN,),
+            _command("driven.yaml", "simulate", "driven.yaml", "-f", "json", *limit),
+        ),
+        "driven case": (
+            (PLANT,),
+            _command("warm.yaml", "simulate", "warming.yaml", "-f", "json", *limit),
         ),
         "dump": ((DUMP,), _command("dump.yaml", "torsion", "dump", "dump.yaml", "-f", "json")),
         "modes": ((SHAFTS,), _command("m.yaml", "torsion", "modes", "m.yaml", "-f", "json")),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from tests import fuzz
 from tests.chance import FRESH, count
-from tests.fuzz import kinds, tried
+from tests.fuzz import Kind, kinds, tried
 
 
 @pytest.mark.parametrize("name", list(kinds()))
@@ -13,6 +14,21 @@ def test_good_inputs_are_read(name: str) -> None:
     kind = kinds()[name]
     for text in kind.good:
         kind.read(text.encode())
+
+
+def test_memory_is_that_of_an_input_and_not_of_those_before(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = {
+        "small": Kind(("x",), lambda data: data * 2**10),
+        "large": Kind(("x" * 2**20,), lambda data: data * 2**6),
+    }
+    monkeypatch.setattr(fuzz, "kinds", lambda: made)
+    monkeypatch.setattr(fuzz, "mutated", lambda _, good: good[0].encode())
+    monkeypatch.setattr(fuzz, "MOST_MEMORY", 2**25)
+    faults = {tried(number)[0]: tried(number)[2] for number in (1, 0)}
+    assert faults["large"].startswith("took 6")  # 64 MB
+    assert not faults["small"]
 
 
 @pytest.mark.slow

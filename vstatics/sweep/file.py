@@ -102,7 +102,7 @@ class _Reader:
         self.found.add(message, node.line, node.column)
 
     def path(self, node: Node, _: Option) -> str:
-        if not isinstance(node, Scalar) or not node.text:
+        if not isinstance(node, Scalar) or not node.text or "\0" in node.text:
             raise _WrongError("the name of a file")
         name = node.text if node.text == "-" else os.path.join(self.directory, node.text)  # noqa: PTH118
         return PlacedFile(name).at(self.place(node))

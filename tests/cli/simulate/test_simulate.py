@@ -168,6 +168,9 @@ def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
     said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
     assert said.err.startswith("lock.yaml:1:7: error: bax.yaml can't be read: No such file")
     assert "did you mean `box.yaml`?" in said.err
+    Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", '"b\\0x"'), encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
+    assert said.err.startswith("lock.yaml:1:7: error: b\\u0000x can't be read: ")
     assert names() == ["box.yaml", "lock.yaml"]
 
 

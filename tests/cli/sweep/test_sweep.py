@@ -355,6 +355,15 @@ def test_a_case_that_a_sweep_file_names_and_that_is_not_there_is_told_at_its_pla
     assert said.err.startswith("w.yaml:3:7: error: nowhere.yaml can't be read: No such file")
 
 
+@pytest.mark.parametrize("key", ["case", "variants", "output"])
+def test_a_name_with_a_zero_byte_is_none_of_a_file(key: str, folder: Path) -> None:
+    (folder / "w.yaml").write_text(f'{key}: "a\\0b"\n', encoding="utf-8")
+    said = vstatics("sweep", "--file", folder / "w.yaml")
+    assert said.status == 1
+    place = f"w.yaml:1:{len(key) + 3}: error"
+    assert f"{place}: read 'a\\x00b', expected the name of a file" in said.err
+
+
 @pytest.mark.parametrize("output", ["", "-o out.csv", "-o out.npz --max ratio[low]", "-j 2"])
 def test_a_sweep_without_rows_tells_what_each_condition_removed(output: str, folder: Path) -> None:
     """The ratio of the set is 1 - p: 3 to 5 for p from -2 to -4 by quarters."""

@@ -43,6 +43,8 @@ def read_input(file: str) -> tuple[bytes, str]:
         reason = f"{error.strerror}{_nearest_file(file)}"
     except OSError as error:
         reason = error.strerror or str(error)
+    except ValueError as error:  # a name that holds a zero byte
+        reason = str(error)
     raise ReadError([of_file("E006", name, f"can't be read: {reason}")])
 
 
