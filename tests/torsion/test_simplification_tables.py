@@ -9,6 +9,7 @@ import pytest
 
 from tests.torsion.book import TENTH, chain, percent, scheme, table
 from vstatics.torsion.reduction.chain import partial_systems, scheme_of
+from vstatics.torsion.reduction.merging import simplify_merging
 from vstatics.torsion.reduction.scheme import natural_frequencies
 from vstatics.torsion.reduction.simplification import SimplificationRule, simplify
 
@@ -112,6 +113,24 @@ def test_kamaz_of_table_2_15() -> None:
     for found, printed in zip(steps, document["chain"], strict=True):
         assert found.operation == printed["operation"]
         assert found.omegas == pytest.approx(printed["omegas"], rel=0.0035)
+
+
+def test_kamaz_in_one_go() -> None:
+    """All rows of table 2.15: by rule r, then what turns as one, then the chain that is left."""
+    document = table("table_2_15")
+    inertias = [inertia * TENTH for inertia in document["inertias"]]
+    given = scheme(inertias, document["springs"], 1e-5)
+    found = simplify_merging(given, 1, None, ["6"], ["5+7", "8+9"])
+    first, five, eight, *rest = found.steps
+    assert found.rule == "partial"
+    assert [one.operation for one in (first, five, eight)] == [
+        *("remove 6", "merge 5 and 7", "merge 8 and 9")
+    ]
+    assert first.omegas == pytest.approx(document["without 6"], rel=0.0035)
+    assert eight.omegas == pytest.approx(document["5+7 and 8+9 as one"], rel=0.0035)
+    for step, printed in zip(rest, document["chain"], strict=True):
+        assert step.operation == printed["operation"]
+        assert step.omegas == pytest.approx(printed["omegas"], rel=0.0035)
 
 
 P3 = [(part, state) for part in table("tables_p3")["tables"] for state in part["damper"]]

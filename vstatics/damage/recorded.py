@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.damage.devices import DeviceDamage, damages
-from vstatics.errors import Problem, ReadError, listed, quoted
+from vstatics.errors import Problem, ReadError, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.readers.records import RecordedColumns, read_record
 from vstatics.tables.names import written
@@ -61,5 +61,4 @@ def _lacking(
     """What is missing: an error where there is nothing at all."""
     for name, heading in wanted.items():
         if name not in found:
-            told = f"there is no column {quoted(heading)}; columns are {listed(record.headings)}"
-            yield record.problem("W880" if found else "E883", told)
+            yield record.lacks("W880" if found else "E883", heading)

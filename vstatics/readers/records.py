@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Problem, ReadError
+from vstatics.errors import Place, Problem, ReadError, listed, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
@@ -24,7 +24,18 @@ class RecordedColumns(NamedTuple):
     columns: Mapping[str, Floats]
     headings: tuple[str, ...]
     """All that there are."""
+    lines: Sequence[int]
+    """Of the rows."""
     source: Source
+
+    def place(self, row: int) -> Place:
+        """Where a row stands, counted from 0."""
+        return self.source.place(self.lines[row])
+
+    def lacks(self, identity: str, heading: str) -> Problem:
+        """The problem that a column is missing."""
+        there = f"columns are {listed(self.headings)}"
+        return self.problem(identity, f"there is no column {quoted(heading)}; {there}")
 
     def problem(self, identity: str, message: str) -> Problem:
         """A problem of the columns as such."""
@@ -41,7 +52,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     file : str
         Its name, for messages.
     wanted : mapping of str to str
-        Headings, behind which a unit may stand in brackets, with what they measure; None: no unit.
+        Headings, behind which a unit may stand in brackets, with what they measure; None: whatever
+        their unit is.
 
     Raises
     ------
@@ -65,7 +77,9 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
             places.setdefault(name, (place, size))
     problems: list[Problem] = []
     values: dict[str, list[float]] = {name: [] for name in places}
+    lines = []
     for row in filter(None, rows):
+        lines.append(rows.line_num)
         for name, (place, size) in places.items():
             cell = row[place].strip() if place < len(row) else ""
             values[name].append(_number(cell) * size)
@@ -76,17 +90,18 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
             break
     if problems:
         raise ReadError(problems)
-    return RecordedColumns(
-        {name: np.array(column) for name, column in values.items()}, headings, source
-    )
+    made = {name: np.array(column) for name, column in values.items()}
+    return RecordedColumns(made, headings, lines, source)
 
 
 def _named(heading: str, wanted: Mapping[str, Measure | None], source: Source) -> tuple[str, float]:
     """The name that a heading has without its unit, and the size of that in SI."""
     name, bracket, unit = heading.rpartition(" [")
     measure = wanted.get(name.strip())
-    if heading in wanted or not bracket or measure is None:
+    if heading in wanted or not bracket or name.strip() not in wanted:
         return heading, 1.0
+    if measure is None:
+        return name.strip(), 1.0
     try:
         return name.strip(), measured(f"1 {unit.removesuffix(']')}", measure)
     except ValueError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.tables.answer import Flat, document
+from vstatics.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 from vstatics.torsion.reduction.reduced_values import GearReduction
 from vstatics.torsion.reduction.simplification import SimplificationRule, SimplificationStep
@@ -60,6 +60,12 @@ class IdentificationAnswer(NamedTuple):
     measured: float
     """[rad/s]"""
     made: Flat[Identified]
+    decrement: Sometimes[float] = None
+    """Measured, too."""
+    mean_line: Sometimes[Sequence[float]] = None
+    """At the inner extremes of a record, in its unit."""
+    amplitudes: Sometimes[Sequence[float]] = None
+    """Likewise."""
 
 
 @document("vstatics-damping")

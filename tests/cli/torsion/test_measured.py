@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.cli.torsion.torsional import STUCK
-from tests.commands import vstatics
+from tests.commands import Said, vstatics
 from tests.torsion.vibration.test_measured import DRIVELINE
 from vstatics import loads
 from vstatics.torsion.vibration.measured import damping, identify
@@ -115,3 +118,78 @@ gears: {1: []}
     answer = said("damping", "--gear", "1", "--decrements", "D=.1", text=text)
     assert answer.status == 1
     assert "<stdin>:4:9: error: gear 1: nothing elastic joins inertias" in answer.err
+
+
+SWING = """\
+inertias: {a: 0.4, b: 0.1}
+springs: {shaft: {links: [a, b], stiffness: 1000}}
+"""
+
+
+def swinging(rows: Sequence[tuple[float, float]], *more: str) -> Said:
+    Path("swing.yaml").write_text(SWING, encoding="utf-8")
+    text = "note,time [ms],M [kN*m]\n" + "".join(f"x,{t},{m}\n" for t, m in rows)
+    Path("record.csv").write_text(text, encoding="utf-8")
+    words = ("swing.yaml", "--record", "record.csv", "--column", "M", *more)
+    return vstatics("torsion", "identify", *words)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_record_tells_frequency_and_decrement() -> None:
+    """100 rad/s on J = .08 kg*m^2 is a compliance of 1/800, the damping delta/(pi E omega)."""
+    decrement = 0.3
+    rows = [
+        (t, 2 + math.exp(-decrement * t / 20 / math.pi) * math.cos(0.1 * t)) for t in range(400)
+    ]
+    made = json.loads(swinging(rows, "-f", "json").out)
+    assert made["measured"] == pytest.approx(100, rel=1e-4)
+    assert made["decrement"] == pytest.approx(decrement, rel=1e-3)
+    assert made["compliances"]["shaft"] == pytest.approx(1 / 800, rel=2e-4)
+    damping = decrement / math.pi * 800 / 100
+    assert made["dampings"]["shaft"] == pytest.approx(damping, rel=2e-3)
+    assert made["mean_line"][3] == pytest.approx(2, abs=0.01)
+    assert len(made["amplitudes"]) == len(made["mean_line"]) == 10
+    assert "Recorded 100 rad/s, decrement 0.3" in swinging(rows).out
+
+
+@pytest.mark.usefixtures("folder")
+def test_peaks_tell_the_same() -> None:
+    Path("swing.yaml").write_text(SWING, encoding="utf-8")
+    peaks = "160,-51.148655,109.233977,-12.588199,79.944530,9.659249"
+    words = ("swing.yaml", "--peaks", peaks, "--period", f"{math.pi / 50!r}", "-f", "json")
+    made = json.loads(vstatics("torsion", "identify", *words).out)
+    assert made["measured"] == pytest.approx(100)
+    assert made["decrement"] == pytest.approx(0.55, abs=1e-7)
+    assert made["mean_line"][0] == pytest.approx(41.734167, abs=1e-6)
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ([(0, 1), (1, 2), (2, 3)], "record.csv:1:1: error: M: read 0 extremes of a vibration"),
+        ([(0, 1), (1, 2), (1, 3)], "record.csv:4:1: error: read the time 0.001 s, expected times"),
+        ([(0, 1), (1, math.nan)], "record.csv:3:1: error: M: read 'nan', expected a finite numb"),
+        ([(0, 0), *((t, (-2) ** t) for t in range(1, 9))], "record.csv:1:1: error: M: the decre"),
+        ([], "record.csv:1:1: error: M: read 0 extremes"),
+    ],
+)
+def test_records_that_tell_nothing(rows: list[tuple[float, float]], message: str) -> None:
+    found = swinging(rows)
+    assert found.status == 1
+    assert found.err.startswith(message)
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize(
+    "more", [["--omega", "3"], ["--decrement", ".1"], ["--peaks", "1,-1"], ["--period", "2"]]
+)
+def test_one_way_to_tell_what_was_measured(more: list[str]) -> None:
+    found = swinging([(0, 1), (1, 2)], *more)
+    assert found.status == 2
+    assert "expected --omega (and --decrement), --peaks with --period, or" in found.err

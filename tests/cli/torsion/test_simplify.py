@@ -201,3 +201,23 @@ def test_json_of_steps_on_stdout_beside_the_case_in_a_file() -> None:
     answer = said("simplify", *OF_GOOD, "-f", "json", "-o", "new.json", text=GOOD)
     assert json.loads(answer.out)["format"] == "vstatics-simplification"
     assert [one.name for one in load("new.json").springs] == ["tyre", "damper+axle+wind-up"]
+
+
+def test_masses_that_turn_as_one() -> None:
+    """Two wheels of 1 kg*m^2 on 1 N*m/rad each: one of 2 on 2, against 4: sqrt(1.5)."""
+    Path("fork.yaml").write_text(
+        "inertias: {axle: 4, left: 1, right: 1}\n"
+        "springs: {l: {links: [axle, left], stiffness: 1}, "
+        "r: {links: [axle, right], stiffness: 1}}\n",
+        encoding="utf-8",
+    )
+    words = ("torsion", "simplify", "fork.yaml", "--links", "1", "--merge")
+    answer = vstatics(*words, "left+right", "-f", "json", "-o", "one.yaml")
+    [step] = json.loads(answer.out)["steps"]
+    assert step["operation"] == "merge left and right"
+    assert step["omegas"] == pytest.approx([1.5**0.5])
+    assert sorted(load("one.yaml").inertias.values()) == [2.0, 4.0]
+    failed = vstatics(*words, "left+rihgt")
+    assert failed.status == 1
+    assert "fork.yaml: error: read `left+rihgt` to merge, expected two links" in failed.err
+    assert "did you mean `right`?" in failed.err

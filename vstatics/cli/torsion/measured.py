@@ -6,10 +6,12 @@ from collections.abc import Callable, Mapping
 
 import click
 
+from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import Command
 from vstatics.cli.frame.values import above_0, from_0, named, value
 from vstatics.cli.torsion.case import chosen_gear, elastic_case, gear_of, located, slope_notes
+from vstatics.cli.torsion.observed import Observed, observed
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
@@ -47,52 +49,42 @@ def _decrements(text: str) -> Mapping[str, float]:
 
 @click.command()
 @_of_one_mode
-@click.option(
-    "--omega",
-    type=float,
-    required=True,
-    callback=value(above_0),
-    metavar="W",
-    help="Frequency of the mode that was measured, in rad/s.",
-)
-@click.option(
-    "--decrement",
-    type=float,
-    callback=value(from_0),
-    metavar="D",
-    help="Its logarithmic decrement, for the dampings of all devices.",
-)
-def identify(
-    one: OneCase, gear: str | None, mode: int, omega: float, decrement: float | None
-) -> int:
+@observed
+def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
     """Correct the compliances of CASE by a measured frequency; - is standard input.
 
     All elastic devices of the gear get their compliance times (calculated/W)^2, in their
     own twists; so the mode has the frequency W, and all shapes stay. With a decrement D
     each gets the damping D/(pi E W) with its corrected E, so that the mode has it, too.
+    Both follow from a record, or from its extremes, where these are given in their place.
 
     \b
     Examples:
       vstatics torsion identify box.yaml --gear 3 --omega 27.4
       vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
+      vstatics torsion identify box.yaml --gear 3 --peaks 160,-51,109,-13,80 --period .23
+      vstatics torsion identify box.yaml --record test.csv --column 'torques[shaft]'
 
     \b
-    Exit status: 0 done; 1 the case is in error, or the gear has no mode;
-    2 wrong use.
+    Exit status: 0 done; 1 the case or the record is in error, or the gear has no
+    mode; 2 wrong use.
     """
+    to = one.destination(*filter(None, [seen.record]))
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import IdentificationAnswer
-        from vstatics.torsion.vibration.grids import identified_grids
+        from vstatics.torsion.vibration.grids import decay_grid, identified_grids
         from vstatics.torsion.vibration.measured import identify as identified
 
+        omega, decrement, found = seen.measured()
         made = identified(case, chosen, omega, decrement, mode)
-        return CaseAnswer(
-            lambda: identified_grids(omega, made),
-            IdentificationAnswer(case.name, chosen, mode, omega, made),
-        )
+        answer = IdentificationAnswer(case.name, chosen, mode, omega, made, decrement)
+        if found is None:
+            return CaseAnswer(lambda: identified_grids(omega, made), answer)
+        answer = answer._replace(mean_line=found.mean_line, amplitudes=found.amplitudes)
+        return CaseAnswer(lambda: [decay_grid(found), *identified_grids(omega, made)], answer)
 
-    return _answer(one, gear, calculate)
+    return _answer(one, gear, calculate, to)
 
 
 @click.command()
@@ -148,7 +140,10 @@ def damping(
 
 
 def _answer(
-    one: OneCase, gear: str | None, of_gear: Callable[[Transmission, str], CaseAnswer]
+    one: OneCase,
+    gear: str | None,
+    of_gear: Callable[[Transmission, str], CaseAnswer],
+    to: Destination | None = None,
 ) -> int:
     """What is wrong with the gear at its place; a mode or device that is not there: wrong use."""
 
@@ -166,4 +161,4 @@ def _answer(
         except ValueError as error:
             raise click.UsageError(str(error)) from None
 
-    return one.answer(calculate, extra="torsion")
+    return one.answer(calculate, to, "torsion")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, cast
 
 import click
 
@@ -21,6 +22,9 @@ from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.readers.reading import Reading
+
+if TYPE_CHECKING:
+    from vstatics.torsion.reduction.simplification import SimplificationRule
 
 RULES = ("partial", "r", "b", "u")
 FORMS = [form for form in TABLES if form != "xlsx"]
@@ -73,6 +77,12 @@ def _names(text: str) -> list[str]:
     callback=value(_names),
     help="These masses first, in this order; a name with commas in double quotes.",
 )
+@click.option(
+    "--merge",
+    metavar="A+B,C+D",
+    callback=value(_names),
+    help="Behind these, masses that turn as one, as those of equal branches do.",
+)
 @gathered(
     "one",
     _of_steps,
@@ -104,6 +114,7 @@ def simplify(
     frequencies: int,
     rule: str | None,
     remove: Sequence[str] | None,
+    merge: Sequence[str] | None,
     output: str | None,
 ) -> int:
     """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
@@ -116,6 +127,7 @@ def simplify(
     Examples:
       vstatics torsion simplify box.yaml --gear 1 --links 3
       vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
+      vstatics torsion simplify box.yaml --links 3 --merge 'left wheel+right wheel'
 
     \b
     Exit status: 0 done; 1 the case is in error or has no such scheme;
@@ -126,6 +138,7 @@ def simplify(
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import SimplificationAnswer
         from vstatics.torsion.reduction.grids import simplification_grids
+        from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.reduced_scheme import gear_scheme
         from vstatics.torsion.reduction.scheme import scheme_case
         from vstatics.torsion.reduction.simplification import simplify as simplified
@@ -135,7 +148,11 @@ def simplify(
         scheme = gear_scheme(own, chosen)
         if isinstance(scheme, str):
             raise ReadError(located(reading, [(chosen.name, scheme)], "E517"))
-        found = simplified(scheme, frequencies, rule, remove or ())  # type: ignore[arg-type] # a choice
+        chosen_rule = cast("SimplificationRule | None", rule)
+        if merge:
+            found = simplify_merging(scheme, frequencies, chosen_rule, remove or (), merge)
+        else:
+            found = simplified(scheme, frequencies, chosen_rule, remove or ())
 
         def write() -> bool:
             if output is not None:

@@ -74,7 +74,7 @@ class Simplification(NamedTuple):
     warnings: tuple[Problem, ...]
 
 
-_SchemeReached = tuple[PartialSystem, TorsionScheme]
+SchemeReached = tuple[PartialSystem, TorsionScheme]
 """A system that is taken out, and the scheme then."""
 
 
@@ -129,14 +129,12 @@ def simplify(
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
         raise CaseError("E506", message)
-    found = tuple(_step(stage, rule, is_chain=is_chain) for stage in stages)
+    found = tuple(step_of(stage, rule, is_chain=is_chain) for stage in stages)
     left = without_massless(stages[-1][1] if stages else given)
-    return Simplification(rule, found, left, tuple(_warnings(found)))
+    return Simplification(rule, found, left, tuple(doubts_of(found, found[-1:])))
 
 
-def _by_partial_systems(
-    chain: Chain, steps: int, remove: Sequence[str]
-) -> Iterator[_SchemeReached]:
+def _by_partial_systems(chain: Chain, steps: int, remove: Sequence[str]) -> Iterator[SchemeReached]:
     """The stages of a chain by systems of one and of two masses."""
     for step in range(steps):
         if step < len(remove):
@@ -150,7 +148,7 @@ def _by_partial_systems(
 
 def _by_masses(
     scheme: TorsionScheme, steps: int, rule: BranchRule, remove: Sequence[str]
-) -> Iterator[_SchemeReached]:
+) -> Iterator[SchemeReached]:
     """The stages of any scheme by systems of one mass."""
     for step in range(steps):
         systems = one_mass_systems(scheme)
@@ -183,7 +181,9 @@ def _highest(systems: Sequence[PartialSystem]) -> PartialSystem:
     return next(one for one in systems if one.frequency >= highest * (1 - TIE))
 
 
-def _step(stage: _SchemeReached, rule: SimplificationRule, *, is_chain: bool) -> SimplificationStep:
+def step_of(
+    stage: SchemeReached, rule: SimplificationRule, *, is_chain: bool
+) -> SimplificationStep:
     """What is told of a stage."""
     system, scheme = stage
     heavy = without_massless(scheme)
@@ -225,12 +225,14 @@ def _problems(
             yield Problem("E513", f"read `{name}` to remove, expected a link with inertia")
 
 
-def _warnings(steps: Sequence[SimplificationStep]) -> Iterator[Problem]:
-    """A kept frequency is too near to one that was taken out, (П1.8)."""
+def doubts_of(
+    steps: Sequence[SimplificationStep], last: Sequence[SimplificationStep]
+) -> Iterator[Problem]:
+    """A frequency that the last step keeps is too near to one that was taken out, (П1.8)."""
     if not steps:
         return
     lowest = min(steps, key=lambda step: certain(step.partial_frequency))
-    kept, partial = steps[-1].omegas[-1], lowest.partial_frequency
+    kept, partial = last[-1].omegas[-1], lowest.partial_frequency
     if kept > ACCURATE * partial:
         yield Problem(
             "W501",

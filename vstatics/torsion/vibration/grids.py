@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 from vstatics.tables.numbers import certain, fixed
 from vstatics.torsion.tolerances import LEAST_SHOWN_PART
+from vstatics.torsion.vibration.decays import Decay
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 from vstatics.torsion.vibration.measured import Damped, Identified
 
@@ -127,6 +128,14 @@ def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
     title = f"Calculated {made.omega:.5g} rad/s, measured {omega:.5g}: "
     title += f"all compliances by {(made.omega / omega) ** 2:.5g}"
     yield grid_of(title, headings, rows, key="identified", optional=[_DAMPING])
+
+
+def decay_grid(found: Decay) -> Grid:
+    """The inner extremes of a record, as (П2.1) has them."""
+    headings = "extreme", "mean line", "amplitude"
+    rows = zip(range(2, len(found.amplitudes) + 2), found.mean_line, found.amplitudes, strict=True)
+    title = f"Recorded {found.omega:.5g} rad/s, decrement {found.decrement:.5g}"
+    return grid_of(title, headings, rows, key="record")
 
 
 def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid]:
