@@ -35,6 +35,7 @@ from vstatics.torsion.answers import (
     DampingAnswer,
     IdentificationAnswer,
     ModesAnswer,
+    RandomAnswer,
     ReductionAnswer,
     ResponseAnswer,
     SimplificationAnswer,
@@ -53,6 +54,7 @@ ANSWERS = {
     ),
     "simplification": ("A simpler scheme, of vstatics torsion simplify", SimplificationAnswer),
     "response": ("Forced vibration, of vstatics torsion response", ResponseAnswer),
+    "random": ("Random vibration, of vstatics torsion random", RandomAnswer),
     "identification": (
         "Compliances by a measured frequency, of vstatics torsion identify",
         IdentificationAnswer,

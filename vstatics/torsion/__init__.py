@@ -4,7 +4,8 @@ A gear is a `TorsionalSystem` of bodies, of elastic and of rigid devices, each w
 it has in the structural-distribution matrix: that is `system`. `vibration` has its natural modes,
 without damping and with it, of many variants, and what follows from measured ones. `reduction`
 has all on one link, then as masses and springs there, then as fewer of them. In `forced` the gear
-vibrates under torques, in `clutch` the clutch is dumped. `answers` is what is told of all. The room
+vibrates under torques, in `random` under those that are
+random, in `clutch` the clutch is dumped. `answers` is what is told of all. The room
 needs scipy, an extra.
 
 >>> from vstatics import Spring, Transmission, torsion
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import dump
     from vstatics.torsion.clutch.gear_dump import gear_dumps
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
+    from vstatics.torsion.random.random_vibration import random_vibration
     from vstatics.torsion.reduction.reduced_scheme import gear_scheme
     from vstatics.torsion.reduction.reduced_values import reduce
     from vstatics.torsion.reduction.simplification import simplify
@@ -41,6 +43,7 @@ __all__ = [
     "gear_scheme",
     "identify",
     "modes",
+    "random_vibration",
     "reduce",
     "response",
     "simplify",
@@ -54,6 +57,7 @@ _LATER = {
     "gear_scheme": "vstatics.torsion.reduction.reduced_scheme",
     "identify": "vstatics.torsion.vibration.measured",
     "modes": "vstatics.torsion.vibration.gear_modes",
+    "random_vibration": "vstatics.torsion.random.random_vibration",
     "reduce": "vstatics.torsion.reduction.reduced_values",
     "response": "vstatics.torsion.forced.harmonic_torques",
     "simplify": "vstatics.torsion.reduction.simplification",

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vstatics.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.forced.harmonic_torques import GearResponse
+from vstatics.torsion.random.random_vibration import Excitation, GearRandom
 from vstatics.torsion.reduction.reduced_values import GearReduction
 from vstatics.torsion.reduction.simplification import SimplificationRule, SimplificationStep
 from vstatics.torsion.vibration.gear_modes import GearModes
@@ -37,6 +38,16 @@ class ResponseAnswer(NamedTuple):
     case: str
     at: str
     gears: Sequence[GearResponse]
+
+
+@document("vstatics-random-vibration")
+class RandomAnswer(NamedTuple):
+    """Random vibration of gears, by a torque on a link or by its motion."""
+
+    case: str
+    at: str
+    by: Excitation
+    gears: Sequence[GearRandom]
 
 
 @document("vstatics-simplification")

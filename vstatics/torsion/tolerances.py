@@ -48,3 +48,9 @@ SAME_ANGLE = 1e-15
 """Angles as near as that are the same. [rad]"""
 LEAST_RATE = 1e-99
 """Of a clutch, by that of the shaft: slower, or faster than its inverse, nothing changes."""
+
+# random vibration
+NEVER_DAMPED = 1e-12
+"""A real part below this part of the largest eigenvalue is none."""
+UNMOVED = 1e-9
+"""A sum below this part of its terms is rounding."""

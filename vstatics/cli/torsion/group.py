@@ -11,6 +11,7 @@ COMMANDS = {
     "reduce": ("vstatics.cli.torsion.reduce", "Inertias and compliances on one link."),
     "simplify": ("vstatics.cli.torsion.simplify", "Fewer masses, the same low frequencies."),
     "response": ("vstatics.cli.torsion.response", "Amplitudes and torques by orders and speeds."),
+    "random": ("vstatics.cli.torsion.random", "Deviations and life under random excitation."),
     "dump": ("vstatics.cli.torsion.dump", "The largest torque when the clutch is dumped."),
     "identify": ("vstatics.cli.torsion.measured", "Compliances from a measured frequency."),
     "damping": ("vstatics.cli.torsion.measured", "Dampings from logarithmic decrements."),

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 MOST_SPEEDS = 100_000
 
 
-def _speeds(text: str) -> Floats:
+def speeds_of(text: str) -> Floats:
     """Speeds [rpm] from A:B:N, or a list."""
     import numpy as np
 
@@ -61,7 +61,7 @@ def _speeds(text: str) -> Floats:
     "--speed",
     required=True,
     metavar="A:B:N",
-    callback=value(_speeds, "--speed"),
+    callback=value(speeds_of, "--speed"),
     help="Speeds of LINK in rpm: N of them from A to B, or a list with commas.",
 )
 @click.option(

@@ -79,9 +79,9 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     lost = np.array([one.loss_factor for one in dampings]) * system.rates
     stiff = weighted_twists(system)
     slipping = system.slip_resistance
-    damped = np.vstack([np.sqrt(viscous + lost)[:, None] * system.twists, _resisted(slipping)])
-    rigid = _rigid_basis(system, split)
-    basis = np.hstack([modes.shapes, rigid, _damped_massless(split, damped, stiff)])
+    damped = resisting_rows(system)
+    rigid = rigid_basis(system, split) if system.converters else split.rigid[:, :0]
+    basis = np.hstack([modes.shapes, rigid, massless_parts(split, damped, stiff)[0]])
     twists, count = system.twists @ basis, len(modes.omegas)
     stiffness = (stiff @ basis).T @ (stiff @ basis)
     stiffness[:count, :count] = np.diag(modes.omegas**2)
@@ -92,40 +92,45 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not slipping.any())
 
 
-def _rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Rigid motions of modal mass 1 if converters resist them, else none."""
-    if not system.converters or not split.rigid.size:
-        return split.rigid[:, :0]
+def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
+    """Rigid motions of modal mass 1, orthogonal to each other."""
+    if not split.rigid.size:
+        return split.rigid
     _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
     basis: Floats = linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
     return basis
 
 
-def _resisted(slipping: Floats) -> Floats:
-    """The links that converters resist, as rows by the roots of their slopes."""
-    sizes = np.maximum(np.abs(slipping).max(axis=0), np.abs(slipping).max(axis=1))
-    rows: Floats = np.diag(np.sqrt(sizes))[sizes > 0]
+def resisting_rows(system: TorsionalSystem) -> Floats:
+    """What dampers and converters resist of the motions of links, by the roots of resistances."""
+    dampings = [device.damping for device in system.elastic]
+    lost = system.rates * np.array([one.loss_factor for one in dampings])
+    sizes = np.array([one.viscous for one in dampings]) + lost
+    slipping = np.abs(system.slip_resistance)
+    links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
+    slips = np.diag(np.sqrt(links))[links > 0]
+    rows: Floats = np.vstack([np.sqrt(sizes)[:, None] * system.twists, slips])
     return rows
 
 
-def _damped_massless(split: Coordinates, damped: Floats, stiff: Floats) -> Floats:
-    """Massless motions that a damper resists, each apart from the others in D.
+def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
+    """Massless motions that a damper resists, each apart from the others in D, and the rest.
 
     The natural modes have massless motions in elastic balance; what is damped of them leaves it.
     The undamped rest follows in elastic balance.
     """
     if not split.massless.shape[1]:
-        return np.zeros((len(split.massless), 0))
+        return split.massless, split.massless
     rates = damped @ split.massless
     _, sizes, directions = linalg.svd(rates, full_matrices=True)
     rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
     moved = split.massless @ directions[:rank].T
     quiet = split.massless @ directions[rank:].T
     if not (quiet.shape[1] and moved.shape[1]):
-        return moved
+        return moved, quiet
     following, *_ = linalg.lstsq(stiff @ quiet, stiff @ moved)
     slow: Floats = moved - quiet @ following
-    return slow
+    return slow, quiet
 
 
 class EigenPairs(NamedTuple):

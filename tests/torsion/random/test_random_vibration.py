@@ -1,0 +1,233 @@
+"""Random vibration: closed forms, numbers of a road, quadrature over a transfer function made here."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from random import Random
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from tests.chance import count, seeded
+from tests.torsion.systems import Array, matrices
+from vstatics import Damping, Gear, Load, Spring, Transmission
+from vstatics.model.converters import Converter
+from vstatics.model.fatigue import Fatigue
+from vstatics.torsion import modes, random_vibration
+from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
+
+ROAD = Correlation(1e-4, ((1.0, 0.3, 0.8),), 10.0)
+"""R(l) = 1e-4 exp(-.3 l) cos(.8 l) m^2, at 10 m/s."""
+IN_BAND = SpectrumPoints(((2.0, 0.5), (9.0, 2.0), (30.0, 0.1), (60.0, 0.0)))
+
+
+def mounted(damping: Damping | float = 3.0) -> Transmission:
+    """A mass of 2 kg*m^2 on 200 N*m/rad."""
+    mount = Spring({1: 1}, stiffness=200.0, damping=damping, name="mount")
+    return Transmission(1, [], [], [], springs=[mount], inertias={1: 2.0})
+
+
+def quarter_vehicle() -> Transmission:
+    """A wheel of 40 kg on a tyre of 180 kN/m, a body of 400 kg on 20 kN/m, 1500 N s/m."""
+    tyre = Spring({1: 1, 2: -1}, stiffness=180e3, name="tyre")
+    spring = Spring({2: 1, 3: -1}, stiffness=20e3, damping=1500.0, name="spring")
+    return Transmission(
+        3, [], [], [], springs=[tyre, spring], inertias={2: 40.0, 3: 400.0},
+        link_names=["road", "wheel", "body"],
+    )  # fmt: skip
+
+
+def test_white_torque_on_one_mass() -> None:
+    """D = pi S/(k c), D' = pi S/(k J), crossings sqrt(c/J)/2 pi; no variance of the acceleration."""
+    [gear] = random_vibration(mounted(), 1, White(2.5))
+    one, link = gear.devices["mount"], gear.links["1"]
+    assert one.twist_rms**2 == pytest.approx(math.pi * 2.5 / (3 * 200), rel=1e-12)
+    assert one.twist_rate_rms**2 == pytest.approx(math.pi * 2.5 / (3 * 2), rel=1e-12)
+    assert one.torque_rms == pytest.approx(math.hypot(200 * one.twist_rms, 3 * one.twist_rate_rms))
+    assert one.crossings == pytest.approx(math.sqrt(200 / 2) / (2 * math.pi))
+    assert (link.rms, link.velocity_rms) == pytest.approx((one.twist_rms, one.twist_rate_rms))
+    assert math.isnan(link.acceleration_rms)
+    assert gear.half_widths == pytest.approx([3 / (2 * 2)])
+
+
+def test_white_torque_on_two_free_masses() -> None:
+    """As one mass Jr = J1 J2/(J1 + J2) under Jr/J1 of the torque; what drifts has no variance."""
+    shaft = Spring({1: 1, 2: -1}, stiffness=100.0, damping=1.0, name="shaft")
+    case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 3.0})
+    [gear] = random_vibration(case, 1, White(1.0))
+    one, reduced = gear.devices["shaft"], 1.2
+    assert one.twist_rms**2 == pytest.approx(math.pi * (reduced / 2) ** 2 / 100)
+    assert one.twist_rate_rms**2 == pytest.approx(math.pi * (reduced / 2) ** 2 / reduced)
+    assert np.isnan([*gear.links["1"], *gear.links["2"][:2]]).all()
+    driven = math.hypot(100 * one.twist_rms, one.twist_rate_rms) / 3  # by the shaft alone
+    assert gear.links["2"].acceleration_rms == pytest.approx(driven)
+
+
+def test_a_road_moves_a_mass_on_a_spring_and_a_damper() -> None:
+    """Rms of the twist .013981935 m; the damper passes jumps of the rate, which has no variance."""
+    spring = Spring({1: 1, 2: -1}, stiffness=20e3, damping=1500.0, name="spring")
+    case = Transmission(2, [], [], [], springs=[spring], inertias={2: 400.0})
+    [gear] = random_vibration(case, 1, ROAD, by="motion")
+    one = gear.devices["spring"]
+    assert one.twist_rms == pytest.approx(0.013981935, rel=1e-7)
+    assert np.isnan([one.twist_rate_rms, one.torque_rms, one.crossings]).all()
+    assert gear.links["1"].rms == pytest.approx(0.01, rel=1e-12)  # of the road itself
+
+
+def test_a_road_moves_a_quarter_of_a_vehicle() -> None:
+    """.014301717 m, .22014191 m/s, 2.4498227 1/s, 1.0921772 m/s^2."""
+    [gear] = random_vibration(quarter_vehicle(), "road", ROAD, by="motion", omegas=[5.0])
+    one = gear.devices["spring"]
+    found = (one.twist_rms, one.twist_rate_rms, one.crossings)
+    assert found == pytest.approx((0.014301717, 0.22014191, 2.4498227), rel=1e-7)
+    assert gear.links["body"].acceleration_rms == pytest.approx(1.0921772, rel=1e-7)
+    assert gear.spectrum
+    assert gear.spectrum.input[0] == pytest.approx(2.9208211e-6, rel=1e-7)
+
+
+def test_a_correlation_of_parts_is_the_sum_of_each() -> None:
+    shares = ((0.85, 2.0, 0.0), (0.15, 0.5, 9.0))
+    [both] = random_vibration(mounted(), 1, Correlation(7.0, shares))
+    each = [
+        random_vibration(mounted(), 1, Correlation(7.0 * share, ((1.0, a, b),)))[0]
+        for share, a, b in shares
+    ]
+    squares = [sum(one.links["1"][n] ** 2 for one in each) for n in range(3)]
+    assert np.square(both.links["1"]).tolist() == pytest.approx(squares, rel=1e-12)
+
+
+def test_without_damping_there_are_values_away_from_the_resonance_alone() -> None:
+    [nothing] = random_vibration(mounted(0.0), 1, White(1.0))
+    assert np.isnan([*nothing.devices["mount"][:4], *nothing.links["1"]]).all()
+    assert nothing.half_widths == [0.0]
+    [hit] = random_vibration(mounted(0.0), 1, IN_BAND)
+    assert math.isnan(hit.devices["mount"].twist_rms)
+    above = SpectrumPoints(((12.0, 3.0), (20.0, 3.0)))
+    [some] = random_vibration(mounted(0.0), 1, above)
+    exact, _ = quad(lambda w: 6 / (200 - 2 * w * w) ** 2, 12, 20, epsabs=0, epsrel=1e-12)
+    assert some.devices["mount"].twist_rms ** 2 == pytest.approx(exact, rel=1e-10)
+
+
+def made(random: Random, lossy: bool) -> Transmission:
+    """A chain that is held at its end, all dampings above 0; perhaps a massless link in it."""
+    links = random.randint(2, 4)
+    springs = []
+    for n in range(1, links + 1):
+        viscous = random.uniform(0.4, 1.5)
+        twist = {n: 1, n + 1: -1} if n < links else {n: 1}
+        loss = random.choice([0.0, 0.2]) * lossy
+        springs.append(
+            Spring(
+                twist, stiffness=10 ** random.uniform(1, 2.5), name=f"c{n}",
+                damping=Damping(viscous=viscous * (not loss), loss_factor=loss),
+            )
+        )  # fmt: skip
+    inertias = {n: 10 ** random.uniform(-1, 0.5) for n in range(1, links + 1)}
+    if links > 2 and random.random() < 0.4:
+        del inertias[2]
+    return Transmission(links, [], [], [], springs=springs, inertias=inertias)
+
+
+def answers(case: Transmission, at: int, by_motion: bool, omegas: Array) -> Array:
+    """Angles of links by the dynamic stiffness of the definition, shape (omegas, links)."""
+    mass, stiffness, resistance = matrices(case)
+    for one in case.springs:
+        row = np.array([one.form.get(n, 0.0) for n in range(1, case.links + 1)])
+        assert isinstance(one.damping, Damping)
+        stiffness = stiffness + 1j * one.damping.loss_factor * one.rate * np.outer(row, row)
+    w = omegas[:, None, None]
+    dynamic = stiffness + 1j * w * resistance - w**2 * mass
+    if not by_motion:
+        force = np.broadcast_to(np.eye(case.links)[:, [at]], (len(omegas), case.links, 1))
+        return np.linalg.solve(dynamic, force)[:, :, 0]  # type: ignore[no-any-return]
+    others = [n for n in range(case.links) if n != at]
+    moved = np.zeros((len(omegas), case.links), complex)
+    moved[:, at] = 1.0
+    held = dynamic[:, others][:, :, others]
+    moved[:, others] = -np.linalg.solve(held, dynamic[:, others][:, :, [at]])[:, :, 0]
+    return moved
+
+
+def by_quadrature(
+    case: Transmission, at: int, by_motion: bool, spectrum: Spectrum, order: int
+) -> Array:
+    """2 int S |w^order H|^2 of every twist, by Gauss's rule in many pieces of log w."""
+    twists = np.array(
+        [[one.form.get(n, 0.0) for n in range(1, case.links + 1)] for one in case.springs]
+    )
+    in_band = isinstance(spectrum, SpectrumPoints)
+    edges = [2.0, 9.0, 30.0, 60.0] if in_band else [1e-6, 1e-2, 1e5, 1e9]
+    nodes, weights = np.polynomial.legendre.leggauss(16)
+    total = np.zeros(len(twists))
+    for a, b in pairwise(edges):
+        cuts = np.linspace(math.log(a), math.log(b), 400)
+        half = np.diff(cuts)[:, None] / 2
+        omegas = np.exp(cuts[:-1, None] + half + half * nodes).ravel()
+        squares = np.abs(answers(case, at, by_motion, omegas) @ twists.T) ** 2
+        sizes = 2 * spectrum.at(omegas) * omegas ** (2 * order + 1) * (half * weights).ravel()
+        total += sizes @ squares
+    return total
+
+
+@pytest.mark.parametrize("lossy", [False, True])
+@pytest.mark.parametrize("spectrum", [White(0.7), Correlation(2.0, ((1.0, 3.0, 8.0),)), IN_BAND])
+def test_random_systems_by_quadrature(spectrum: Spectrum, lossy: bool) -> None:
+    """Where there is a variance; loss factors as a part of the elastic torque at any frequency."""
+    random = seeded(5)
+    for _ in range(count(3, 40)):
+        case = made(random, lossy)
+        heavy = [n for n in range(case.links) if n + 1 in case.inertias]
+        by_motion = isinstance(spectrum, SpectrumPoints) and random.random() < 0.5
+        at = random.choice(heavy)
+        by = "motion" if by_motion else "torque"
+        [gear] = random_vibration(case, at + 1, spectrum, by=by)  # type: ignore[arg-type]
+        devices = [gear.devices[one.name] for one in case.springs]
+        twist = by_quadrature(case, at, by_motion, spectrum, 0)
+        assert [one.twist_rms**2 for one in devices] == pytest.approx(twist.tolist(), rel=1e-6)
+        rate = by_quadrature(case, at, by_motion, spectrum, 1)
+        known = [n for n, one in enumerate(devices) if not math.isnan(one.twist_rate_rms)]
+        found = [devices[n].twist_rate_rms ** 2 for n in known]
+        assert found == pytest.approx(rate[known].tolist(), rel=1e-5)
+        assert len(known) == len(devices) or 2 not in case.inertias
+
+
+def test_a_converter_stills_what_would_drift() -> None:
+    """By quadrature: pump and turbine are free, at rest relative to their mean speeds."""
+    points = ((0.0, 2.5, 0.003), (0.5, 1.5, 0.0032), (0.9, 1.0, 0.0015), (1.0, 1.0, 0.0))
+    shaft = Spring({2: 1, 3: -1}, stiffness=300.0, damping=1.0, name="shaft")
+    case = Transmission(
+        3, [], [], [Gear(speed_ratios={1: 0.7})], inertias={1: 0.4, 2: 0.2, 3: 5.0},
+        springs=[shaft], converters=[Converter("TC", 1, 2, points)], load=Load(speed=1900),
+    )  # fmt: skip
+    [gear], [modal] = random_vibration(case, 1, White(1.0)), modes(case)
+    assert modal.converters
+    one = modal.converters["TC"]
+    mass, stiffness, resistance = matrices(case)
+    resistance += np.array([[one.A1, one.A2, 0], [-one.A3, -one.A4, 0], [0, 0, 0]])
+
+    def twist(w: float) -> float:
+        moved = np.linalg.solve(stiffness + 1j * w * resistance - w * w * mass, [1, 0, 0])
+        return 2 * float(abs(moved[1] - moved[2])) ** 2
+
+    pieces = [(1e-9, 0.1), (0.1, 1), (1, 10), (10, 60), (60, 1e4)]
+    exact = sum(quad(twist, a, b, epsabs=0, epsrel=1e-10, limit=500)[0] for a, b in pieces)
+    assert gear.devices["shaft"].twist_rms ** 2 == pytest.approx(exact, rel=1e-7)
+    assert math.isnan(gear.links["1"].rms)
+    assert gear.links["1"].velocity_rms > 0
+
+
+def test_life_of_a_device_with_a_fatigue_strength() -> None:
+    """Damage a second = nu D^(m/2) I/(endurance^m N), I = 3.6191919 of exponent 3 (facts of 4.6)."""
+    strength = Fatigue(100e6, 3, 4e6, section_modulus=1e-6)
+    [bare] = random_vibration(mounted(), 1, White(1.0))
+    wanted = 60e6 * 1e-6 / (200 * bare.devices["mount"].twist_rms)  # to a stress of 60 MPa
+    case = mounted().replace(fatigue={"mount": strength})
+    [gear] = random_vibration(case, 1, White(wanted**2))
+    one = gear.devices["mount"]
+    assert one.life == pytest.approx((100 / 60) ** 3 * 4e6 / 3.6191919 / one.crossings, rel=1e-7)
+    assert bare.devices["mount"].life is None
+    [none] = random_vibration(mounted(0.0).replace(fatigue={"mount": strength}), 1, White(1.0))
+    assert none.devices["mount"].life is not None
+    assert math.isnan(none.devices["mount"].life)

@@ -1,0 +1,88 @@
+"""Files of spectra, and the command that takes them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.commands import vstatics
+from vstatics.errors import ReadError
+from vstatics.torsion.random.spectra import Correlation, SpectrumPoints
+from vstatics.torsion.random.spectrum_file import read_spectrum
+
+CASE = """links: [road, mass]
+inertias: {mass: 400}
+springs: {strut: {links: [road, mass], stiffness: 20e3, damping: 1500}}
+"""
+ROAD = "{variance: 1e-4, correlation: [[1, .3, .8]], speed: 36 km/h}"
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("case.yaml").write_text(CASE, encoding="utf-8")
+    Path("road.yaml").write_text(ROAD, encoding="utf-8")
+
+
+def test_numbers_may_have_units() -> None:
+    assert read_spectrum(ROAD.encode(), "road.yaml") == Correlation(1e-4, ((1, 0.3, 0.8),), 10)
+    points = read_spectrum(b"points: [[0, 1], [2 rad/s, 3]]", "input.yaml")
+    assert points == SpectrumPoints(((0.0, 1.0), (2.0, 3.0)))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "message"),
+    [
+        ("{}", "1:1", "read none of them, expected one of"),
+        ("{white: 1, points: [[0, 1], [1, 2]]}", "1:1", "read `white` and `points`"),
+        ("{white: 1, speed: 3}", "1:1", "read `speed` beside `white`"),
+        ("{correlation: [[1, 2, 3]]}", "1:1", "`variance` is missing"),
+        ("{white: -1}", "1:9", "read -1, expected a spectrum of 0 or more"),
+        ("{white: x}", "1:9", "expected a number"),
+        ("{variance: -1, correlation: [[1, 2, 3]]}", "1:12", "a variance of 0 or more"),
+        ("{variance: 1, correlation: [[.5, 2, 3]]}", "1:28", "shares add up to 0.5, expected 1"),
+        ("{variance: 1, correlation: [[1, 0, 3]]}", "1:33", "an alpha above 0"),
+        ("{variance: 1, correlation: [[1, 2, 3]], speed: 0}", "1:48", "a speed above 0"),
+        ("{variance: 1, correlation: [[1, 2, 3]], speed: 3 N}", "1:48", "expected a velocity"),
+        ("{points: [[0, 1]]}", "1:10", "two points at least"),
+        ("{points: [[0, 1], [1, -2]]}", "1:23", "a spectrum of 0 or more at a point"),
+        ("{points: [[-1, 1], [1, 2]]}", "1:12", "an omega of 0 or more"),
+        ("{points: [[1, 1], [1, 2]]}", "1:20", "an omega above 1"),
+    ],
+)
+def test_a_fault_is_told_at_its_place(text: str, place: str, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        read_spectrum(text.encode(), "input.yaml")
+    assert f"input.yaml:{place}: " in str(caught.value)
+    assert message in str(caught.value)
+
+
+def test_a_road_in_numbers() -> None:
+    """Rms of the twist .013981935 m; its rate has no variance, as the damper passes jumps."""
+    asked = ("torsion", "random", "case.yaml", "--at", "road", "--by", "motion")
+    said = vstatics(*asked, "--input", "road.yaml", "--omega", "1:5:2", "-f", "json")
+    [gear] = json.loads(said.out)["gears"]
+    assert gear["devices"]["strut"]["twist_rms"] == pytest.approx(0.013981935, rel=1e-7)
+    assert gear["devices"]["strut"]["twist_rate_rms"] is None
+    assert gear["spectrum"]["omega"] == [1, 5]
+    assert [*gear["links"]] == ["road", "mass"]
+    for form in ("table", "csv", "md"):
+        assert vstatics(*asked, "--input", "road.yaml", "-f", form).status == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "why"),
+    [
+        (("--at", "rod"), 2, "no link 'rod'; did you mean `road`"),
+        (("--at", "road"), 1, "link road has no inertia and no resistance"),
+        (("--at", "mass", "--speed-ratio", "TC=.6"), 2, "no converter 'TC'"),
+        (("--at", "mass", "--speed-ratio", "TC"), 2, "the name of a converter and a number"),
+        (("--at", "mass", "--omega", "x"), 2, "Invalid value for --omega"),
+    ],
+)
+def test_wrong_use(options: tuple[str, ...], status: int, why: str) -> None:
+    said = vstatics("torsion", "random", "case.yaml", "--input", "road.yaml", *options)
+    assert said.status == status
+    assert why in said.err

@@ -1,0 +1,106 @@
+"""`vstatics torsion random`: deviations, crossings and life under a random torque or motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import files
+from vstatics.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.values import value
+from vstatics.cli.torsion.case import (
+    CASE_OPTIONS,
+    gear_names,
+    link_name,
+    located,
+    speed_ratios,
+    working_gears,
+    working_slope_notes,
+)
+from vstatics.cli.torsion.response import speeds_of
+from vstatics.readers.reading import Reading
+
+if TYPE_CHECKING:
+    from vstatics.numerics.arrays import Floats
+    from vstatics.torsion.random.random_vibration import Excitation
+
+
+@click.command()
+@click.option("--at", required=True, metavar="LINK", help="The link that is excited, by its name.")
+@click.option(
+    "--by",
+    type=click.Choice(["torque", "motion"]),
+    default="torque",
+    show_default=True,
+    help="What the spectrum is of: a torque on LINK [N*m], or its angle [rad].",
+)
+@click.option(
+    "--input",
+    "source",
+    required=True,
+    type=click.Path(),
+    metavar="FILE",
+    help="YAML with `white`, `variance` and `correlation`, or `points`.",
+)
+@click.option(
+    "--omega",
+    metavar="A:B:N",
+    callback=value(speeds_of, "--omega"),
+    help="Where spectra are asked for, in rad/s: N from A to B, or a list with commas.",
+)
+@arguments.some_gears
+@speed_ratios
+@gathered("one", OneCase, *CASE_OPTIONS)
+def random(
+    one: OneCase,
+    at: str,
+    by: Excitation,
+    source: str,
+    omega: Floats | None,
+    gears: tuple[str, ...],
+    ratios: Mapping[str, float],
+) -> int:
+    """Calculate the random vibration of CASE in every gear; - is standard input.
+
+    Standard deviations of twists, torques and links, upward crossings, half widths of the
+    peaks of modes, and the life of devices with `fatigue`. A spectrum is two-sided over
+    omega: the variance is twice its integral from 0 on. What has no variance has no value.
+
+    \b
+    Examples:
+      vstatics torsion random box.yaml --at engine --input engine.yaml
+      vstatics torsion random box.yaml --at road --by motion --input road.yaml
+
+    \b
+    Exit status: 0 done; 1 the case or FILE is in error or a gear can't be excited;
+    2 wrong use.
+    """
+    to = one.destination(source)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.answers import RandomAnswer
+        from vstatics.torsion.random.grids import random_grids
+        from vstatics.torsion.random.random_vibration import random_vibration
+        from vstatics.torsion.random.spectrum_file import read_spectrum
+
+        case = reading.case
+        link = link_name(case, at, "--at")
+        spectrum = read_spectrum(*files.read_input(source))
+        working = working_gears(case, gear_names(case, gears), ratios)
+        names = [one.gear.name for one in working]
+        found = random_vibration(
+            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=ratios
+        )
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        return CaseAnswer(
+            lambda: random_grids(found),
+            RandomAnswer(case.name, link, by, found),
+            [*faults, *working_slope_notes(reading, working)],
+            failed=bool(faults),
+        )
+
+    return one.answer(calculate, to, extra="torsion")

@@ -1,0 +1,41 @@
+"""Random vibration as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from vstatics.tables.grid import Grid, Values, grid_of
+from vstatics.torsion.random.random_vibration import GearRandom
+
+_DEVICES = ("twist [rad]", "rate [rad/s]", "torque [N*m]", "crossings [1/s]", "life [s]")
+_LINKS = ("angle [rad]", "velocity [rad/s]", "acceleration [rad/s^2]")
+
+
+def random_grids(gears: Sequence[GearRandom]) -> Iterator[Grid]:
+    """Standard deviations, half widths of modes, spectra."""
+    devices: list[Values] = [
+        (gear.name, name, *one[:4], "" if one.life is None else one.life)
+        for gear in gears
+        for name, one in gear.devices.items()
+    ]
+    yield grid_of("Devices: RMS", ["gear", "device", *_DEVICES], devices, key="devices")
+    links: list[Values] = [
+        (gear.name, name, *one) for gear in gears for name, one in gear.links.items()
+    ]
+    yield grid_of("Links: RMS", ["gear", "link", *_LINKS], links, key="links")
+    widths: list[Values] = [
+        (gear.name, str(mode), one)
+        for gear in gears
+        for mode, one in enumerate(gear.half_widths, 1)
+    ]
+    yield grid_of("Modes", ["gear", "mode", "half width [1/s]"], widths, key="modes")
+    for gear in gears:
+        if gear.spectrum is not None:
+            omega, of_input, by_device = gear.spectrum
+            title = f"Gear {gear.name}: spectra of twists"
+            values = zip(omega, of_input, *by_device.values(), strict=True)
+            rows: list[Values] = [tuple(map(float, row)) for row in values]
+            yield grid_of(title, ["omega [rad/s]", "input", *by_device], rows, key="spectra")
+    faults: list[Values] = [(gear.name, gear.error) for gear in gears if gear.error]
+    if faults:
+        yield grid_of("Notes", ["gear", "note"], faults, key="notes")
