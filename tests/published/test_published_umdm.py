@@ -13,14 +13,17 @@ entry of table 4; `-+` is lost in (26) to (28). Each is noted where it is used.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from fractions import Fraction
 from math import copysign
+from typing import Any
 
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.commands import CASES, vstatics
 from tests.elements.element_cases import efficiencies, link_speeds, ratios, reading, solved, torque
 from tests.oracle.single_meshes import speeds
 from tests.published.umdm_cases import (
@@ -662,3 +665,70 @@ def test_the_program_has_these_signs_and_ratios_too(z: Teeth) -> None:
             if q not in (a, b):
                 expected = float(ratio(z, a, b, q))
                 assert found[gear(a, b, q)] == pytest.approx(expected, rel=1e-11)
+
+
+LINK_NAMES = dict(
+    zip(LINKS, ["sun 1", "sun 4", "carrier", "ring 6", "ring 7", "ring 8"], strict=True)
+)
+
+
+def of_ports(*ports: str) -> dict[str, dict[str, Any]]:
+    """Combinations of one element of `cases/umdm.yaml` by ports, then by the element."""
+    asked = ",".join(":".join(LINK_NAMES[link] for link in one.split("-")) for one in ports)
+    said = vstatics(
+        *("synth", "combinations", CASES / "umdm.yaml", "--elements", "auto"),
+        *("--ports", asked, "-f", "json"),
+    )
+    assert said.status == 0
+    blocks = json.loads(said.out)["ports"]
+    own = {"TH": "T-carrier", "T6": "T-ring 6", "T4": "T-sun 4", "T7": "T-ring 7"}
+    own["F"] = "F-sun 1-sun 4"
+    return {
+        port: {own.get(one["engaged"][0], one["engaged"][0]): one for one in block["combinations"]}
+        for port, block in zip(ports, blocks, strict=True)
+    }
+
+
+def test_table_1_by_one_command_for_all_ports() -> None:
+    """29 signs, and three that depend on the teeth, all with their ratios in fractions."""
+    found = of_ports(*TABLE_1)
+    printed = [sign for row in TABLE_1.values() for sign in row.values()]
+    assert (len(printed), printed.count("+-")) == (32, 3)
+    for port, row in TABLE_1.items():
+        brakes = [name for name in found[port] if name.startswith("T-")]
+        assert set(brakes) == {f"T-{LINK_NAMES[q]}" for q in LINKS if q not in port.split("-")}
+        for q, sign in row.items():
+            one = found[port][f"T-{LINK_NAMES[q]}"]
+            first, last = port.split("-")
+            expected = float(ratio(Z, first, last, q))
+            assert (one["kind"], one["ratio"]) == ("gear", pytest.approx(expected, rel=PRECISION))
+            assert ("+" if one["ratio"] > 0 else "-") in sign
+
+
+def test_the_lock_up_torques_of_all_15_pairs() -> None:
+    """(17) to (19): M_F/M_1 = n_1/(n_x - n_y) with the speeds of neutral, n_8 = 0, by fractions.
+
+    With n_1 = 1: n_H = 1/(1 - i_18) by (9), n_k = n_H + (1 - n_H)/i_1k by (10) to (12).
+    """
+    carrier = 1 / (1 - I18)
+    neutral = {"1": Fraction(1), "5": carrier, "8": Fraction(0)}
+    for link, own in (("4", I14), ("6", I16), ("7", I17)):
+        neutral[link] = carrier + (1 - carrier) / own
+    found = {name: one for name, one in of_ports("1-8")["1-8"].items() if one["kind"] == "direct"}
+    assert len(found) == 15
+    for first, second in PAIRS:
+        name = f"F-{LINK_NAMES[first]}-{LINK_NAMES[second]}"
+        slip = neutral[first] - neutral[second]
+        assert found[name]["slip"] == pytest.approx(float(slip), rel=PRECISION)
+        assert [*found[name]["torques"].values()] == [pytest.approx(float(1 / slip), rel=PRECISION)]
+    least = min(found.values(), key=lambda one: abs(one["slip"] ** -1))
+    assert least["engaged"] == ["F"]
+    assert least["torques"]["F"] == pytest.approx(0.34089, abs=FIVE_DECIMALS)
+
+
+def test_torques_of_the_brakes_are_those_of_table_4() -> None:
+    """M_q/M_1 = 1 - i_18^q to the brake, by the sign of a torque that a link gives."""
+    for name, one in of_ports("1-8")["1-8"].items():
+        if one["kind"] == "gear":
+            [given] = one["torques"].values()
+            assert given == pytest.approx(1 - one["ratio"], rel=PRECISION), name

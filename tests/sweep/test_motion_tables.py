@@ -117,7 +117,7 @@ def test_a_table_has_a_column_for_each_row() -> None:
     [
         ("heet[brake]", "a run has no table `heet`; did you mean `heat`?"),
         ("brake", "a run has no table `brake`; a name goes in brackets: heat[brake]"),
-        ("ratio[1]", "a run has no table `ratio`"),
+        ("gears[1]", "a run has no table `gears`"),
         ("heat[brak]", "there is no friction `brak`, expected one of `brake`, `lock-up`"),
         ("time_to[carrier]", "there are 2 target `carrier`, expected one of `carrier 10`"),
         ("speeds[sun,1]", "read one part too many, expected speeds[link]"),

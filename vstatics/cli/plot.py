@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from functools import partial
 from typing import cast
@@ -9,13 +10,15 @@ from typing import cast
 import click
 
 from vstatics.cli.frame import cases as arguments
-from vstatics.cli.frame import formats, texts
+from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.drawn_sweeps import plot_sweep
+from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
+from vstatics.cli.frame.values import numbers, value, wrong_value
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
@@ -23,6 +26,7 @@ from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES
 from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.statics.results import Language, Results
+from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import known, suffix_of
 
 BOXES = "boxes"
@@ -36,7 +40,7 @@ _WITHOUT_GEARS = {
 
 
 @click.command()
-@arguments.argument
+@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
 @click.option(
     "-k",
     "--kind",
@@ -52,6 +56,12 @@ _WITHOUT_GEARS = {
 @arguments.some_gears
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
 @click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one.")
+@click.option(
+    "--ratios",
+    metavar="U,...",
+    callback=value(numbers("ratios of gears such as 2.6,1.7,-4", -math.inf)),
+    help="Of a plan: of these ratios alone, without a case.",
+)
 @click.option("--x", metavar="COLUMN", default="", help="Of a sweep: what is across.")
 @click.option(
     "--y",
@@ -74,6 +84,7 @@ def plot(
     gears: tuple[str, ...],
     wheels: bool,
     merge: bool,
+    ratios: list[float] | None,
     x: str,
     y: tuple[str, ...],
     z: str,
@@ -113,6 +124,7 @@ def plot(
     \b
     Examples:
       vstatics plot gearbox.yaml --kind plan -o plan.svg
+      vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       vstatics plot upshift.yaml --kind shift -o upshift.png
       vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
@@ -129,18 +141,24 @@ def plot(
     for option, given, own, said in (
         ("--merge", merge, "lever", "only levers can be merged"),
         ("--wheels", wheels, "stick", "only stick diagrams name them"),
+        ("--ratios", ratios, "plan", "only a plan follows from ratios alone"),
         ("--out", out, "shift", "only shift has columns of a run"),
     ):
         if given and kind != own:
             raise click.UsageError(f"{option}: {said}")
     if kind in _WITHOUT_GEARS and gears:
         raise click.UsageError(f"--gear: {_WITHOUT_GEARS[kind]}")
+    if bool(cases) == (ratios is not None):
+        told = "--ratios: without a case" if cases else "Missing argument 'CASE...'."
+        raise click.UsageError(told)
     asked = DrawnColumns(x, y, z, by)
     if kind not in SWEEP_PICTURES and asked != DrawnColumns():
         raise click.UsageError("--x, --y, --z, --by: only map and curves are of columns")
-    if output != STDOUT and not suffix_of(output) and len(cases) == 1:
+    if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    if ratios is not None:
+        return _plot_ratios(ratios, gears, to, Style(lang, dark))
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
     if kind in SWEEP_PICTURES:
@@ -155,6 +173,20 @@ def plot(
     )
     options = settings._replace(scenarios=True, of_runs=kind in OF_RUNS)
     return carry_out(Job("plot", options, to, picture), cases)
+
+
+def _plot_ratios(
+    ratios: list[float], gears: tuple[str, ...], to: formats.Destination, style: Style
+) -> int:
+    """Draw the plan of ratios alone."""
+    from vstatics.pictures.plan.wanted import case_of_ratios
+
+    with wrong_value("--ratios"):
+        case = case_of_ratios(ratios)
+    chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
+    drawn = render(solve(case), "plan", cast("Format", to.form), style, chosen)
+    files.write_data(drawn, to.output)
+    return DONE
 
 
 def _refuse_without_suffix(output: str) -> None:

@@ -26,7 +26,12 @@ from vstatics.summary.answer import SummaryAnswer
 from vstatics.summary.operation.drive_cycle import CycleAnswer
 from vstatics.sweep.kept.statistics import SamplesAnswer
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
-from vstatics.synthesis.gears.kinds import EngagedSet, EngagedSetList
+from vstatics.synthesis.gears.kinds import (
+    EngagedSet,
+    EngagedSetList,
+    EngagedSetsOfAllPorts,
+    EngagedSetsOfPorts,
+)
 from vstatics.synthesis.ratios.fitting import Fit
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.teeth.solutions import TeethAnswer
@@ -74,7 +79,11 @@ OTHERS = {
     ),
     "combinations": (
         "Combinations of shift elements, of vstatics synth combinations",
-        EngagedSetList | EngagedSet | CombinationEstimate,
+        EngagedSetList
+        | EngagedSet
+        | EngagedSetsOfAllPorts
+        | EngagedSetsOfPorts
+        | CombinationEstimate,
     ),
     "box": (
         "Gearboxes for wanted ratios, of vstatics synth box",

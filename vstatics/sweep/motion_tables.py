@@ -108,7 +108,8 @@ TABLES: Mapping[str, MotionTable] = {
 
 def along_time(name: str) -> bool:
     """Whether a table has values at each instant."""
-    return name == TIME or (TABLES[name].of_row is None and TABLES[name].kind != "number")
+    table = TABLES[name]
+    return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
@@ -134,6 +135,8 @@ class MotionTables:
             return np.full(axes, math.nan)
         if name == TIME:
             return motion.time[np.newaxis]
+        if known.kind == "number" and name in ASKED:
+            return _along_time(motion, name, [""])[..., 0][np.newaxis]
         if known.kind == "number":
             return np.full(axes, getattr(motion.energy, name))
         if known.of_row is None:

@@ -7,6 +7,12 @@ NEAR_DIRECT = 1e-6
 """Only gears with ratios so near to 1 may be direct drives."""
 KEPT_PART = 2.0**-12
 """A number that is less than this part of its size has lost too many digits."""
+DETERMINED = 1e-9
+"""Singular values and shares of a torque that differ less from 0, or 1, do so by rounding."""
+NO_TORQUE = 1e-12
+"""A torque over the input's that is 0 but for rounding. [-]"""
+MET_RATIO = 1e-9
+"""Torques by which that of the output misses the ratio by more have lost their digits."""
 
 # ratios
 PART_FOR_ZERO_BOUND = 1e-3

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import permutations
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ from vstatics import load, solve
 from vstatics.cli.frame import estimates
 
 BELAZ = CASES / "belaz7516.yaml"
+DIFFERENTIAL = CASES / "differential.yaml"
+"""Links 1 to 3, a clutch, and a brake on 2."""
 
 
 FREEWHEELS = """\
@@ -53,14 +56,70 @@ def test_json_has_the_shape_that_is_promised() -> None:
     """BelAZ-7516, ratios by Willis with p = 67/33, 67/33, 3, 2.04: Evseenko's gearbox."""
     found = entries(BELAZ)
     assert len(found) == 15
-    assert [list(one) for one in found] == [["engaged", "kind", "ratio", "free"]] * 15
-    assert found[0] == {"engaged": ["F1", "F2"], "kind": "direct", "ratio": 1.0, "free": False}
+    gears = [one for one in found if one["ratio"] is not None]
+    keys = ["engaged", "kind", "ratio", "free"]
+    assert [list(one) for one in gears] == [[*keys, "torques"]] * 8
+    assert [list(one) for one in found if one not in gears] == [keys] * 7
+    assert {key: found[0][key] for key in keys} == {
+        "engaged": ["F1", "F2"],
+        "kind": "direct",
+        "ratio": 1.0,
+        "free": False,
+    }
     ratios = [one["ratio"] for one in found[3:6]]
     assert ratios == pytest.approx([1 + 3, 1 - 3 * 2.04, 1 + 33 / 67], rel=1e-12)
     assert found[1] == {"engaged": ["F1", "T1"], "kind": "blocked", "ratio": None, "free": False}
     lines = said(BELAZ, "-f", "jsonl").out.splitlines()
     assert list(map(json.loads, lines)) == found
     assert [*validator("combinations").iter_errors(found[0])] == []
+
+
+def test_ports_have_a_block_each() -> None:
+    """A differential, Willis with u = -2.5: (1 - u) and its inverse with the ring held."""
+    document = json.loads(said(DIFFERENTIAL, "--ports", "1:3, 3:1", "-f", "json").out)
+    assert [*validator("combinations").iter_errors(document)] == []
+    blocks = document["ports"]
+    assert [(one["input"], one["output"]) for one in blocks] == [("1", "3"), ("3", "1")]
+    ratios = [[each["ratio"] for each in one["combinations"]] for one in blocks]
+    assert ratios == [pytest.approx([1, 3.5]), pytest.approx([1, 1 / 3.5])]
+    lines = said(DIFFERENTIAL, "--ports", "1:3", "--ports", "3:1", "-f", "jsonl").out
+    assert [json.loads(line) for line in lines.splitlines()] == blocks
+    assert [*validator("combinations").iter_errors(blocks[0])] == []
+    shown = said(DIFFERENTIAL, "--ports", "3:1").out
+    assert "Combinations, 3 to 1\n" in shown
+
+
+def test_all_ports_are_all_ordered_pairs_and_have_no_brakes_of_auto() -> None:
+    found = json.loads(said(DIFFERENTIAL, "--ports", "all", "--elements", "auto", "-f", "json").out)
+    pairs = [(one["input"], one["output"]) for one in found["ports"]]
+    assert pairs == [*permutations("123", 2)]
+    for one in found["ports"]:
+        [brake] = {"1", "2", "3"} - {one["input"], one["output"]}
+        engaged = [each["engaged"][0] for each in one["combinations"]]
+        assert len(engaged) == 4
+        own = "T" if brake == "2" else f"T-{brake}"
+        assert [name for name in engaged if name.startswith("T")] == [own]
+
+
+@pytest.mark.parametrize(
+    ("ports", "why"),
+    [
+        ("1:4", "no link '4'"),
+        ("1", "read `1`, expected `all` alone, or two links as IN:OUT"),
+        ("2:2", "read `2:2`, expected two different links"),
+        ("all,1:2", "read `all`, expected `all` alone"),
+    ],
+)
+def test_ports_that_are_none(ports: str, why: str) -> None:
+    refused = said(DIFFERENTIAL, "--ports", ports)
+    assert (refused.status, refused.out) == (2, "")
+    assert f"Invalid value for --ports: {why}" in refused.err
+
+
+def test_ports_are_of_no_one_case(tmp_path: Path) -> None:
+    for more in (("--dry-run",), ("--write", tmp_path / "gears.yaml")):
+        refused = said(DIFFERENTIAL, "--ports", "all", *more)
+        assert (refused.status, "--ports: without" in refused.err) == (2, True)
 
 
 def test_options_are_repeated_or_hold_commas() -> None:

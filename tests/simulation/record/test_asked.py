@@ -28,10 +28,14 @@ AT_REST = "start: {speeds: {o: 0}}"
 OMEGA = 10.0
 
 
-def asked(scenario: str, case: str, *columns: str) -> tuple[Motion, list[Floats]]:
+def asked(
+    scenario: str, case: str, *columns: str, step: float | None = None
+) -> tuple[Motion, list[Floats]]:
     """A motion and its columns, as in `accelerations[o]`."""
     names = [tuple(one[:-1].split("[")) for one in columns]
-    motion = simulate(written(scenario, case), columns=[(table, row) for table, row in names])
+    motion = simulate(
+        written(scenario, case), step=step, columns=[(table, row) for table, row in names]
+    )
     assert motion.stopped is None
     return motion, [motion.asked[table][row] for table, row in names]
 
@@ -178,6 +182,104 @@ def test_columns_of_a_control_are_its_states_and_temperatures() -> None:
     )
     assert (state[0], state[-1]) == pytest.approx((1.0, 5.0), rel=1e-9)
     assert (temperature[0], temperature[-1]) == pytest.approx((20.0, 44.0), rel=1e-8)
+
+
+SET = """links: [sun, ring, carrier]
+inertias: {sun: 0.5, ring: 0.7, carrier: 0.8}
+mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -1.5}}
+gears: {g: []}
+"""
+
+
+@pytest.mark.parametrize(
+    ("speeds", "printed"),
+    [
+        ((500, -10, 0, 30), {0: 0.811111, 1: 0.723162, 2: 0.647049, 3: 0.584538, 5: 0.508642}),
+        ((1500, -10, 600, 20), {0: 0.5, 5: 0.513317, 10: 0.557143, 20: 0.765089, 30: 1.2}),
+    ],
+)
+def test_the_reduced_inertia_is_that_of_all_links_but_the_output(
+    speeds: tuple[int, int, int, int], printed: dict[int, float]
+) -> None:
+    """Tarasik, figure 2: J_a + J_b (w_b/w_a)^2 by (3), at speeds that are given over time."""
+    sun, sun_rate, carrier, carrier_rate = speeds
+    motion, [reduced] = asked(
+        f"duration: 30\nstart: {{speeds: {{sun: {sun} rpm, carrier: {carrier} rpm}}}}\n"
+        f"speeds:\n  sun: [[0, {sun} rpm], [30, {sun + 30 * sun_rate} rpm]]\n"
+        f"  carrier: [[0, {carrier} rpm], [30, {carrier + 30 * carrier_rate} rpm]]",
+        SET,
+        "reduced_inertia[]",
+        step=1,
+    )
+    for time, inertia in printed.items():
+        assert reduced[motion.time == time] == pytest.approx(inertia, abs=6e-7)
+
+
+def test_it_does_not_exist_while_the_input_stands() -> None:
+    _, [reduced] = asked(
+        "duration: 1\nstart: {speeds: {sun: 0, carrier: 1}}\n"
+        "speeds: {sun: [[0, 0], [1, 10]], carrier: 1}",
+        SET,
+        "reduced_inertia[]",
+    )
+    assert np.isnan(reduced[0])
+    assert np.isfinite(reduced[1:]).all()
+
+
+CONVERTER = "links: [p, t]\ninertias: {p: 1, t: 1}\ngears: {g: []}\n"
+POINTS = "[[0, 2.5, 0.003], [1, 1, 0], [1.5, 1, -0.001]]"
+
+
+@pytest.mark.parametrize(
+    ("pump", "turbine", "expected"),
+    [
+        # K = 2.5 - 1.5 i and lambda = .003 (1 - i) between the points; by hand
+        (200, 140, (0.7, 0.7 * 1.45, 0.0009 * 200**2, 1.45)),
+        (200, 0, (0.0, 0.0, 0.003 * 200**2, 2.5)),
+        (200, 250, (1.25, 1 / 1.25, -0.0005 * 200**2, 1.0)),
+        (200, 200, (1.0, 1.0, 0.0, 1.0)),
+        (-200, -140, (0.7, 0.7 * 1.45, -0.0009 * 200**2, 1.45)),
+        (200, -20, (-0.1, 0.0, 0.003 * 200**2, 2.5)),
+    ],
+)
+def test_a_converter_tells_its_ratios_and_what_its_turbine_gives(
+    pump: float, turbine: float, expected: tuple[float, float, float, float]
+) -> None:
+    """Speed ratio w_T/w_P; power out by power in: K i, its inverse in overrun, 0 where both take some."""
+    ratio, efficiency, taken, factor = expected
+    motion, found = asked(
+        f"duration: 1\nstart: {{speeds: {{p: {pump}, t: {turbine}}}}}\n"
+        f"speeds: {{p: {pump}, t: {turbine}}}\n"
+        f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}",
+        CONVERTER,
+        "ratio[TC]",
+        "efficiency[TC]",
+    )
+    torques = dict(zip(motion.devices, motion.torques[-1], strict=True))
+    assert [one[-1] for one in found] == pytest.approx([ratio, efficiency], abs=1e-12)
+    assert torques["TC"] == pytest.approx(taken, abs=1e-9)
+    assert torques["TC.turbine"] == pytest.approx(factor * taken, abs=1e-9)
+    # each torque holds its link at a given speed
+    assert torques["p"] == pytest.approx(taken, abs=1e-9)
+    assert torques["t"] == pytest.approx(-factor * taken, abs=1e-9)
+
+
+def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:
+    """100 kPa on .02 m^2, .1 m, 4 surfaces, .1: 80 N*m at 50 rad/s on 4 x .02 m^2."""
+    motion, [power, heat, unknown] = asked(
+        "duration: 2\nstart: {speeds: {o: 50}}\nspeeds: {o: 50}\ncontrols: {B: 100 kPa, A: 5}",
+        "links: [o]\ninertias: {o: 1}\ngears: {g: []}\nshift_elements:\n"
+        "  B: {links: [o, housing], "
+        "friction: {coefficient: 0.1, radius: 0.1, area: 0.02, surfaces: 4}}\n"
+        "  A: {links: [o, housing]}\n",
+        "slip_power_per_area[B]",
+        "heat_per_area[B]",
+        "slip_power_per_area[A]",
+    )
+    assert power == pytest.approx(np.full_like(motion.time, 80 * 50 / 0.08), rel=1e-9)
+    assert heat == pytest.approx(power * motion.time, rel=1e-9, abs=1e-9)
+    assert heat[-1] == pytest.approx(motion.energy.heat_per_area["B"])
+    assert np.isnan(unknown).all()
 
 
 def test_json_has_a_key_for_each_table() -> None:

@@ -46,6 +46,12 @@ def _sizes(texts: Sequence[str]) -> list[int]:
     "a name with commas in double quotes.",
 )
 @click.option(
+    "--ports",
+    multiple=True,
+    metavar="all|IN:OUT,...",
+    help="Between these links in place of the case's own ports; all: each ordered pair.",
+)
+@click.option(
     "--at-most",
     type=click.IntRange(min=1),
     default=1_000_000,
@@ -60,6 +66,7 @@ def combinations(
     one: OneCase,
     engaged: list[int],
     elements: tuple[str, ...],
+    ports: tuple[str, ...],
     at_most: int,
     dry_run: bool,
     target: str | None,
@@ -75,11 +82,15 @@ def combinations(
     With --elements auto the elements are a clutch between any two links and a brake
     on any link but input and output; F-1-2 and T-3 are new ones, by their links.
 
+    JSON has the torque of each engaged element without losses, over the input's, and of a
+    direct drive by one element its slip while the output stands: their product is 1.
+
     \b
     Examples:
       vstatics synth combinations box.yaml
       vstatics synth combinations box.yaml --engaged 1,2 -f json
       vstatics synth combinations box.yaml --elements auto --write gears.yaml
+      vstatics synth combinations box.yaml --ports all --elements auto -f json
 
     \b
     Exit status: 0 done; 1 the case is in error, no gear is there to write;
@@ -87,20 +98,29 @@ def combinations(
     """
     to, telling = one.destination(), one.telling
     form = None if target is None else case_format(target, [one.case], to.output)
-    from vstatics.cli.synth.combinations_output import check_room, show, show_estimate
+    from vstatics.cli.synth.combinations_output import check_room, show, show_estimate, show_ports
+    from vstatics.synthesis.gears.ports import between, port_pairs
     from vstatics.synthesis.gears.search import AUTO, CombinationSearch, chosen_elements
 
+    if ports and (dry_run or target):
+        raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
     reading = one.read()
     chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
     with wrong_value("--elements"):
         if chosen != [AUTO]:
             chosen_elements(reading.case, chosen)
+    with wrong_value("--ports"):
+        pairs = port_pairs(reading.case, separated(ports))
+    cases = [between(reading.case, pair) for pair in pairs] or [reading.case]
     with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
-        search = CombinationSearch(reading.case, engaged, chosen)
+        searches = [CombinationSearch(case, engaged, chosen) for case in cases]
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
-        search.check(None if dry_run else at_most)
-    kept = True
-    if dry_run:
+        for each in searches:
+            each.check(None if dry_run else at_most // len(searches))
+    search, kept = searches[0], True
+    if pairs:
+        show_ports(searches, one.case, to, telling)
+    elif dry_run:
         show_estimate(search, one.case, to)
     else:
         check_room(search, to)

@@ -16,7 +16,7 @@ from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
-from vstatics.synthesis.gears.kinds import EngagedKind, EngagedSets, combination_grids
+from vstatics.synthesis.gears.kinds import EngagedSets, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 from vstatics.tables.answer import Count, line, told
 from vstatics.tables.grid import Grid
@@ -27,7 +27,8 @@ STREAMED = ("json", "jsonl")
 MOST_PRINTED_ROWS = 200_000
 """Of any other format."""
 FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
-"""Around the entries of JSON, and between them."""
+FRAME_OF_PORTS = '{"ports": [\n ', ",\n ", "\n]}\n"
+"""Around the entries of JSON, and between them; the same of pairs of ports."""
 
 
 def check_room(search: CombinationSearch, to: Destination) -> None:
@@ -106,6 +107,51 @@ def show(search: CombinationSearch, case: str, to: Destination, telling: Telling
         files.write_data(texts.alone(file_name(case), shown, to), to.output)
 
 
+def show_ports(
+    searches: Sequence[CombinationSearch], case: str, to: Destination, telling: Telling
+) -> None:
+    """Write the combinations of each pair of ports; a line for each pair as `jsonl`."""
+    count = int(sum(search.count for search in searches))
+    with progress(
+        count, "combinations", beside_stdout=to.output is None, quiet=telling.quiet
+    ) as advance:
+        if to.form in STREAMED:
+            first, between, last = ("", "\n", "\n") if to.form == "jsonl" else FRAME_OF_PORTS
+            with files.stream(to.output) as write:
+                for number, search in enumerate(searches):
+                    block = _block(search, advance, as_line=to.form == "jsonl")
+                    write(files.encoded((between if number else first) + block))
+                write(files.encoded(last))
+            return
+        grids = [grid for search in searches for grid in _port_grids(search, advance)]
+        title = searches[0].case.name or file_name(case)
+        shown = texts.CaseOutput([title], {}, lambda: grids)
+        files.write_data(texts.alone(file_name(case), shown, to), to.output)
+
+
+def _ports(search: CombinationSearch) -> tuple[str, str]:
+    """Their names."""
+    case = search.case
+    return case.link_name(case.input), case.link_name(case.output)
+
+
+def _block(search: CombinationSearch, advance: Advance, *, as_line: bool) -> str:
+    """The combinations of a pair of ports in JSON."""
+    first, last = (line(name).rstrip() for name in _ports(search))
+    found = (text for batch in _watched(search, advance) for text in _lines(batch))
+    before, between = ("", ", ") if as_line else ("\n  ", ",\n  ")
+    body = before + between.join(found)
+    return f'{{"input": {first}, "output": {last}, "combinations": [{body}]}}'
+
+
+def _port_grids(search: CombinationSearch, advance: Advance) -> Iterator[Grid]:
+    """The tables of a pair of ports, which their titles name."""
+    first, last = _ports(search)
+    found = (one for batch in _watched(search, advance) for one in batch.each())
+    for grid in combination_grids(found):
+        yield grid._replace(title=f"{grid.title}, {first} to {last}", key="")
+
+
 def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
     for batch in search.batches():
         yield batch
@@ -124,11 +170,17 @@ def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Ite
 
 def _lines(found: EngagedSets) -> Iterator[str]:
     """Combinations as JSON, an object each."""
-    names = [line(element.name).rstrip() for element in found.elements]
-    kinds = [f'"kind": "{kind.word}"' for kind in EngagedKind]
-    columns = (column.tolist() for column in found[1:])
-    for members, kind, ratio, free in zip(*columns, strict=True):
-        engaged = ", ".join([names[one] for one in members])
-        number = repr(ratio) if math.isfinite(ratio) else "null"
-        is_free = "true" if free else "false"
-        yield f'{{"engaged": [{engaged}], {kinds[kind]}, "ratio": {number}, "free": {is_free}}}'
+    names = {element.name: line(element.name).rstrip() for element in found.elements}
+    for one in found.each():
+        engaged = ", ".join(map(names.__getitem__, one.engaged))
+        is_free = "true" if one.free else "false"
+        text = f'{{"engaged": [{engaged}], "kind": "{one.kind}", "ratio": {_number(one.ratio)}, '
+        text += f'"free": {is_free}'
+        if one.torques is not None:
+            torques = (f"{names[name]}: {_number(part)}" for name, part in one.torques.items())
+            text += f', "torques": {{{", ".join(torques)}}}'
+        yield text + (f', "slip": {_number(one.slip)}}}' if one.slip is not None else "}")
+
+
+def _number(value: float) -> str:
+    return repr(value) if math.isfinite(value) else "null"

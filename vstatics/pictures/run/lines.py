@@ -32,11 +32,16 @@ _ASKED = {
     "powers": ("power, kW", "мощность, кВт", 1e3),
     "heat": ("heat, kJ", "теплота, кДж", 1e3),
     "slip_power": ("slip power, kW", "мощность буксования, кВт", 1e3),
+    "heat_per_area": ("heat per area, kJ/m²", "удельная теплота, кДж/м²", 1e3),
+    "slip_power_per_area": ("slip power per area, kW/m²", "удельная мощность, кВт/м²", 1e3),
     "temperatures": ("temperature, °C", "температура, °C", 1.0),
     "states": ("states", "состояния", 1.0),
     "vehicle_speed": ("speed of vehicle, m/s", "скорость машины, м/с", 1.0),
     "vehicle_acceleration": ("acceleration of vehicle, m/s²", "ускорение машины, м/с²", 1.0),
     "vehicle_jerk": ("jerk of vehicle, m/s³", "рывок машины, м/с³", 1.0),
+    "ratio": ("speed ratio", "передаточное отношение", 1.0),
+    "efficiency": ("efficiency", "КПД", 1.0),
+    "reduced_inertia": ("reduced inertia, kg·m²", "приведенный момент инерции, кг·м²", 1.0),
 }
 """Tables that somebody may ask for: in both languages, by what their values are divided."""
 

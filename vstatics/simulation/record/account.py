@@ -10,6 +10,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.record.motion import Energy
+from vstatics.simulation.record.rows import friction_areas
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.system.equations import Equations
 
@@ -67,12 +68,8 @@ def energy_account(
     twists = state[equations.twists]
     elastic = system.elastic_energy(twists) - system.elastic_energy(start.twists)
     rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
-    areas = {
-        one.name: one.pack.area * one.pack.surfaces
-        for one in system.case.shift_elements
-        if one.pack is not None and one.name in heat
-    }
-    per_area = {name: heat[name] / area for name, area in areas.items()}
+    areas = friction_areas(system.case)
+    per_area = {name: heat[name] / area for name, area in areas.items() if name in heat}
     return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)
 
 

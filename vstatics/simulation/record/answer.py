@@ -24,11 +24,16 @@ class AskedAnswer(NamedTuple):
     powers: Rows = None
     heat: Rows = None
     slip_power: Rows = None
+    heat_per_area: Rows = None
+    slip_power_per_area: Rows = None
     temperatures: Rows = None
     states: Rows = None
     vehicle_speed: Rows = None
     vehicle_acceleration: Rows = None
     vehicle_jerk: Rows = None
+    ratio: Rows = None
+    efficiency: Rows = None
+    reduced_inertia: Sometimes[Sequence[float]] = None
 
 
 @document("vstatics-simulation")
@@ -73,7 +78,7 @@ def motion_answer(
         dict(zip(motion.links, motion.speeds.T, strict=True)),
         dict(zip(motion.elements, motion.slips.T, strict=True)),
         dict(zip(motion.devices, motion.torques.T, strict=True)),
-        AskedAnswer(**motion.asked),
+        _asked(motion.asked),
         motion.events,
         motion.energy,
         motion.peaks,
@@ -82,6 +87,14 @@ def motion_answer(
         motion.messages,
         motion.stopped.told if motion.stopped else None,
     )
+
+
+def _asked(tables: Mapping[str, Mapping[str, Floats]]) -> AskedAnswer:
+    """What was asked for; a table of one number has no rows."""
+    found: dict[str, Any] = {
+        table: rows[""].tolist() if "" in rows else rows for table, rows in tables.items()
+    }
+    return AskedAnswer(**found)
 
 
 def lay_out(document: Mapping[str, Any]) -> str:

@@ -13,9 +13,10 @@ from vstatics.errors import CaseError, listed, nearest, quoted
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
-from vstatics.simulation.record.rows import Kind, road_radii, rows_of_kind
+from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
+from vstatics.simulation.record.rows import Kind, friction_areas, road_radii, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
-from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.parts import Converter, Scenario
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
 
@@ -47,6 +48,9 @@ class Moments(NamedTuple):
     def jerks(self) -> Floats:
         """Of links [rad/s^3]."""
         return self.motion.jerks(self.times, self.states)
+
+
+Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
@@ -87,13 +91,41 @@ def _slip_power(at: Moments, rows: Sequence[str]) -> Floats:
     return at.torques[places] * at.slips[places]
 
 
+def _per_area(values: Maker, at: Moments, rows: Sequence[str]) -> Floats:
+    areas = friction_areas(at.system.case)
+    made: Floats = values(at, rows) / np.array([[areas.get(name, np.nan)] for name in rows])
+    return made
+
+
+def _speed_ratios(at: Moments, rows: Sequence[str]) -> Floats:
+    return speed_ratios(_converters(at, rows), at.speeds)
+
+
+def _efficiencies(at: Moments, rows: Sequence[str]) -> Floats:
+    found, count = _converters(at, rows), len(at.system.case.devices)
+    torques = at.torques[[count + at.system.converters.index(one) for one in found]]
+    power = torques * at.speeds[[one.pump - 1 for one in found]]
+    return efficiencies(found, speed_ratios(found, at.speeds), power)
+
+
+def _converters(at: Moments, rows: Sequence[str]) -> list[Converter]:
+    by_name = {one.name: one for one in at.system.converters}
+    return [by_name[name] for name in rows]
+
+
+def _reduced_inertia(at: Moments, _: Sequence[str]) -> Floats:
+    """``sum J (w/w_input)^2`` of all bodies but the output (Tarasik, (3)), shape (1, times)."""
+    system, case = at.system, at.system.case
+    output = np.arange(len(system.names)) == case.main_output - 1
+    others = (system.heavy != output).any(axis=1)
+    doubled: Floats = system.inertias[others] @ (system.heavy[others] @ at.speeds) ** 2
+    return doubled / turning(at.speeds[[case.input - 1]], at.speeds) ** 2
+
+
 def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
     equations = at.motion.equations
     places = [equations.layout.values.index(Seen(word, name)) for name in rows]
     return at.states[equations.values][places]
-
-
-Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 class AskedTable(NamedTuple):
@@ -109,6 +141,8 @@ TABLES: Mapping[str, AskedTable] = {
     "powers": AskedTable("link or spring", _powers),
     "heat": AskedTable("friction", _heat),
     "slip_power": AskedTable("shift element", _slip_power),
+    "heat_per_area": AskedTable("shift element", partial(_per_area, _heat)),
+    "slip_power_per_area": AskedTable("shift element", partial(_per_area, _slip_power)),
     "temperatures": AskedTable("element with a heat_capacity", partial(_values, "temperature")),
     "states": AskedTable("state", partial(_values, "value")),
     "vehicle_speed": AskedTable("link with a road", partial(_of_vehicles, attrgetter("speeds"))),
@@ -116,9 +150,14 @@ TABLES: Mapping[str, AskedTable] = {
         "link with a road", partial(_of_vehicles, Moments.accelerations)
     ),
     "vehicle_jerk": AskedTable("link with a road", partial(_of_vehicles, Moments.jerks)),
+    "ratio": AskedTable("converter", _speed_ratios),
+    "efficiency": AskedTable("converter", _efficiencies),
+    "reduced_inertia": AskedTable("number", _reduced_inertia),
 }
-"""By name; [rad/s^2], [rad/s^3], [W], [J], [W], [degrees Celsius], any unit, [m/s], [m/s^2],
-[m/s^3]."""
+"""By name; [rad/s^2], [rad/s^3], [W], [J], [W], [J/m^2], [W/m^2], [degrees Celsius], any unit,
+[m/s], [m/s^2], [m/s^3], [-], [-], [kg*m^2]. A number has one row, which has no name."""
+ALWAYS = ("speeds", "slips", "torques")
+"""Tables that every run has."""
 
 
 def rows_of_tables(
@@ -136,7 +175,8 @@ def rows_of_tables(
         what, read = "table", table
         if table in TABLES:
             kind = TABLES[table].kind
-            known, what, read = rows_of_kind(kind, scenario), kind, row
+            rows = ("",) if kind == "number" else rows_of_kind(kind, scenario)
+            known, what, read = rows, kind, row
         if read not in known:
             expected = f", expected one of {listed(known)}" if known else ""
             hint = nearest(read, known) or expected

@@ -29,7 +29,8 @@ def columns(motion: Motion) -> dict[str, Floats]:
             made[f"{table}[{written(index, names)}]"] = values[:, index]
     for table, rows in motion.asked.items():
         names = tuple(rows)
-        made |= {f"{table}[{written(n, names)}]": rows[name] for n, name in enumerate(names)}
+        for n, name in enumerate(names):
+            made[f"{table}[{written(n, names)}]" if name else table] = rows[name]
     if motion.stopped is not None:
         made["stopped"] = np.zeros(len(motion.time))
         made["stopped"][-1] = 1.0

@@ -13,6 +13,7 @@ from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import element_heat
 from vstatics.simulation.record.asked import TABLES, Moments
 from vstatics.simulation.record.changes import PieceMotion
+from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.record.curves import Curves
 from vstatics.simulation.record.motion import Peak
 from vstatics.simulation.system.equations import Equations
@@ -134,14 +135,17 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     for index, variator in enumerate(system.variators):
         torque = variator.reference * held[row_of[variator.contact]]
         made[variator.device] = torque + ports[layout.variators + index]
-    end = count + len(system.converters)
-    made[count:end] = ports[layout.pumps : layout.turbines]
+    pumped = count + len(system.converters)
+    end = pumped + len(system.converters)
+    made[count:pumped] = ports[layout.pumps : layout.turbines]
+    made[pumped:end] = 0.0 - ports[layout.turbines : layout.sensors]
     given = [index for index, one in enumerate(system.contacts) if one.is_given]
     made[end:] = -held[[row_of[index] for index in given]]
     return made
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:
-    """What has a torque: devices, converters, links whose speeds are given."""
+    """What has a torque: devices, converters, their turbines, links whose speeds are given."""
     given = (one.name for one in system.contacts if one.is_given)
-    return (*system.case.devices, *(one.name for one in system.converters), *given)
+    converters = [one.name for one in system.converters]
+    return (*system.case.devices, *converters, *map(turbine, converters), *given)

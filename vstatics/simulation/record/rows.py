@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Literal
 
+from vstatics.model.transmission import Transmission
+from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.scenario.laws import Resistance, Road
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.words import vocabulary
@@ -19,6 +21,7 @@ Kind = Literal[
     "element with a heat_capacity",
     "state",
     "link with a road",
+    "converter",
     "step",
     "target",
     "device with fatigue",
@@ -36,6 +39,12 @@ def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
 def road_radii(scenario: Scenario) -> dict[int, float]:
     """Number of each link with a road -> by what its speed is that of the vehicle [m]."""
     return {link: law.radius for link, law in scenario.torques if isinstance(law, Road)}
+
+
+def friction_areas(case: Transmission) -> dict[str, float]:
+    """Of all surfaces of each shift element that tells them [m^2]."""
+    packs = ((one.name, one.pack) for one in case.shift_elements)
+    return {name: pack.area * pack.surfaces for name, pack in packs if pack and pack.area}
 
 
 def _links(scenario: Scenario) -> Sequence[str]:
@@ -68,7 +77,11 @@ def _friction(scenario: Scenario) -> list[str]:
 
 
 def _devices(scenario: Scenario) -> list[str]:
-    return [*scenario.case.devices, *(converter.name for converter in scenario.converters)]
+    return [*scenario.case.devices, *_converters(scenario)]
+
+
+def _converters(scenario: Scenario) -> list[str]:
+    return [one.name for one in scenario.converters]
 
 
 def _losses(scenario: Scenario) -> list[str]:
@@ -96,7 +109,11 @@ def _of_formulas(word: str) -> Callable[[Scenario], Collection[str]]:
 _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link": _links,
     "shift element": _elements,
-    "device": lambda scenario: [*_devices(scenario), *_named(scenario, scenario.speeds)],
+    "device": lambda scenario: [
+        *_devices(scenario),
+        *map(turbine, _converters(scenario)),
+        *_named(scenario, scenario.speeds),
+    ],
     "friction": _friction,
     "loss": _losses,
     "link or spring": _links_and_springs,
@@ -105,6 +122,10 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link with a road": lambda scenario: _named(scenario, road_radii(scenario)),
     "step": _steps,
     "target": _targets,
+<<<<<<< HEAD
     "device with fatigue": lambda scenario: scenario.case.fatigue,
+=======
+    "converter": _converters,
+>>>>>>> 0136c575 (Columns of runs: ratios of converters, their turbines, reduced inertia, slip power by area)
     "number": lambda _scenario: (),
 }

@@ -16,7 +16,7 @@ from vstatics.errors import Problem, ReadError, listed, nearest, quoted
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Tree, parse
 from vstatics.readers.expressions.operands import TableName
-from vstatics.simulation.record.asked import TABLES
+from vstatics.simulation.record.asked import ALWAYS, TABLES
 from vstatics.simulation.record.rows import rows_of_kind
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.sweep.kept.columns import OPTION, items
@@ -41,9 +41,10 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
         names = RunNames(source, partial(rows_of_kind, scenario=scenario))
         try:
             tree = parse(source, _LANGUAGE)
-            if not isinstance(tree, TableName) or tree.name not in TABLES:
+            if not isinstance(tree, TableName) or tree.name not in (*ALWAYS, *TABLES):
                 raise _no_column(source, tree)
-            asked += asked_rows(names.selection(tree), names.rows(tree.name))
+            rows = asked_rows(names.selection(tree), names.rows(tree.name))
+            asked += rows if tree.name in TABLES else []
         except ReadError as error:
             problems += error.problems
     if problems:
@@ -52,8 +53,8 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """A table, with each of its rows of which it is a part."""
-    own = rows if part.row is None else [rows[part.row]]
+    """A table, with each of its rows of which it is a part; that of a number has no name."""
+    own = rows or [""] if part.row is None else [rows[part.row]]
     return [(part.table, row) for row in own]
 
 

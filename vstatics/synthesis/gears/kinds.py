@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from enum import IntEnum
 from typing import Annotated, NamedTuple
 
@@ -27,6 +27,7 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import ON_ELEMENT, columns
 from vstatics.synthesis.gears.speed_forms import Pair, SpeedForms
 from vstatics.synthesis.tolerances import KEPT_PART
+from vstatics.tables.answer import Sometimes
 from vstatics.tables.grid import Column, Grid, grid_of, sign
 
 Indices = NDArray[np.intp]
@@ -213,12 +214,32 @@ class EngagedSet(NamedTuple):
     """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
     free: bool
     """Whether a link besides input and output is left undetermined."""
+    torques: Sometimes[Mapping[str, float]] = None
+    """Of `gear` and `direct`: what the first link of each element gives to it, without losses,
+    over the torque of the input; NaN where nothing tells how elements share it. [-]"""
+    slip: Sometimes[float] = None
+    """Of `direct` by one element: its slip while the output stands and nothing is engaged, over
+    the speed of the input; NaN where that is not determined. [-]"""
 
 
 class EngagedSetList(NamedTuple):
     """All combinations."""
 
     combinations: Sequence[EngagedSet]
+
+
+class EngagedSetsOfPorts(NamedTuple):
+    """All combinations between two links."""
+
+    input: str
+    output: str
+    combinations: Sequence[EngagedSet]
+
+
+class EngagedSetsOfAllPorts(NamedTuple):
+    """The same of several pairs of links."""
+
+    ports: Sequence[EngagedSetsOfPorts]
 
 
 class EngagedSets(NamedTuple):
@@ -234,14 +255,20 @@ class EngagedSets(NamedTuple):
     """(sets,), NaN where there is none. [-]"""
     free: Booleans
     """(sets,)"""
+    torques: Floats
+    """(sets, elements), NaN where there is none. [-]"""
 
     def each(self) -> Iterator[EngagedSet]:
         """One by one."""
         names = [element.name for element in self.elements]
         words = [kind.word for kind in EngagedKind]
         columns = (column.tolist() for column in self[1:])
-        for members, kind, ratio, free in zip(*columns, strict=True):
-            yield EngagedSet([names[one] for one in members], words[kind], ratio, free)
+        for members, kind, ratio, free, torques in zip(*columns, strict=True):
+            engaged = [names[one] for one in members]
+            known = dict(zip(engaged, torques, strict=True)) if kind >= EngagedKind.GEAR else None
+            alone = kind == EngagedKind.DIRECT and len(engaged) == 1
+            slip = 1 / (torques[0] or math.nan) if alone else None
+            yield EngagedSet(engaged, words[kind], ratio, free, known, slip)
 
     def where(self, chosen: Booleans) -> EngagedSets:
         """Some of them."""

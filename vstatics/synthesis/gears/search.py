@@ -24,6 +24,7 @@ from vstatics.synthesis.gears.kinds import (
     kind_alone,
 )
 from vstatics.synthesis.gears.speed_forms import FreeSpeeds, Pair, SpeedForms
+from vstatics.synthesis.gears.torques import element_torques
 from vstatics.synthesis.tolerances import NEAR_DIRECT
 
 AUTO = "auto"
@@ -289,7 +290,10 @@ class CombinationSearch:
             again = engaged_kinds(forms, members[near])  # one that loses digits says nothing
             near = near[(again.kinds == EngagedKind.GEAR) & again.unity | again.doubtful]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
-        return EngagedSets(self.elements, members, kinds, ratios, free)
+        torques = np.full(members.shape, np.nan)
+        gears = kinds >= EngagedKind.GEAR
+        torques[gears] = element_torques(self._forms, members[gears], ratios[gears])
+        return EngagedSets(self.elements, members, kinds, ratios, free, torques)
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
@@ -352,9 +356,9 @@ def combinations(
     >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> for one in combinations(case):
-    ...     print(*one)
-    ['T1'] gear 3.5 False
-    ['F2'] direct 1.0 False
+    ...     print(one.engaged, one.kind, one.ratio)
+    ['T1'] gear 3.5
+    ['F2'] direct 1.0
     """
     sizes = [engaged] if isinstance(engaged, int) else engaged
     asked = [elements] if isinstance(elements, str) else elements

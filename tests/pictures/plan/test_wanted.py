@@ -1,0 +1,55 @@
+"""The plan of wanted ratios alone: rays by the rule of the paper on the UMDM, figure 5."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from vstatics import solve
+from vstatics.pictures.plan.rays import plans
+from vstatics.pictures.plan.wanted import case_of_ratios
+
+
+def test_a_link_that_stands_in_a_gear_has_its_ray() -> None:
+    """Y = (u x - 1)/(u - 1): zero at x = 1/u, and 1 at x = 1; the input 1, the output x."""
+    ratios = [37 / 14, 111 / 65, 1, 0.7, -37 / 9]
+    case = case_of_ratios(ratios)
+    [plan] = plans(solve(case))
+    assert [mark.output for mark in plan.marks] == pytest.approx([1 / u for u in ratios])
+    assert plan.has_unit_point
+    rays = {case.link_names[ray.links[0] - 1]: ray for ray in plan.rays}
+    assert len(rays) == 6
+    assert [*rays["input"][1:]] == pytest.approx([1, 0], abs=1e-12)
+    assert [*rays["output"][1:]] == pytest.approx([0, 1], abs=1e-12)
+    for u in ratios:
+        if u != 1:
+            ray = rays[f"{u:.12g}"]
+            assert ray.start == pytest.approx(-1 / (u - 1))
+            assert ray.slope == pytest.approx(u / (u - 1))
+
+
+def test_it_needs_no_case(tmp_path: Path) -> None:
+    file = tmp_path / "plan.svg"
+    said = vstatics("plot", "--kind", "plan", "--ratios", "2.6,1.7,-4", "-o", file)
+    assert (said.status, said.all) == (0, "")
+    assert "Ratios 2.6, 1.7, -4" in file.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ("--kind plan --ratios 2,0", "read 0, expected a ratio from 1e-6 to 1e6 in size"),
+        ("--kind plan --ratios 2,-inf", "read -inf, expected a ratio from 1e-6 to 1e6 in size"),
+        ("--kind plan --ratios 2,3,2", "read 2 again, expected each ratio once"),
+        ("--kind plan --ratios 2,x", "read 'x', expected ratios of gears such as 2.6,1.7,-4"),
+        (f"{CASES / 'umdm.yaml'} --kind plan --ratios 2", "--ratios: without a case"),
+        ("--kind lever --ratios 2", "--ratios: only a plan follows from ratios alone"),
+        ("--kind lever", "Missing argument 'CASE...'."),
+    ],
+)
+def test_what_is_no_plan(options: str, why: str) -> None:
+    said = vstatics("plot", *options.split(), "-o", "plan.svg")
+    assert (said.status, said.out) == (2, "")
+    assert why in said.err

@@ -1,0 +1,58 @@
+"""A case of wanted ratios alone, of which a kinematic plan can be drawn before there are any sets.
+
+The link that stands in the gear of the ratio u has the ray ``(u x - 1)/(u - 1)`` over the output
+speed x: with input and output it is a mechanism of the internal ratio u whose carrier it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+
+LARGEST_RATIO = 1e6
+"""What is larger, or whose inverse is, is mistyped."""
+
+
+def case_of_ratios(ratios: Sequence[float]) -> Transmission:
+    """Input, output, and a link with its brake for each ratio; for 1 a clutch between the two.
+
+    Parameters
+    ----------
+    ratios : sequence of float
+        Of the gears, input speed by output speed. [-]
+
+    Raises
+    ------
+    ValueError
+        If one is 0, too large or small, or given twice.
+
+    Examples
+    --------
+    >>> from vstatics.statics.solve import solve
+    >>> case = case_of_ratios([2.6, 1, -4])
+    >>> case.link_names, solve(case).ratio.round(9).tolist()
+    (('input', 'output', '2.6', '-4'), [2.6, 1.0, -4.0])
+    """
+    names = [f"{ratio:.12g}" for ratio in ratios]
+    for name in names:
+        if not 1 / LARGEST_RATIO <= abs(float(name)) <= LARGEST_RATIO:
+            raise ValueError(f"read {name}, expected a ratio from 1e-6 to 1e6 in size")
+        if names.count(name) > 1:
+            raise ValueError(f"read {name} again, expected each ratio once")
+    rays = [name for name in names if name != "1"]
+    numbers = {name: number for number, name in enumerate(rays, 3)}
+    return Transmission(
+        2 + len(rays),
+        [
+            ShiftElement(numbers[name], HOUSING, f"T{name}")
+            if name in numbers
+            else ShiftElement(1, 2, "F")
+            for name in names
+        ],
+        [Mechanism(1, 2, number, float(name)) for name, number in numbers.items()],
+        [Gear([number], name=name) for number, name in enumerate(names, 1)],
+        output=2,
+        name=f"Ratios {', '.join(names)}",
+        link_names=["input", "output", *rays],
+    )
