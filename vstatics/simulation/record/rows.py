@@ -122,10 +122,7 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link with a road": lambda scenario: _named(scenario, road_radii(scenario)),
     "step": _steps,
     "target": _targets,
-<<<<<<< HEAD
     "device with fatigue": lambda scenario: scenario.case.fatigue,
-=======
     "converter": _converters,
->>>>>>> 0136c575 (Columns of runs: ratios of converters, their turbines, reduced inertia, slip power by area)
     "number": lambda _scenario: (),
 }
