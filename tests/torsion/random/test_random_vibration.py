@@ -141,7 +141,7 @@ def answers(case: Transmission, at: int, by_motion: bool, omegas: Array) -> Arra
     dynamic = stiffness + 1j * w * resistance - w**2 * mass
     if not by_motion:
         force = np.broadcast_to(np.eye(case.links)[:, [at]], (len(omegas), case.links, 1))
-        return np.linalg.solve(dynamic, force)[:, :, 0]  # type: ignore[no-any-return]
+        return np.linalg.solve(dynamic, force)[:, :, 0]
     others = [n for n in range(case.links) if n != at]
     moved = np.zeros((len(omegas), case.links), complex)
     moved[:, at] = 1.0

@@ -68,7 +68,7 @@ def test_a_road_in_numbers() -> None:
     assert gear["devices"]["strut"]["twist_rate_rms"] is None
     assert gear["spectrum"]["omega"] == [1, 5]
     assert [*gear["links"]] == ["road", "mass"]
-    for form in ("table", "csv", "md"):
+    for form in ("text", "csv", "markdown"):
         assert vstatics(*asked, "--input", "road.yaml", "-f", form).status == 0
 
 
@@ -76,7 +76,7 @@ def test_a_road_in_numbers() -> None:
     ("options", "status", "why"),
     [
         (("--at", "rod"), 2, "no link 'rod'; did you mean `road`"),
-        (("--at", "road"), 1, "link road has no inertia and no resistance"),
+        (("--at", "road", "--by", "angle"), 2, "'angle' is not one of"),
         (("--at", "mass", "--speed-ratio", "TC=.6"), 2, "no converter 'TC'"),
         (("--at", "mass", "--speed-ratio", "TC"), 2, "the name of a converter and a number"),
         (("--at", "mass", "--omega", "x"), 2, "Invalid value for --omega"),

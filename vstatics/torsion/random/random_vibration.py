@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.damage.rayleigh import rayleigh_life
+from vstatics.errors import CaseError
 from vstatics.model.fatigue import Fatigue
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -17,7 +18,7 @@ from vstatics.tables.answer import Failure, Sometimes, told
 from vstatics.torsion.forced.harmonic_torques import not_excitable
 from vstatics.torsion.random.excited import ExcitedGear
 from vstatics.torsion.random.spectra import Spectrum
-from vstatics.torsion.random.variances import Moments, moments
+from vstatics.torsion.random.variances import FormVariances, form_variances
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice
@@ -111,7 +112,7 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     ValueError
         If there is no such link, gear or converter.
     CaseError
-        If a converter has no working point.
+        If a converter has no working point, or the spectrum is none.
 
     Examples
     --------
@@ -125,6 +126,8 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     >>> round(gear.devices["mount"].twist_rms ** 2 * 600 / math.pi, 9)
     1.0
     """
+    if problems := list(spectrum.problems()):
+        raise CaseError(problems)
     link = case.link_number(at) - 1
     asked = [working_gear(case, gear, speed_ratios) for gear in asked_gears(case, gears)]
     grid = None if omegas is None else np.asarray(omegas, float)
@@ -144,7 +147,7 @@ def _gear_random(
     excited = ExcitedGear(system, at, by == "motion")
     own = np.eye(len(system.names))[: system.own]
     with np.errstate(all="ignore"):  # what is no number is told as none
-        found = moments(excited, spectrum, np.vstack([system.twists, own]))
+        found = form_variances(excited, spectrum, np.vstack([system.twists, own]))
         devices = _devices(system.elastic, found, case.fatigue)
         links = _links(system.names, excited, found, len(devices))
         made = None if omegas is None else _spectrum(excited, spectrum, omegas)
@@ -154,7 +157,7 @@ def _gear_random(
 
 
 def _devices(
-    elastic: Sequence[TorsionalDevice], found: Moments, strengths: Mapping[str, Fatigue]
+    elastic: Sequence[TorsionalDevice], found: FormVariances, strengths: Mapping[str, Fatigue]
 ) -> dict[str, RandomDevice]:
     made = {}
     for number, one in enumerate(elastic):
@@ -181,7 +184,7 @@ def _life(strength: Fatigue, deviation: float, crossings: float) -> float:
 
 
 def _links(
-    names: Sequence[str], excited: ExcitedGear, found: Moments, first: int
+    names: Sequence[str], excited: ExcitedGear, found: FormVariances, first: int
 ) -> dict[str, RandomLink]:
     own = excited.free.own
     loose = coordinates(excited.free).undetermined[:own]

@@ -115,7 +115,7 @@ def driven(matrix: Floats, by_input: Floats) -> Driven:
     return Driven(matrix, by_input, settled, basis[:, :count], basis[:, count:], columns)
 
 
-class Moments(NamedTuple):
+class FormVariances(NamedTuple):
     """Variances of forms of angles, of their rates and of the rates of these; NaN of none."""
 
     angles: Floats
@@ -123,18 +123,18 @@ class Moments(NamedTuple):
     accelerations: Floats
 
 
-def moments(gear: ExcitedGear, spectrum: Spectrum, forms: Floats) -> Moments:
+def form_variances(gear: ExcitedGear, spectrum: Spectrum, forms: Floats) -> FormVariances:
     """The variances of forms of the angles of links, shape (forms, links)."""
     if isinstance(spectrum, SpectrumPoints):
         exists = _existing_at_points(gear, spectrum, forms)
         edges = [omega for omega, _ in spectrum.points]
-        return Moments(*_integrated(gear, spectrum, forms, edges, exists))
+        return FormVariances(*_integrated(gear, spectrum, forms, edges, exists))
     parts = [(spectrum.white, None)] if isinstance(spectrum, White) else _filters(spectrum)
     system = gear.first_order
     total = np.sum([_of_part(system, forms, size, one) for size, one in parts], axis=0)
     if gear.lossy:
         total = _integrated(gear, spectrum, forms, [0.0, math.inf], np.isfinite(total))
-    return Moments(*total)
+    return FormVariances(*total)
 
 
 _Filter = tuple[Floats, Floats, Floats]
