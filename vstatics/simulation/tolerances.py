@@ -33,6 +33,8 @@ SAME_END = 1e-13
 """A stretch that ends so near to the end of a piece ends there."""
 AHEAD = 1e-7
 """Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
+SIGHT = 1e-6
+"""The same where what changes follows from speeds, whose rounding is larger."""
 LEAST_DURATION = 1e-9
 """Slopes are taken over a part of no shorter one. [s]"""
 NO_PROGRESS = 1e-5

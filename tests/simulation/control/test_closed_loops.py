@@ -57,6 +57,26 @@ torques: {e: 90, o: -40}
     assert not motion.events
 
 
+@pytest.mark.parametrize("control", ["p", "p + 0*speed('e')", "12.5*speed('x')"])
+def test_a_controlled_clutch_gives_its_torque_to_a_spring_over_a_link_without_inertia(
+    control: str,
+) -> None:
+    """T = 50 t slows 2 kg*m^2 and moves 3; the spring grows with 50/2000 rad/s."""
+    motion = simulated(
+        f"""duration: 1
+start: {{speeds: {{e: 100, m: 0, o: 0, x: 0}}}}
+states: {{p: {{rate: 50}}}}
+controls: {{C: "{control}"}}
+torques: {{x: 4}}
+""",
+        "links: [e, m, o, x]\ninertias: {e: 2, o: 3, x: 1}\nshift_elements: {C: {links: [e, m]}}\n"
+        "springs: {S: {links: [m, o], stiffness: 2000}}\n",
+    )
+    engine, output = 100 - 50 / 4, 50 / 6
+    assert motion.speeds[-1, :3] == pytest.approx([engine, output + 50 / 2000, output], rel=1e-8)
+    assert motion.torques[:, 0] == pytest.approx(motion.torques[:, 1], abs=1e-6)
+
+
 def test_a_rate_of_3_t_is_one_of_the_time_and_no_mass() -> None:
     """X = 3 t^2/2, so the momentum of 2 kg*m^2 is t^3/2."""
     motion = simulated("""duration: 2

@@ -28,6 +28,8 @@ class Look(NamedTuple):
     at: Callable[[float, Sequence[float]], float]
     along: Callable[[Floats, Floats], Floats]
     """At many times, with what is seen as rows."""
+    places: tuple[int, ...] = ()
+    """What of all that it sees."""
 
 
 class Programme(NamedTuple):

@@ -15,6 +15,7 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import curve_along, slope_of
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.ports import Ports, States
@@ -28,6 +29,7 @@ from vstatics.simulation.tolerances import (
     LEAST_SENSE,
     NEWTON_STEP,
     NO_SENSE,
+    SIGHT,
     STRAIGHT_BALANCE,
 )
 
@@ -100,6 +102,13 @@ class Equations:
     def _split_light(self) -> None:
         """Which motions without inertia are found by torques, which by slopes of torques."""
         structure, ports = self.structure, self.ports
+        self.unsensed: list[tuple[int, Look]] = []
+        """Ports, with their torques, of those that see something, but no such motion."""
+        for port, look in ports.looks:
+            rates = [place for place in look.places if place < self.layout.ports]
+            ports.senses_rate[port] = structure.light_rates[rates].any()
+            if not ports.senses_rate[port]:
+                self.unsensed.append((port, look))
         sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), NO_SENSE), 0.0)
         scale = sensed.max(initial=0.0) or 1.0
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
@@ -156,6 +165,8 @@ class Equations:
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, angles, self.within)
+            if self.unsensed:
+                self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
         speeds = np.zeros(self.light)
@@ -176,6 +187,27 @@ class Equations:
             if largest(change) <= NEWTON_STEP * max(1.0, largest(speeds)):
                 break
         return speeds
+
+    def _see_ahead(
+        self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
+    ) -> None:
+        """Fill in the slopes of torques that see something, by rates and motions that are known."""
+        (rates, _), moving = known, slice(self.works.start)
+        change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
+        torques = self.torques(time, state, rates)
+        turning = self.structure.rates @ change[: self.motions]
+
+        ahead = self._sight(time)
+        aheads = [part * ahead for part in (0.0, 0.5, 1.0)]
+        seen = [
+            self.changes.seen(
+                time, state[moving] + ahead * change, rates + ahead * turning, torques
+            )
+            for ahead in aheads
+        ]
+        for port, look in self.unsensed:
+            now, middle, later = map(look.at, [time + one for one in aheads], seen)
+            slopes[port] = (4 * middle - 3 * now - later) / ahead
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Rates of ports, and speeds of the motions without inertia."""
@@ -371,8 +403,17 @@ class Equations:
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
         """Change of the state with time; the slopes of limits of springs may be known."""
-        structure = self.structure
-        rates, light = self.rates(time, state)
+        return self._change(time, state, self.rates(time, state), slopes)
+
+    def _change(
+        self,
+        time: float,
+        state: Floats,
+        known: tuple[Floats, Floats],
+        slopes: Floats | None = None,
+    ) -> Floats:
+        """The same by rates of ports and speeds of motions without inertia."""
+        structure, (rates, light) = self.structure, known
         torques = self.torques(time, state, rates)
         change = np.empty(self.size)
         change[: self.motions] = structure.accelerations @ torques
@@ -415,6 +456,7 @@ class Equations:
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
         """Of limits too that see something: straight ahead, by the motion that follows of them."""
         slopes, moving = slopes.copy(), slice(self.works.start)
+        step = self._sight(time)
         for _ in range(_LIMIT_ROUNDS):
             change, before = self.derivative(time, state, slopes), slopes.copy()
 
@@ -423,13 +465,19 @@ class Equations:
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
                 return np.array([look.at(then, seen) for _, look in self.seen_limits])
 
-            now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
-            slopes[[index for index, _ in self.seen_limits]] = (
-                4 * middle - 3 * now - later
-            ) / self.within
+            now, middle, later = (torques(part * step) for part in (0.0, 0.5, 1.0))
+            slopes[[index for index, _ in self.seen_limits]] = (4 * middle - 3 * now - later) / step
             if np.allclose(slopes, before):
                 break
         return slopes
+
+    def _sight(self, time: float) -> float:
+        """Over which time it is told how what is seen changes [s]: the last one, if it can be.
+
+        Ahead there may be a corner.
+        """
+        step = SIGHT * max(self.system.scenario.duration, LEAST_DURATION)
+        return -step if time - step > self.time else step
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
         """How twists grow where springs slip: by their dampers, or with their limits.

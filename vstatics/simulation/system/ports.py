@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +19,6 @@ from vstatics.model.converters import Converter
 from vstatics.model.parts import Law
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
-from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.programme import (
     Look,
@@ -127,7 +127,7 @@ class Ports:
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             law = one.law.knowing(system.settings) if isinstance(one.law, Formula) else one.law
             if isinstance(law, Formula) and law.seen:
-                self._seeing(index, one.link, law, place)
+                self._seeing(index, law, place)
             else:
                 self._outside(index, law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
@@ -247,11 +247,9 @@ class Ports:
             else:
                 self.by_angle.append((port, place, slope))
 
-    def _seeing(self, port: int, link: int, law: Formula, place: int) -> None:
+    def _seeing(self, port: int, law: Formula, place: int) -> None:
         """An outside torque that sees more than its own link."""
-        name = self.system.names[link]
         self.looks.append((port, looking(self.system, law, port, place)))
-        self.senses_rate[port] = "speed" in law.variables or Seen("speed", name) in law.seen
         if law.switches:
             self.switching.append(port)
 
@@ -316,8 +314,9 @@ class Ports:
             made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
             return made
 
-        self.looks.append((port, Look(torque, torques)))
-        self.senses_rate[port] = True
+        looks = (one for one in (programme.look, programme.rub) if one)
+        places = chain([port] * bool(slope), *(one.places for one in looks))
+        self.looks.append((port, Look(torque, torques, tuple(places))))
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -67,7 +68,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         The place of its own angle among those that are followed; -1: it has none.
     """
     function, along = formula.function, formula.along
-    inputs = [
+    inputs: list[Look] = [
         fixed(system.settings[one.of])
         if one.word == "value" and one.of in system.settings
         else _place_seen(place_of(system, one))
@@ -83,7 +84,8 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         own = seen[turned] if turned >= 0 else 0.0
         return along(times, seen[rate], own, *[one.along(times, seen) for one in inputs])
 
-    return Look(value, values)
+    places = [turned] * (turned >= 0) + [rate] * ("speed" in formula.variables)
+    return Look(value, values, (*places, *chain.from_iterable(one.places for one in inputs)))
 
 
 class Compared(NamedTuple):
@@ -154,7 +156,7 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
 
 
 def _place_seen(place: int) -> Look:
-    return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place])
+    return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place], (place,))
 
 
 def fixed(value: float) -> Look:
@@ -182,6 +184,7 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     rub = Look(
         lambda _time, seen: table.at(abs(seen[slip]), seen[temperature]),
         lambda _times, seen: table.along(np.abs(seen[slip]), seen[temperature]),
+        (slip, temperature),
     )
     timed = Look(lambda time, _seen: curve.at(time), lambda times, _seen: curve_along(curve, times))
     return programme._replace(look=programme.look or timed, rub=rub)
