@@ -10,13 +10,14 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.errors import CaseError, listed, nearest, quoted
+from vstatics.model.converters import Converter
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
 from vstatics.simulation.record.rows import Kind, friction_areas, road_radii, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
-from vstatics.simulation.scenario.parts import Converter, Scenario
+from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
 
