@@ -95,7 +95,7 @@ OTHERS = {
 }
 """Of a file that is one of these."""
 SCENARIO_MEASURES: tuple[Measure, ...] = (
-    *("time", "si_torque", "si_speed", "mass", "length", "area", "pump_factor"),
+    *("time", "si_torque", "si_speed", "mass", "length", "area", "velocity", "pump_factor"),
 )
 
 

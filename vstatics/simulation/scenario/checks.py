@@ -29,7 +29,7 @@ from vstatics.simulation.scenario.formula import (
     Vocabulary,
     formula_tree,
 )
-from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
+from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
@@ -292,11 +292,29 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
             road = (*path, "road")
             yield from _of_range(law.mass, "a mass", (*road, "mass"), above_0=True)
             yield from _of_range(law.radius, "a radius", (*road, "radius"), above_0=True)
-            yield from _of_range(law.rolling, "a coefficient", (*road, "rolling"))
+            yield from _of_rolling(law.rolling, (*road, "rolling"))
             yield from _of_range(law.drag_area, "an area", (*road, "drag_area"))
             if not -1 <= law.slope <= 1:
                 expected = "expected the sine of an angle, from -1 to 1"
                 yield Problem("E645", f"read {law.slope:g}, {expected}", (*road, "slope"))
+
+
+def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
+    """A coefficient, or points over the speed."""
+    if not isinstance(rolling, tuple):
+        yield from _of_range(rolling, "a coefficient", path)
+        return
+    before = -math.inf
+    for number, (speed, part) in enumerate(rolling, 1):
+        here = (*path, "points", number)
+        yield from _of_range(speed, "a speed", (*here, 1))
+        yield from _of_range(part, "a coefficient", (*here, 2))
+        if not speed > before:
+            message = f"read {speed:g} behind {before:g}, expected speeds that rise"
+            yield Problem("E889", message, (*here, 1))
+        before = speed
+    if not rolling:
+        yield Problem("E889", "read no point, expected one at least", (*path, "points"))
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:

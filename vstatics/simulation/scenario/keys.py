@@ -15,6 +15,7 @@ from vstatics.model.shape import (
     ByForm,
     ByKey,
     ByName,
+    Either,
     KeyShape,
     Leaf,
     ListOf,
@@ -104,6 +105,25 @@ def _control(curve: Parsed) -> ByForm:
     )
 
 
+_ROLLING = Either(
+    NUMBER,
+    "points",
+    ByKey(
+        "Rolling resistance over speed",
+        "Points, straight between, constant outside.",
+        (
+            KeyShape("over", Leaf("choice", ("speed",)), "Of the vehicle.", required=True),
+            KeyShape(
+                "points",
+                ListOf(RowOf((Leaf("velocity"), NUMBER), "speed, coefficient"), unique=False),
+                "Speed in m/s, from 0 on, coefficient.",
+                required=True,
+                examples=([[0, 0.01], [30, 0.016]],),
+            ),
+        ),
+        lambda points, over="speed": points if over else (),
+    ),
+)
 ROAD = ByKey(
     "Road",
     "What a road does to a vehicle, on a link that turns as its wheels; g is 9.81 m/s^2, the "
@@ -111,7 +131,12 @@ ROAD = ByKey(
     (
         KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=_ABOVE_0),
         KeyShape("radius", Leaf("length"), "Of the wheels, in m.", required=True, limits=_ABOVE_0),
-        KeyShape("rolling", NUMBER, "Coefficient of rolling resistance.", default=0),
+        KeyShape(
+            "rolling",
+            _ROLLING,
+            "Coefficient of rolling resistance; or points over the speed of the vehicle.",
+            default=0,
+        ),
         KeyShape(
             "drag_area", Leaf("area"), "Frontal area by coefficient of air drag, in m^2.", default=0
         ),

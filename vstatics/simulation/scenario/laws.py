@@ -78,6 +78,10 @@ class Resistance(NamedTuple):
     """[N*m]"""
 
 
+SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
+"""Speeds of 0 or more that rise, each with a number; constant outside."""
+
+
 class Road(NamedTuple):
     """What a road does to a vehicle, on a link that turns as its wheels."""
 
@@ -85,22 +89,46 @@ class Road(NamedTuple):
     """[kg]"""
     radius: float
     """Of the wheels. [m]"""
-    rolling: float = 0.0
-    """Coefficient of the rolling resistance. [-]"""
+    rolling: float | SpeedPoints = 0.0
+    """Coefficient of the rolling resistance; or points, from the speed of the vehicle. [m/s, -]"""
     drag_area: float = 0.0
     """Coefficient of air drag by frontal area. [m^2]"""
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
 
     @property
+    def weight_torque(self) -> float:
+        """Of its weight at the rim of the wheels [N*m]."""
+        return self.radius * self.mass * GRAVITY
+
+    @property
     def rolling_torque(self) -> float:
         """Dry friction: it acts against the speed, and holds at rest up to this [N*m]."""
-        return self.radius * self.mass * GRAVITY * self.rolling
+        at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
+        return self.weight_torque * at_rest
+
+    @property
+    def rolling_growth(self) -> Points | None:
+        """The torque by which rolling resistance is another one in motion than at rest.
+
+        Examples
+        --------
+        >>> Road(1000 / GRAVITY, 0.5, rolling=((0.0, 0.01), (20.0, 0.03))).rolling_growth
+        Points(x=(-40.0, 0.0, 40.0), y=(10.0, 0.0, -10.0), over='speed')
+        """
+        if not isinstance(self.rolling, tuple):
+            return None
+        speeds = [speed / self.radius for speed, _ in self.rolling]
+        torques = [self.weight_torque * part - self.rolling_torque for _, part in self.rolling]
+        back = slice(None, 0 if speeds[0] == 0 else None, -1)
+        x = (*(-one for one in speeds[back]), *speeds)
+        y = (*torques[back], *(0.0 - one for one in torques))
+        return Points(x, y, "speed")
 
     @property
     def climbing_torque(self) -> float:
         """Of the ascent [N*m]."""
-        return self.radius * self.mass * GRAVITY * self.slope
+        return self.weight_torque * self.slope
 
     def torque(self, speed: Any) -> Any:
         """By ascent and air, at a speed of the wheels or an array of them [N*m].

@@ -239,10 +239,17 @@ class ScenarioValues:
         if given.resistance is not None:
             return Resistance(float(given.resistance))
         if given.road is not None:
-            return Road(*map(float, given.road))
+            return Road(*map(_road_number, given.road))
         along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
         return self._curve(getattr(given, key), "si_torque", (*path, key), along=along)
+
+
+def _road_number(given: Any) -> Any:
+    """A number, or points over the speed."""
+    if isinstance(given, Sequence):
+        return tuple((float(speed), float(part)) for speed, part in given)
+    return float(given)
 
 
 def _as_curve(given: Any) -> Curve:

@@ -267,6 +267,8 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         elif isinstance(law, Road):
             friction = law.rolling_torque
             outside.append(OutsideTorque(link - 1, law))
+            if (growth := law.rolling_growth) is not None:
+                outside.append(OutsideTorque(link - 1, growth))
         else:
             jumps, pieces = split_at_jumps(law)
             number = first + len(contacts)
