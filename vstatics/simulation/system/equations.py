@@ -155,7 +155,7 @@ class Equations:
             left: Floats = self.by_torque.T @ (structure.balances @ torques)
             if not self.by_slope.shape[1]:
                 return left
-            slopes = ports.slopes(time, at, angles, self.within)
+            slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
         speeds = np.zeros(self.light)
@@ -302,7 +302,7 @@ class Equations:
         """Whether matrices can tell the motion, as far as torques are straight on the way."""
         if self.system.variators:
             return False
-        if self.light and not self.light_is_straight and self.ports.looks:
+        if self.light and not self.light_is_straight and (self.ports.looks or self.ports.struts):
             return False
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
@@ -320,6 +320,13 @@ class Equations:
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
+    def strut_slopes(self, state: Floats) -> Floats:
+        """Of the torques of struts by their twists [N/m]."""
+        twists = state[self.twists]
+        return np.array(
+            [curve.strut.slope(float(twists[index])) for index, curve in self.ports.struts]
+        )
+
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
         """Changes, with the state, of torques that see the box and of the rates of values.
 
@@ -329,6 +336,8 @@ class Equations:
         """
         looks, first = self.seeing, self.layout.ports
         made = np.zeros((first + len(self.layout.values), self.works.start))
+        for (index, _), slope in zip(self.ports.struts, self.strut_slopes(state), strict=True):
+            made[self.layout.springs + index, self.twists.start + index] = slope
         if not looks and not self.layout.values:
             return made
 
@@ -408,7 +417,8 @@ class Equations:
         """Changes of the limits of springs with time [N*m/s]."""
         slopes = self.ports.c1
         if self.ports.timed:
-            slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
+            parts = (state[self.twists], state[self.angles])
+            slopes = self.ports.slopes(time, rates, *parts, self.within)
         slopes = slopes[self.layout.spring_ports]
         return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
 

@@ -16,6 +16,8 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.model.converters import Converter
 from vstatics.model.parts import Law
+from vstatics.model.springs import TwistCurve
+from vstatics.model.struts import StrutCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
@@ -101,17 +103,26 @@ class Ports:
         """Of springs where they are steepest. [N*m/rad]"""
         self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
-        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2)
+        lines = np.array([_line(one.curve, piece) for one, piece in pieces]).reshape(-1, 2)
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends, lines.T, 0.0)
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
+        self.struts = [
+            (index, one.curve)
+            for index, one in enumerate(system.springs)
+            if isinstance(one.curve, StrutCurve)
+        ]
+        """Springs whose torques bend with their twists."""
+        for index, curve in self.struts:
+            self.all_elastic[layout.springs + index] = curve.steepest
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
         self.bending = sorted(
             {port for port, *_ in self.special}
             | {port for port, _ in self.roads}
             | {port for port, _ in self.looks}
+            | {layout.springs + index for index, _ in self.struts}
             | set(range(layout.pumps, layout.sensors))
         )
         """Ports whose torques are not straight in rates, twists and angles."""
@@ -148,8 +159,7 @@ class Ports:
         time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
-        if len(twists):
-            torques[layout.spring_ports] += self.elastic * twists
+        self._add_elastic(torques, twists)
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -180,8 +190,7 @@ class Ports:
         if self.c1.any():
             torques += self.c1[:, None] * times
         layout = self.layout
-        if len(twists):
-            torques[layout.spring_ports] += self.elastic[:, None] * twists
+        self._add_elastic(torques, twists)
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -201,6 +210,12 @@ class Ports:
             torques[pump], torques[turbine] = made
         return torques
 
+    def _add_elastic(self, torques: Floats, twists: Floats) -> None:
+        """Add the torques of springs; of both, times may follow behind ports and springs."""
+        torques[self.layout.spring_ports] += (self.elastic * twists.T).T
+        for index, curve in self.struts:
+            torques[self.layout.springs + index] += curve.at(twists[index])
+
     def inside(self, times: Floats) -> Floats:
         """Times as formulas are asked for them; the same array where it lies inside."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
@@ -208,11 +223,16 @@ class Ports:
             return clipped
         return times
 
-    def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
+    def slopes(
+        self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
+    ) -> Floats:
         """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
+        for index, curve in self.struts:
+            port = self.layout.springs + index
+            slopes[port] += curve.strut.slope(twists[index]) * rates[port]
         for port, formula, factor in self.timed:
             slopes[port] = factor * slope_of(formula.function, time, within)
         for port, place, function, _ in self.special:
@@ -330,6 +350,11 @@ class Ports:
             self.c1[port] = factor * slope
             return
         self.timed.append((port, curve, factor))
+
+
+def _line(curve: TwistCurve | StrutCurve, piece: int) -> tuple[float, float]:
+    """What of a spring is straight, on a piece of its points: torque at a twist of 0, and slope."""
+    return (0.0, 0.0) if isinstance(curve, StrutCurve) else curve.piece(piece)
 
 
 def converter_torques(

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.model.springs import SpringLimit
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
@@ -127,7 +128,7 @@ def corners(system: MotionSystem) -> list[list[Compared]]:
             found += [(state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
     for when in conditions(system):
         found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
-    made = [[one] for one in _rubbing_corners(system)]
+    made = [[one] for one in (*_rubbing_corners(system), *_vanishing_limits(system))]
     for formula, pairs, rate, angle in found:
         trees = [Applied("-", pair, 0, 0) for pair in pairs]
         if variables(trees[0]) - {"t"} - {*system.settings}:
@@ -153,6 +154,13 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
                 yield Compared(_place_seen(slip), fixed(one))
 
 
+def _vanishing_limits(system: MotionSystem) -> Iterator[Compared]:
+    """Where limits that follow other springs are cut at 0."""
+    for one in system.springs:
+        if one.programme.follows and one.programme.look:
+            yield Compared(one.programme.look, fixed(0.0))
+
+
 def _place_seen(place: int) -> Look:
     return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place])
 
@@ -172,6 +180,8 @@ def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> Motion
 
 def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     programme, curve = device.programme, device.programme.curve
+    if programme.follows:
+        return programme._replace(look=_following(system, programme.follows))
     if isinstance(curve, Formula) and curve.seen:
         programme = programme._replace(look=looking(system, curve))
     table = programme.table
@@ -185,6 +195,23 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     )
     timed = Look(lambda time, _seen: curve.at(time), lambda times, _seen: curve_along(curve, times))
     return programme._replace(look=programme.look or timed, rub=rub)
+
+
+def _following(system: MotionSystem, limit: SpringLimit) -> Look:
+    """A limit by the torque of another spring, and of its damper."""
+    [index] = (n for n, one in enumerate(system.springs) if one.name == limit.of)
+    curve, viscous = system.springs[index].curve, system.springs[index].viscous
+    rate, twist = system.layout.springs + index, system.layout.ports + index
+
+    def value(_time: float, seen: Sequence[float]) -> float:
+        torque = curve.at(seen[twist]) + viscous * seen[rate]
+        return float(limit.base + limit.times * torque)
+
+    def values(_times: Floats, seen: Floats) -> Floats:
+        torques = np.array([curve.at(one) for one in seen[twist].tolist()]) + viscous * seen[rate]
+        return np.asarray(limit.base + limit.times * torques)
+
+    return Look(value, values)
 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
