@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -30,12 +32,14 @@ def gas_force(strut: Strut, z: float) -> float:
     """``P(0) - P(z)`` by (4.16) as it is printed."""
 
     def force(z: float) -> float:
-        above = strut.pressure * strut.area * (strut.length / (strut.length + z)) ** strut.exponent
+        above: float = (
+            strut.pressure * strut.area * (strut.length / (strut.length + z)) ** strut.exponent
+        )
         if strut.counter_length is None:
             return above
         below = strut.counter_pressure * strut.counter_area
-        ratio = strut.counter_length / (strut.counter_length - z)
-        return above - below * ratio**strut.exponent
+        ratio: float = strut.counter_length / (strut.counter_length - z)
+        return float(above - below * ratio**strut.exponent)
 
     return force(0.0) - force(z)
 
@@ -153,20 +157,13 @@ def grip_reference(base: float, times: float, damping: float) -> tuple[list[floa
             return float(slips * (rates[2] - change(t, x, slips)[5]))
         return float(base + times * (3000 * x[3] + damping * rates[0]) - abs(2500 * x[5]))
 
-    margin.terminal, margin.direction = True, -1  # type: ignore[attr-defined] # of solve_ivp
     met, t, x, slips = [], 0.0, np.zeros(6), 0
     while t < 1:
-        made = solve_ivp(
-            change,
-            (t, 1),
-            x,
-            "DOP853",
-            args=(slips,),
-            events=margin,
-            rtol=1e-10,
-            atol=1e-11,
-            max_step=0.01,
-        )
+        leaves: Any = partial(margin, slips=slips)
+        leaves.terminal, leaves.direction = True, -1
+        moves = partial(change, slips=slips)
+        exact: Any = {"rtol": 1e-10, "atol": 1e-11, "max_step": 0.01}
+        made = solve_ivp(moves, (t, 1), x, "DOP853", events=leaves, **exact)
         t, x = float(made.t[-1]), made.y[:, -1]
         if t < 1:
             met.append(t)
