@@ -10,10 +10,15 @@ from scipy.linalg import eigh
 
 from tests.chance import count, generator
 from vstatics import readers
-from vstatics.model.springs import Spring
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, SpringLimit
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.tables.straight import in_both_units
+from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.vibration.gear_modes import modes
+from vstatics.torsion.vibration.grids import modes_grids
+from vstatics.writers.named import write_yaml
 
 AXLE = """
 masses: {{body: {body} kg, axle: {axle}}}
@@ -207,3 +212,24 @@ def test_any_forms_vibrate_by_their_matrices(seed: int) -> None:
     assert omegas(case) == pytest.approx(
         np.sqrt(eigh(stiffness, mass, eigvals_only=True)), rel=1e-6
     )
+
+
+def test_orders_belong_to_what_turns() -> None:
+    case = readers.loads(AXLE.format(**GAZ_53A))
+    with pytest.raises(CaseError, match="link body moves straight, so it has no revolutions"):
+        response(case, "body", [Harmonic(1.0)], [100.0])
+
+
+def test_tables_tell_both_units() -> None:
+    case = readers.loads(AXLE.format(**GAZ_53A))
+    titles = [grid.title for grid in in_both_units(case, modes_grids(modes(case)))]
+    assert "Gear 1: torques of devices at these amplitudes [N*m/rad; straight N/m]" in titles
+
+
+def test_what_moves_straight_is_written_as_it_is_read() -> None:
+    """Each key of a suspension survives YAML; so does a limit that follows another spring."""
+    text = STRUT.format(load=6620, p=38, area=208.9, l=11, q=17, counter=77, m=16, at=4.2)
+    text += "  tyre: {links: [body], stiffness: 3 kN/m, limit: {base: 20 N, of: strut, times: .3}}"
+    case = readers.loads(text)
+    assert readers.loads(write_yaml(case)) == case
+    assert case.springs[1].limit == SpringLimit(20.0, "strut", 0.3)

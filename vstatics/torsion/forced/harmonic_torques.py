@@ -159,10 +159,10 @@ def response(  # noqa: PLR0913 - all but the first by name
     (array([0.013889]), [])
     """
     asked = asked_gears(case, gears)
-    if case.link_number(at) in case.masses:
+    if (number := case.link_number(at)) in case.masses:
         message = f"link {at} moves straight, so it has no revolutions: expected a link that turns"
-        raise CaseError("E547", message)
-    link, given = case.link_number(at) - 1, np.asarray(speeds, dtype=np.float64)
+        raise CaseError("E547", message, ("masses", number))
+    link, given = number - 1, np.asarray(speeds, dtype=np.float64)
     working = [working_gear(case, gear, speed_ratios) for gear in asked]
     return [_gear_response(one, link, harmonics, given) for one in working]
 
