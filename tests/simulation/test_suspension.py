@@ -186,6 +186,44 @@ def test_grip_follows_the_load_of_the_wheel(base: float, times: float, damping: 
     assert abs(motion.energy.balance) < 1e-6
 
 
+@pytest.mark.parametrize(
+    "rear",
+    [
+        Spring(between(3), 8e5, name="rear"),
+        pytest.param(Spring(between(3), strut=GAS, name="rear"), marks=pytest.mark.slow),
+        Spring(between(3), points=[(0, 0), (0.01, 500), (0.02, 4000)], name="rear"),
+        pytest.param(Spring(between(3), 8e5, damping=2e3, name="rear"), marks=pytest.mark.slow),
+    ],
+    ids=["straight", "strut", "points", "damped"],
+)
+def test_grip_follows_what_bends_and_comes_back_from_nothing(rear: Spring) -> None:
+    """No torque beyond the limit, which falls to 0 and rises again; energy closes."""
+    tyre = Spring({1: 1, 2: -1}, 900.0, name="tyre", limit=SpringLimit(20.0, "rear", 0.01))
+    case = Transmission(3, [], [], [], springs=[rear, tyre], inertias={1: 1, 2: 3}, masses={3: 500})
+    motion = simulate(Scenario(case, 0.3, Start(speeds={1: 9.0, 2: 0.0, 3: -0.3})))
+    load, grip = (motion.torques[:, motion.devices.index(name)] for name in ("rear", "tyre"))
+    assert motion.stopped is None
+    assert (np.abs(grip) <= np.maximum(20 + 0.01 * load, 0) + 1e-7).all()
+    assert {event.event for event in motion.events} == {"slips", "locks"}
+    assert abs(motion.energy.balance) < 1e-8
+
+
+@pytest.mark.slow
+def test_a_limit_by_a_formula_comes_back_from_nothing(tmp_path: Path) -> None:
+    """A formula that is bent, where it rises from 0 as fast as the spring is wound up."""
+    (tmp_path / "case.yaml").write_text(
+        "{inertias: {a: 1, b: 3, c: 500}, springs: {rear: {links: [c], stiffness: 8e5},"
+        " tyre: {links: [a, b], stiffness: 900}}}"
+    )
+    (tmp_path / "scenario.yaml").write_text(
+        "{case: case.yaml, duration: 0.75, start: {speeds: {a: 9, b: 0, c: -.3}},"
+        " limits: {tyre: \"20 + 8000*(twist('rear') + 3*twist('rear')**2)\"}}"
+    )
+    motion = simulate(load_scenario(tmp_path / "scenario.yaml"))
+    assert motion.stopped is None
+    assert abs(motion.energy.balance) < 1e-8
+
+
 def test_a_wheel_that_lifts_off_has_no_grip() -> None:
     """The limit is cut at 0, beyond which the load would be below 0."""
     start = Start(speeds={1: 0.0, 2: 0.0, 3: 3.0})

@@ -42,6 +42,10 @@ class TwistCurve(NamedTuple):
         slope = (above - below) / (right - left)
         return below - slope * left, slope
 
+    def alone(self, number: int) -> TwistCurve:
+        """The straight line of a piece, without its ends."""
+        return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
+
     @property
     def bends(self) -> bool:
         """Whether it is not straight through 0."""

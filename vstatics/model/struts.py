@@ -90,6 +90,10 @@ class StrutCurve(NamedTuple):
         """What stands for its slope: that at rest [N/m]."""
         return self.strut.slope(0.0)
 
+    def piece(self, number: int) -> tuple[float, float]:  # noqa: ARG002 - as of other springs
+        """What of it is straight: nothing."""
+        return 0.0, 0.0
+
     def at(self, twist: Any) -> Any:
         """The force [N] at one or at many twists [m]; no number out of reach."""
         import numpy as np  # costs start-up time

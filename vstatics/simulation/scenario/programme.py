@@ -60,6 +60,12 @@ class Programme(NamedTuple):
         made = self.factor * min(max(self.look.at(time, seen), 0.0), most)
         return made * self.rub.at(time, seen) if self.rub else made
 
+    def uncut_at(self, time: float, seen: Sequence[float]) -> float:
+        """The same without any cut."""
+        assert self.look is not None  # noqa: S101 - it is asked of these alone
+        made = self.factor * self.look.at(time, seen)
+        return made * self.rub.at(time, seen) if self.rub else made
+
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
         """The same at many times, with what is seen as rows."""
         assert self.look is not None  # noqa: S101 - it is asked of these alone

@@ -70,15 +70,10 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
-        looks = dict(self.ports.looks)
-        self.seen_limits = [
-            (index, looks[layout.springs + index])
-            for index in np.flatnonzero(self.limited).tolist()
-            if layout.springs + index in looks
-        ]
-        """Springs that slip at limits which see something: index, torque."""
-        limits = {layout.springs + index for index, _ in self.seen_limits}
-        self.seeing = [port for port in looks if port not in limits]
+        self.seen_limits = [one for one in self.ports.limits if self.limited[one[0]]]
+        """Springs that slip at limits which see something: index, sign, limit."""
+        limits = {layout.springs + index for index, *_ in self.seen_limits}
+        self.seeing = [port for port, _ in self.ports.looks if port not in limits]
         """Ports whose torques see something and count as they are, not by their slopes."""
         self.driving = [
             (layout.contacts + one.of, row)
@@ -425,18 +420,20 @@ class Equations:
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
         """Of limits too that see something: straight ahead, by the motion that follows of them."""
         slopes, moving = slopes.copy(), slice(self.works.start)
+        at = self.changes.seen_at(time, state[moving])
         for _ in range(_LIMIT_ROUNDS):
             change, before = self.derivative(time, state, slopes), slopes.copy()
 
-            def torques(ahead: float, change: Floats = change) -> Floats:
+            def limits(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
-                return np.array([look.at(then, seen) for _, look in self.seen_limits])
+                return np.array([one.uncut_at(then, seen) for *_, one in self.seen_limits])
 
-            now, middle, later = (torques(part * self.within) for part in (0.0, 0.5, 1.0))
-            slopes[[index for index, _ in self.seen_limits]] = (
-                4 * middle - 3 * now - later
-            ) / self.within
+            now, middle, later = (limits(part * self.within) for part in (0.0, 0.5, 1.0))
+            risen = (4 * middle - 3 * now - later) / self.within
+            for (index, sign, one), slope in zip(self.seen_limits, risen, strict=True):
+                is_cut = one.seen_at(time, at) != one.uncut_at(time, at)
+                slopes[index] = 0.0 if is_cut else sign * slope
             if np.allclose(slopes, before):
                 break
         return slopes

@@ -16,7 +16,6 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.model.converters import Converter
 from vstatics.model.parts import Law
-from vstatics.model.springs import TwistCurve
 from vstatics.model.struts import StrutCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
@@ -37,7 +36,7 @@ from vstatics.simulation.system.curves import (
     slope_of,
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
-from vstatics.simulation.system.sight import looking
+from vstatics.simulation.system.sight import following, looking
 
 
 class States(NamedTuple):
@@ -89,6 +88,8 @@ class Ports:
         """Port, its torque by the time alone, and by what that is multiplied."""
         self.looks: list[tuple[int, Look]] = []
         """Port, its torque by the time and all that is seen."""
+        self.limits: list[tuple[int, float, Programme]] = []
+        """Springs at limits that see something, with the sign of the torque."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
         """Between these formulas are asked: what jumps at an end does it outside."""
         self.converters = tuple(
@@ -103,7 +104,7 @@ class Ports:
         """Of springs where they are steepest. [N*m/rad]"""
         self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
-        lines = np.array([_line(one.curve, piece) for one, piece in pieces]).reshape(-1, 2)
+        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2)
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends, lines.T, 0.0)
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
@@ -150,7 +151,7 @@ class Ports:
                 self.by_rate[port] = spring.viscous
                 self.senses_rate[port] = spring.viscous != 0
             elif state != "open":
-                self._programme(port, spring.programme, SIGNS[state], time)
+                self._limited(index, SIGNS[state], states, time)
 
     def torques(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
@@ -315,6 +316,16 @@ class Ports:
 
         self.special.append((port, -1, torque, one_by_one(torque)))
 
+    def _limited(self, index: int, sign: float, states: States, time: float) -> None:
+        """A spring at its limit; one that follows another does so on the piece of its points."""
+        programme = self.system.springs[index].programme
+        if programme.follows:
+            pieces = states.pieces[self.layout.curves :]
+            programme = programme._replace(look=following(self.system, programme.follows, pieces))
+        if programme.look is not None:
+            self.limits.append((index, sign, programme))
+        self._programme(self.layout.springs + index, programme, sign, time)
+
     def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
         def torque(_time: float, slip: float, _angle: float) -> float:
             found: float = drag.at(abs(slip))
@@ -350,11 +361,6 @@ class Ports:
             self.c1[port] = factor * slope
             return
         self.timed.append((port, curve, factor))
-
-
-def _line(curve: TwistCurve | StrutCurve, piece: int) -> tuple[float, float]:
-    """What of a spring is straight, on a piece of its points: torque at a twist of 0, and slope."""
-    return (0.0, 0.0) if isinstance(curve, StrutCurve) else curve.piece(piece)
 
 
 def converter_torques(

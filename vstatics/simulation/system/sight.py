@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.springs import SpringLimit
+from vstatics.model.springs import SpringLimit, TwistCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
@@ -181,7 +181,7 @@ def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> Motion
 def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     programme, curve = device.programme, device.programme.curve
     if programme.follows:
-        return programme._replace(look=_following(system, programme.follows))
+        return programme._replace(look=following(system, programme.follows))
     if isinstance(curve, Formula) and curve.seen:
         programme = programme._replace(look=looking(system, curve))
     table = programme.table
@@ -197,11 +197,19 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     return programme._replace(look=programme.look or timed, rub=rub)
 
 
-def _following(system: MotionSystem, limit: SpringLimit) -> Look:
-    """A limit by the torque of another spring, and of its damper."""
+def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:
+    """A limit by the torque of another spring, and of its damper.
+
+    Parameters
+    ----------
+    pieces : sequence of int
+        On which springs are, where it holds there alone.
+    """
     [index] = (n for n, one in enumerate(system.springs) if one.name == limit.of)
     curve, viscous = system.springs[index].curve, system.springs[index].viscous
     rate, twist = system.layout.springs + index, system.layout.ports + index
+    if pieces and isinstance(curve, TwistCurve):
+        curve = curve.alone(pieces[index])
 
     def value(_time: float, seen: Sequence[float]) -> float:
         torque = curve.at(seen[twist]) + viscous * seen[rate]
