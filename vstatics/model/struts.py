@@ -54,13 +54,19 @@ class Strut(NamedTuple):
         return -self.length, -self.chambers[1][1] if len(self.chambers) > 1 else math.inf
 
     def slope(self, longer: float) -> float:
-        """Its stiffness [N/m] where it is so much longer than at rest [m]."""
-        n = self.exponent
-        slope: float = sum(
-            n * force / length * (1 + longer / length) ** (-n - 1)
-            for force, length in self.chambers
-        )
-        return slope
+        """Its stiffness [N/m] where it is so much longer than at rest [m]; no number out of reach.
+
+        Of numbers that no strut has it may be infinite.
+        """
+        import numpy as np  # costs start-up time
+
+        power = -self.exponent - 1
+        with np.errstate(all="ignore"):
+            slopes = (
+                self.exponent * force / length * np.exp(power * np.log1p(longer / length))
+                for force, length in self.chambers
+            )
+            return float(sum(slopes))
 
     def completed(self) -> Strut:
         """The same with floats."""
@@ -99,7 +105,7 @@ class StrutCurve(NamedTuple):
         import numpy as np  # costs start-up time
 
         n = self.strut.exponent
-        with np.errstate(invalid="ignore", divide="ignore"):
+        with np.errstate(all="ignore"):
             return sum(
                 -force * np.expm1(-n * np.log1p(twist / length))
                 for force, length in self.strut.chambers
@@ -107,11 +113,14 @@ class StrutCurve(NamedTuple):
 
     def energy(self, twist: float) -> float:
         """The integral of the force from a twist of 0 on [J]."""
+        import numpy as np  # costs start-up time
+
         stored, n = 0.0, self.strut.exponent
-        for force, length in self.strut.chambers:
-            grown = math.log1p(twist / length)
-            pushed = grown if n == 1 else math.expm1((1 - n) * grown) / (1 - n)
-            stored += force * (twist - length * pushed)
+        with np.errstate(all="ignore"):
+            for force, length in self.strut.chambers:
+                grown = np.log1p(twist / length)
+                pushed = grown if n == 1 else np.expm1((1 - n) * grown) / (1 - n)
+                stored += force * float(twist - length * pushed)
         return stored
 
     def twist_at(self, force: float) -> float | None:

@@ -161,10 +161,14 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
     if any(counter) and not all(counter):
         message = "expected `counter_pressure`, `counter_area` and `counter_length`, or none"
         yield Problem("E543", message, path)
-    elif strut.length > 0 and not strut.reach[0] < strut.at < strut.reach[1]:
+    elif strut.length > 0:
         least, most = strut.reach
-        message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
-        yield Problem("E544", message, (*path, "at"))
+        if not least < strut.at < most:
+            message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
+            yield Problem("E544", message, (*path, "at"))
+        elif not strut.slope(strut.at) < math.inf:
+            message = "its stiffness is beyond all numbers, expected sizes of a strut"
+            yield Problem("E548", message, path)
     if spring.points:
         yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
     yield from _beside("strut", spring, path[:-1])

@@ -58,6 +58,12 @@ FAULTS = [
         "springs.s.strut.at: read -0.11, expected more than -0.11 and less than inf m",
     ),
     (
+        "strut-beyond-numbers.yaml",
+        3,
+        29,
+        "springs.s.strut: its stiffness is beyond all numbers, expected sizes of a strut",
+    ),
+    (
         "strut-beside-stiffness.yaml",
         3,
         33,
