@@ -140,7 +140,9 @@ class Chain:
         self.rates = np.array([one.rate for one in case.springs])
         self.damping = np.array([getattr(one.damping, "viscous", 0.0) for one in case.springs])
         [self.limited] = [n for n, one in enumerate(case.springs) if one.limit is not None]
-        self.limit = case.springs[self.limited].limit or 0.0
+        limit = case.springs[self.limited].limit
+        assert isinstance(limit, float)  # noqa: S101 - it follows nothing
+        self.limit = limit
         [self.law] = [
             one.law for one in (scenario.controls or {}).values() if isinstance(one, Capacity)
         ]

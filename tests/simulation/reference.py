@@ -237,6 +237,7 @@ def _torque(
 
 
 def _road(road: Road, speed: float, smoothing: float) -> float:
+    assert not isinstance(road.rolling, tuple), "by points: tests/simulation/test_rolling.py"
     travel = speed * road.radius
     rolling = road.rolling * float(np.tanh(speed / smoothing)) + road.slope
     air = 1.2 * road.drag_area * travel * abs(travel) / 2

@@ -79,7 +79,7 @@ def _laws(case: TransmissionFields) -> Iterator[Problem]:
 
 def _moves(case: TransmissionFields) -> bool:
     """Whether it is a case by its springs or inertias alone."""
-    return bool(case.springs or case.inertias)
+    return bool(case.springs or case.inertias or case.masses)
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
@@ -132,7 +132,7 @@ def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     """Sizes that devices can fill; so no case asks for more memory than its text holds."""
     joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
-    joined += sum(len(spring.twist) for spring in case.springs) + len(case.inertias)
+    joined += sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
     moves = _moves(case)
     if case.links < (1 if moves else 2):
         expected = "at least 1 link" if moves else "at least 2 links (input and output)"
@@ -154,7 +154,7 @@ def _counted(case: TransmissionFields) -> str:
     """What can join links, in words."""
     parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
     parts += [f"{len(case.springs)} springs"] * bool(case.springs)
-    return spoken(parts + [f"{len(case.inertias)} inertias"] * bool(case.inertias))
+    return spoken(parts + [f"{len(case.heavy)} inertias"] * bool(case.heavy))
 
 
 def _names(case: TransmissionFields) -> Iterator[Problem]:

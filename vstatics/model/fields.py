@@ -81,6 +81,7 @@ class TransmissionFields:
     vehicle: Vehicle | None = None
     fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
     allow: Sequence[str] = ()
+    masses: Mapping[int, float] = field(default_factory=dict)
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 
@@ -96,6 +97,15 @@ class TransmissionFields:
     def own_links(self) -> int:
         """How many links the case itself has, without those of planets."""
         return self.links if self.drawing is None else self.drawing.links
+
+    @property
+    def heavy(self) -> dict[int, float]:
+        """Inertias of links that turn, masses of those that move straight [kg*m^2, kg]."""
+        return {**self.inertias, **self.masses}
+
+    def is_straight(self, spring: Spring) -> bool:
+        """Whether a spring is in N/m: its twist has a link that moves straight."""
+        return any(link in self.masses for link in spring.form)
 
     @cached_property
     def own_devices(self) -> Sequence[OwnDevice]:

@@ -449,6 +449,13 @@ CASE = ByKey(
             examples=({"engine": 0.15},),
         ),
         KeyShape(
+            "masses",
+            Numbers("link", Leaf("mass"), {"minimum": 0}),
+            "Masses of links that move straight, in kg: their ways are in m, springs between them "
+            "in N/m.",
+            examples=({"body": "1140 kg"},),
+        ),
+        KeyShape(
             "springs",
             ByName("spring", SPRING),
             "Elastic devices in order, each under its name; with them or with inertias a case may "

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, Self, TypeAlias
 
 Measure = Literal[
     "inertia",
@@ -30,8 +30,47 @@ Measure = Literal[
     "pump_factor",
     "heat_capacity",
     "cooling",
+    "force",
+    "straight_stiffness",
+    "straight_compliance",
+    "straight_damping",
 ]
 """What is given in SI, with its unit or without."""
+UNIT_OF: Mapping[Measure, str] = {
+    "inertia": "kg*m^2",
+    "stiffness": "N*m/rad",
+    "compliance": "rad/(N*m)",
+    "damping": "N*m*s/rad",
+    "mass": "kg",
+    "length": "m",
+    "si_torque": "N*m",
+    "si_speed": "rad/s",
+    "area": "m^2",
+    "section_modulus": "m^3",
+    "stress": "Pa",
+    "pressure": "Pa",
+    "time": "s",
+    "angle": "rad",
+    "velocity": "m/s",
+    "pump_factor": "N*m*s^2",
+    "heat_capacity": "J/K",
+    "cooling": "W/K",
+    "force": "N",
+    "straight_stiffness": "N/m",
+    "straight_compliance": "m/N",
+    "straight_damping": "N*s/m",
+}
+"""What bare numbers are in."""
+STRAIGHT: Mapping[Measure, Measure] = {
+    "stiffness": "straight_stiffness",
+    "compliance": "straight_compliance",
+    "damping": "straight_damping",
+    "si_torque": "force",
+    "angle": "length",
+    "si_speed": "velocity",
+}
+"""What stands, where something moves straight, for a measure of what turns."""
+
 LeafKind = (
     Measure
     | Literal[
@@ -66,6 +105,21 @@ class Leaf(NamedTuple):
     choices: tuple[str, ...] = ()
     infinite: bool = False
     """Whether a number may be `.inf`."""
+    straight: bool = False
+    """Whether its measure may also be that of what moves straight."""
+
+
+class InUnit(float):
+    """A number in SI that knows what its unit measures."""
+
+    measure: Measure | None
+    """None: it is bare."""
+
+    def __new__(cls, value: float, measure: Measure | None) -> Self:
+        """Keep what it measures."""
+        made = super().__new__(cls, value)
+        made.measure = measure
+        return made
 
 
 class Links(NamedTuple):

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from vstatics.model.parts import HOUSING, NO_DAMPING, Damping
+from vstatics.model.struts import Strut, StrutCurve
 
 Twist = tuple[tuple[int, float], ...]
 """Links with their coefficients: the twist is the sum of coefficient times angle."""
@@ -40,6 +41,10 @@ class TwistCurve(NamedTuple):
         below, above = self.torques[number : number + 2]
         slope = (above - below) / (right - left)
         return below - slope * left, slope
+
+    def alone(self, number: int) -> TwistCurve:
+        """The straight line of a piece, without its ends."""
+        return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
 
     @property
     def bends(self) -> bool:
@@ -106,6 +111,39 @@ def straight_curve(stiffness: float) -> TwistCurve:
     return TwistCurve((-1.0, 1.0), (-stiffness, stiffness))
 
 
+class SpringLimit(NamedTuple):
+    """A limit that follows the torque of another spring, as grip does the load of a wheel, (5.8).
+
+    Parameters
+    ----------
+    base : float
+        Where the other has none. [N*m]
+    of : str
+        The other spring.
+    times : float
+        What its torque, or force, adds by its size; the limit is never below 0. [-, m]
+    """
+
+    base: float
+    of: str
+    times: float
+
+
+def limit_of(base: float, of: str = "", times: float = 0.0) -> float | SpringLimit:
+    """A limit by the keys of a case."""
+    return SpringLimit(base, of, times) if of else base
+
+
+def limit_fault(of: str = "", times: float | None = None, **_others: Any) -> str:
+    """Why these keys do not tell a limit.
+
+    >>> limit_fault("suspension")
+    'expected `of` and `times` both, or none of them'
+    """
+    told = bool(of) == (times is not None)
+    return "" if told else "expected `of` and `times` both, or none of them"
+
+
 class Spring(NamedTuple):
     """An elastic device: a torque by a twist, which is any linear form of angles.
 
@@ -124,13 +162,15 @@ class Spring(NamedTuple):
         A number is viscous. [N*m*s/rad]
     name : str
         ``S`` and the number when not given.
-    limit : float, optional
+    limit : float or SpringLimit, optional
         In a scenario its torque stays within it, the rest is slip, as of a tyre. [N*m]
     points : sequence of (float, float), optional
         In place of a stiffness: twists, which rise, and torques, which do not fall. They begin
         with (0, 0) and hold in both directions, unless a twist is below 0. [rad, N*m]
     friction : float
         Dry friction beside it, in a scenario. [N*m]
+    strut : Strut, optional
+        In place of a stiffness.
 
     Examples
     --------
@@ -145,9 +185,10 @@ class Spring(NamedTuple):
     compliance: float | None = None
     damping: Damping | float = NO_DAMPING
     name: str = ""
-    limit: float | None = None
+    limit: float | SpringLimit | None = None
     points: Sequence[tuple[float, float]] = ()
     friction: float = 0.0
+    strut: Strut | None = None
 
     @property
     def form(self) -> dict[int, float]:
@@ -157,14 +198,18 @@ class Spring(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """The stiffness [N*m/rad], whichever of the two is given; of points the steepest."""
+        """The stiffness [N*m/rad], whichever is given; of points the steepest."""
+        if self.strut:
+            return self.strut.slope(self.strut.at)
         if self.points:
             return self.curve.steepest
         return self.stiffness if self.stiffness is not None else 1 / (self.compliance or 0.0)
 
     @property
-    def curve(self) -> TwistCurve:
+    def curve(self) -> TwistCurve | StrutCurve:
         """Its torque over its twist, in both directions."""
+        if self.strut:
+            return StrutCurve(self.strut)
         points = [*self.points]
         if not points:
             return straight_curve(self.rate)
@@ -225,7 +270,9 @@ def spring_record(spring: Spring) -> dict[str, Any]:
     """A spring by the keys of a case."""
     links = ends(spring.twist)
     twist = spring.form if links is None else None
-    return {**spring._asdict(), "links": links, "twist": twist}
+    limit = spring.limit
+    told = limit if limit is None or isinstance(limit, SpringLimit) else {"base": limit}
+    return {**spring._asdict(), "links": links, "twist": twist, "limit": told}
 
 
 def spring_name(number: int) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from typing import Any
 
 from vstatics.errors import Path, Problem, nearest, quoted
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
@@ -12,7 +13,10 @@ from vstatics.model.converters import Converter
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, expect, of_characteristic, of_link
 from vstatics.model.parts import HOUSING, Damping, damping, element_name, mechanism_name
-from vstatics.model.springs import Spring, ends, spring_name
+from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit
+from vstatics.model.springs import Spring, SpringLimit, ends, spring_name
+
+_TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
@@ -21,6 +25,13 @@ def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
         path = ("inertias", link)
         yield from of_link(link, path, case.own_links, lowest=1)
         yield from not_negative(inertia, "an inertia", path)
+    for link, mass in case.masses.items():
+        path = ("masses", link)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        yield from not_negative(mass, "a mass", path)
+        if link in case.inertias:
+            message = f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
+            yield Problem("E540", f"{message}, expected it in one of them", path)
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
     for number, element in enumerate(case.shift_elements, 1):
@@ -49,10 +60,23 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if not any(link != HOUSING for link in twist):
         message = "the twist is empty, expected at least one link with its coefficient"
         yield Problem("E251", message, (*path, "twist"))
+    yield from _of_units(case, spring, path)
+    yield from _of_elastic_law(case, spring, path)
+    if isinstance(spring.limit, SpringLimit):
+        yield from _of_followed(case, spring.limit, (*path, "limit"))
+    elif spring.limit is not None:
+        yield from above_0(spring.limit, "a torque", (*path, "limit"))
+    yield from not_negative(spring.friction, "a torque", (*path, "friction"))
+
+
+def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """A stiffness, or what stands in its place, and a damping."""
     if spring.points:
         yield from _of_points(spring, path)
+    if spring.strut:
+        yield from _of_strut(case, spring, (*path, "strut"))
     given = (spring.stiffness, spring.compliance)
-    if given.count(None) == 2 and not spring.points:
+    if given.count(None) == 2 and not (spring.points or spring.strut):
         message = "there is no `stiffness`, no `compliance` and no `points`, expected one of them"
         yield Problem("E252", message, path)
     elif None not in given:
@@ -60,9 +84,6 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     if spring.compliance is not None:
         yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
     yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
-    if spring.limit is not None:
-        yield from above_0(spring.limit, "a torque", (*path, "limit"))
-    yield from not_negative(spring.friction, "a torque", (*path, "friction"))
 
 
 def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
@@ -84,12 +105,89 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
         yield Problem("E691", message, (*here, 1))
     if not last[1] > first[1]:
         yield Problem("E692", "expected two points at least, and a torque that rises", here)
+    yield from _beside("points", spring, path)
+
+
+def _beside(own: str, spring: Spring, path: Path) -> Iterator[Problem]:
+    """Nothing beside points, or a strut, that they exclude."""
     given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
     given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
     for name, read in given.items():
         if read:
             what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
-            yield Problem("E693", f"read {what} beside `points`, expected none", (*path, name))
+            yield Problem("E693", f"read {what} beside `{own}`, expected none", (*path, name))
+
+
+def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """Units are those of what turns, or of what moves straight, as the spring does."""
+    straight = [link for link in spring.form if link in case.masses]
+    named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
+    numbers: list[tuple[Path, Any]] = [
+        ((name,), getattr(spring, name)) for name in ("stiffness", "compliance", "friction")
+    ]
+    limit, damped = spring.limit, spring.damping
+    numbers += [
+        (("limit",), limit.base if isinstance(limit, SpringLimit) else limit),
+        (("damping",), damped.viscous if isinstance(damped, Damping) else damped),
+    ]
+    for number, point in enumerate(spring.points, 1):
+        numbers += [(("points", number, place), one) for place, one in enumerate(point, 1)]
+    for inner, value in numbers:
+        why = f"its twist names {named} `masses`"
+        yield from _of_unit(value, why, (*path, *inner), straight=bool(straight))
+
+
+def _of_unit(value: Any, why: str, path: Path, *, straight: bool) -> Iterator[Problem]:
+    measure = value.measure if isinstance(value, InUnit) else None
+    expected = measure and (STRAIGHT if straight else _TURNING).get(measure)
+    if measure and expected:
+        message = f"read a number in {UNIT_OF[measure]}, expected one in {UNIT_OF[expected]}"
+        yield Problem("E541", f"{message}: {why}", path)
+
+
+def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """A strut of a straight spring: numbers above 0, a counter chamber that is whole or none."""
+    strut = spring.strut
+    assert strut is not None  # noqa: S101 - it is asked of these alone
+    if not case.is_straight(spring):
+        message = "its twist names no link of `masses`, expected one: a strut is in m and N"
+        yield Problem("E542", message, path)
+    whole = ("pressure", "area", "length", "exponent")
+    for name in (*whole, *["counter_length"] * (strut.counter_length is not None)):
+        yield from above_0(getattr(strut, name), "a number", (*path, name))
+    for name in ("counter_pressure", "counter_area"):
+        yield from not_negative(getattr(strut, name), "a number", (*path, name))
+    counter = (strut.counter_pressure, strut.counter_area, strut.counter_length)
+    if any(counter) and not all(counter):
+        message = "expected `counter_pressure`, `counter_area` and `counter_length`, or none"
+        yield Problem("E543", message, path)
+    elif strut.length > 0:
+        least, most = strut.reach
+        if not least < strut.at < most:
+            message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
+            yield Problem("E544", message, (*path, "at"))
+        elif not strut.slope(strut.at) < math.inf:
+            message = "its stiffness is beyond all numbers, expected sizes of a strut"
+            yield Problem("E548", message, path)
+    if spring.points:
+        yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
+    yield from _beside("strut", spring, path[:-1])
+
+
+def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
+    """A limit by the torque of another spring that bends alone."""
+    yield from not_negative(limit.base, "a torque", (*path, "base"))
+    right = math.isfinite(limit.times) and limit.times != 0
+    yield from expect(limit.times, "a number other than 0", (*path, "times"), right=right)
+    names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
+    if limit.of not in names:
+        message = f"read {quoted(limit.of)}, expected the name of a spring"
+        yield Problem("E545", f"{message}{nearest(limit.of, names)}", (*path, "of"))
+        return
+    other = case.springs[names.index(limit.of)]
+    if other.limit is not None or other.friction:
+        message = f"{quoted(limit.of)} slips or rubs itself, expected a spring without `limit`"
+        yield Problem("E546", f"{message} and `friction`", (*path, "of"))
 
 
 def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Problem]:
@@ -109,6 +207,8 @@ def of_elastic(
         yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
     here = (*path, "damping")
+    if not always:
+        yield from _of_unit(viscous, "it turns", here, straight=False)
     yield from not_negative(viscous, "a damping", (*here, "viscous"))
     yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
     if (viscous or loss_factor) and stiffness is None and not always:

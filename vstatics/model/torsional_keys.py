@@ -9,6 +9,7 @@ from vstatics.model.parts import damping_fault, damping_of
 from vstatics.model.shape import (
     LINK,
     NUMBER,
+    TEXT,
     ByKey,
     Either,
     Ends,
@@ -19,10 +20,11 @@ from vstatics.model.shape import (
     Numbers,
     RowOf,
 )
-from vstatics.model.springs import spring_fault, spring_of
+from vstatics.model.springs import limit_fault, limit_of, spring_fault, spring_of
+from vstatics.model.struts import Strut
 
 DAMPING = Either(
-    Leaf("damping"),
+    Leaf("damping", straight=True),
     "viscous",
     ByKey(
         "Damping",
@@ -30,7 +32,7 @@ DAMPING = Either(
         (
             KeyShape(
                 "viscous",
-                Leaf("damping"),
+                Leaf("damping", straight=True),
                 "Torque by rate of twist, in N*m*s/rad.",
                 default=0,
                 limits={"minimum": 0},
@@ -72,6 +74,72 @@ ELASTIC = (
 )
 """Of devices that are rigid but for vibration."""
 
+LIMIT = Either(
+    Leaf("si_torque", straight=True),
+    "base",
+    ByKey(
+        "Limit",
+        "A limit that follows the torque of another spring, as grip does the load of a wheel.",
+        (
+            KeyShape(
+                "base",
+                Leaf("si_torque", straight=True),
+                "Where the other spring has none, in N*m.",
+                required=True,
+                limits={"minimum": 0},
+            ),
+            KeyShape("of", TEXT, "The other spring."),
+            KeyShape("times", NUMBER, "What its torque adds to the base by its size."),
+        ),
+        limit_of,
+        limit_fault,
+    ),
+    written=True,
+)
+
+STRUT = ByKey(
+    "Strut",
+    "Gas above a piston, and below it if there is a counter chamber: p V^exponent is constant.",
+    (
+        KeyShape(
+            "pressure",
+            Leaf("pressure"),
+            "At rest, in Pa.",
+            required=True,
+            limits=ABOVE_0,
+            examples=("38 at",),
+        ),
+        KeyShape("area", Leaf("area"), "Of the piston, in m^2.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "length",
+            Leaf("length"),
+            "Volume of the gas at rest by that area, in m.",
+            required=True,
+            limits=ABOVE_0,
+            examples=("11 cm",),
+        ),
+        KeyShape("exponent", NUMBER, "Polytropic.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "counter_pressure",
+            Leaf("pressure"),
+            "In the counter chamber at rest, in Pa.",
+            default=0,
+            limits={"minimum": 0},
+        ),
+        KeyShape(
+            "counter_area", Leaf("area"), "Towards it, in m^2.", default=0, limits={"minimum": 0}
+        ),
+        KeyShape("counter_length", Leaf("length"), "Of it, in m.", limits=ABOVE_0),
+        KeyShape(
+            "at",
+            Leaf("length"),
+            "How much longer than at rest the strut is where its slope is the stiffness of modes.",
+            default=0,
+        ),
+    ),
+    Strut,
+)
+
 SPRING = ByKey(
     "Spring",
     "An elastic device: torque by twist.",
@@ -89,10 +157,15 @@ SPRING = ByKey(
             "In place of links: any sum of angles, by coefficients.",
             examples=({"pinion": 1, "wheel": -1, "casing": -1},),
         ),
-        KeyShape("stiffness", Leaf("stiffness"), "In N*m/rad.", limits=ABOVE_0),
+        KeyShape(
+            "stiffness",
+            Leaf("stiffness", straight=True),
+            "In N*m/rad; of a spring whose twist names a link of `masses` in N/m.",
+            limits=ABOVE_0,
+        ),
         KeyShape(
             "compliance",
-            Leaf("compliance"),
+            Leaf("compliance", straight=True),
             "In place of the stiffness, in rad/(N*m).",
             limits=ABOVE_0,
             examples=(84e-5,),
@@ -100,14 +173,19 @@ SPRING = ByKey(
         _DAMPING,
         KeyShape(
             "limit",
-            Leaf("si_torque"),
+            LIMIT,
             "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
-            limits=ABOVE_0,
-            examples=("3000 N*m",),
+            examples=("3000 N*m", {"base": 2400, "of": "suspension", "times": 0.24}),
         ),
         KeyShape(
             "points",
-            ListOf(RowOf((Leaf("angle"), Leaf("si_torque")), "twist, torque"), "points"),
+            ListOf(
+                RowOf(
+                    (Leaf("angle", straight=True), Leaf("si_torque", straight=True)),
+                    "twist, torque",
+                ),
+                "points",
+            ),
             "In place of a stiffness: twists in rad, which rise, and torques in N*m, which do not "
             "fall, from [0, 0] on in both directions; with a twist below 0 as they are written. "
             "Beyond them the last slope holds.",
@@ -115,12 +193,13 @@ SPRING = ByKey(
         ),
         KeyShape(
             "friction",
-            Leaf("si_torque"),
+            Leaf("si_torque", straight=True),
             "In a scenario dry friction beside it, in N*m.",
             default=0,
             limits={"minimum": 0},
             examples=("14 N*m",),
         ),
+        KeyShape("strut", STRUT, "In place of a stiffness, of a spring that is straight."),
     ),
     spring_of,
     spring_fault,

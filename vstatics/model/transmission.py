@@ -23,7 +23,7 @@ from vstatics.model.parts import (
     element_name,
     mechanism_name,
 )
-from vstatics.model.springs import spring_name
+from vstatics.model.springs import SpringLimit, spring_name
 
 __all__ = [
     "HOUSING",
@@ -76,6 +76,8 @@ class Transmission(TransmissionFields):
         What the box is in.
     fatigue : mapping of str to Fatigue
         By names of devices: what they bear.
+    masses : mapping of int to float
+        Of links that move straight; what is told of the others in rad is in m. [kg]
 
     Raises
     ------
@@ -258,6 +260,7 @@ def _completed(case: Transmission) -> dict[str, object]:
             _gear(case, gear, number) for number, gear in enumerate(case.gears or (Gear(),), 1)
         ),
         "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
+        "masses": {link: float(mass) for link, mass in case.masses.items()},
         "springs": tuple(
             spring._replace(
                 twist=tuple(spring.form.items()),
@@ -265,7 +268,8 @@ def _completed(case: Transmission) -> dict[str, object]:
                 compliance=_float(spring.compliance),
                 damping=damping(spring.damping),
                 name=spring.name or spring_name(number),
-                limit=_float(spring.limit),
+                limit=_limit(spring.limit),
+                strut=spring.strut and spring.strut.completed(),
                 points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
                 friction=float(spring.friction),
             )
@@ -314,6 +318,12 @@ def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:
     if isinstance(speed, SpeedOf):
         return SpeedOf(speed.link, float(speed.factor))
     return _related(speed, whole)
+
+
+def _limit(limit: float | SpringLimit | None) -> float | SpringLimit | None:
+    if isinstance(limit, SpringLimit):
+        return SpringLimit(float(limit.base), limit.of, float(limit.times))
+    return _float(limit)
 
 
 def _float(value: float | None) -> float | None:

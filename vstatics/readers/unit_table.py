@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
-from vstatics.model.shape import Measure
+from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
-from vstatics.readers.named.si_units import UNIT_OF, measured
+from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
 
 MOST_TABLE_ROWS = 1_000_000

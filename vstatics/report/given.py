@@ -10,14 +10,15 @@ from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
-from vstatics.model.springs import Spring, ends
+from vstatics.model.springs import Spring, SpringLimit, ends
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of
 from vstatics.tables.html import Markup, tables, terms
+from vstatics.tables.straight import in_both_units
 
 _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
-    *("inertias", "springs"),
+    *("inertias", "masses", "springs"),
 )
 """What has a place of its own on the page."""
 _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
@@ -176,6 +177,9 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
     if case.inertias:
         of_links = ((case.link_name(link), _number(one)) for link, one in case.inertias.items())
         yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
+    if case.masses:
+        of_links = ((case.link_name(link), _number(one)) for link, one in case.masses.items())
+        yield grid_of("Masses", ["link", "mass, kg"], of_links)
     if case.springs:
         rows: list[Values] = [
             (
@@ -183,14 +187,15 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
                 twist_text(case, one),
                 *_stiffness(one),
                 *_damped(one),
-                _number(one.limit),
+                _limit(one),
                 _number(one.friction or None),
             )
             for one in case.springs
         ]
         headings = ("spring", "twist", "stiffness, N*m/rad", "compliance, rad/(N*m)")
         more = (*DAMPED, "limit, N*m", "friction, N*m")
-        yield grid_of("Springs", (*headings, *more), rows, optional=more)
+        made = grid_of("Springs", (*headings, *more), rows, optional=more)
+        yield from in_both_units(case, [made])
 
 
 def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
@@ -200,9 +205,19 @@ def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
 
 def _stiffness(spring: Spring) -> list[Cell]:
     """Stiffness and compliance; of points how many there are."""
+    if spring.strut:
+        return [_number(spring.rate), Cell("strut")]
     if spring.points:
         return [Cell(f"{len(spring.points)} points", None), _number(None)]
     return [_number(spring.rate), _number(1 / spring.rate)]
+
+
+def _limit(spring: Spring) -> Cell:
+    """The limit; of one that follows another spring its base, and how."""
+    limit = spring.limit
+    if isinstance(limit, SpringLimit):
+        return Cell(f"{limit.base:.6g} + {limit.times:.6g} of {limit.of}")
+    return _number(limit)
 
 
 def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:

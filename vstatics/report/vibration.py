@@ -45,7 +45,7 @@ def vibrates(case: Transmission) -> bool:
     """
     drawing = drawing_of(case)
     elements = drawing.elements if drawing is not None else ()
-    heavy = any(case.inertias.values()) or any(one.planet_masses for one in elements)
+    heavy = any(case.heavy.values()) or any(one.planet_masses for one in elements)
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     return heavy and (bool(case.springs) or any(one.stiffness is not None for one in parts))
 

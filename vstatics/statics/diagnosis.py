@@ -60,7 +60,7 @@ def _messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
-    if case.inertias and (untold := torques.without_load(case)):
+    if case.heavy and (untold := torques.without_load(case)):
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag

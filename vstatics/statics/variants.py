@@ -212,13 +212,13 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
             *("name", "description", "source", "link_names", "load", "allow"),
-            *("drawing", "_lowered", "inertias", "dump", "vehicle", "fatigue"),
+            *("drawing", "_lowered", "inertias", "masses", "dump", "vehicle", "fatigue"),
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),
     Mechanism: frozenset({"name", "stiffness", "damping", "is_set"}),
     Spring: frozenset(
-        {"name", "stiffness", "compliance", "damping", "limit", "points", "friction"}
+        {"name", "stiffness", "compliance", "damping", "limit", "points", "friction", "strut"}
     ),
     Gear: frozenset({"name", "load", "balance"}),
 }

@@ -70,7 +70,7 @@ def _moving(case: Transmission) -> list[tuple[float, dict[int, float]]]:
     drawing = drawing_of(case)
     planets = planet_inertias(drawing) if drawing else ()
     return [
-        *((inertia, {link: 1.0}) for link, inertia in case.inertias.items() if inertia),
+        *((inertia, {link: 1.0}) for link, inertia in case.heavy.items() if inertia),
         *((one.inertia, dict(one.speed)) for one in planets),
     ]
 

@@ -120,8 +120,12 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
     from vstatics.torsion.system.coordinates import coordinates
     from vstatics.torsion.system.state import vibrating
 
-    heavy = {target.owner + 1: 1.0 for target in targets if target.quantity == "inertia"}
-    case = replace(case, inertias={**case.inertias, **heavy})
+    varied = [target.owner + 1 for target in targets if target.quantity == "inertia"]
+    for link in varied:
+        if link in case.masses:
+            case = replace(case, masses={**case.masses, link: 1.0})
+        else:
+            case = replace(case, inertias={**case.inertias, link: 1.0})
     systems = [vibrating(case, gear) for gear in case.gears]
     counts = [1 if isinstance(one, str) else coordinates(one).modes for one in systems]
     return [str(number) for number in range(1, max(counts, default=0) + 1)]

@@ -47,7 +47,7 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     elements = drawing.elements if drawing else ()
     yield "converter", [one.name for one in case.converters]
     yield "speed ratio", [one.name for one in case.mechanisms if one.kind]
-    yield "inertia", [case.link_name(link) for link, one in case.inertias.items() if one]
+    yield "inertia", [case.link_name(link) for link, one in case.heavy.items() if one]
     yield "stiffness", [part.name for part in parts if part.stiffness is not None]
     yield "damping", [part.name for part in parts if part.damping]
     yield "static friction", [one.name for one in case.shift_elements if one.static != 1]

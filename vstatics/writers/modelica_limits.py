@@ -50,6 +50,8 @@ def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     yield "the limit of", [one.name for one in case.springs if one.limit is not None]
     yield "the converter", [one.name for one in case.converters]
     yield "the points of", [one.name for one in case.springs if one.points]
+    yield "the strut of", [one.name for one in case.springs if one.strut]
+    yield "the mass of", [case.link_name(link) for link, one in case.masses.items() if one]
     yield "the friction of", [one.name for one in case.springs if one.friction]
     elastic: list[Spring | Mechanism] = [*case.springs, *mechanisms]
     yield "the loss factor of", [one.name for one in elastic if damping(one.damping).loss_factor]

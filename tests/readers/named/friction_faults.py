@@ -100,6 +100,6 @@ FAULTS = [
         "spring-limit-of-force.yaml",
         9,
         58,
-        "springs.tyre.limit: read '3 kN', expected a torque in N*m, bare or with its unit; this is a force",
+        "springs.tyre.limit: read a number in N, expected one in N*m: its twist names no link of `masses`",
     ),
 ]

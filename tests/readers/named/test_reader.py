@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from tests.readers.named.friction_faults import FAULTS as FRICTION_FAULTS
 from tests.readers.named.spring_faults import FAULTS as SPRING_FAULTS
+from tests.readers.named.straight_faults import FAULTS as STRAIGHT_FAULTS
 from vstatics.errors import Problem, ReadError
 from vstatics.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
@@ -206,6 +207,7 @@ FAULTS = [
     ("trailing-comma.json", 5, 37, "not JSON: read ']', expected a value"),
     *SPRING_FAULTS,
     *FRICTION_FAULTS,
+    *STRAIGHT_FAULTS,
 ]
 
 DIFFERENTIAL = """\

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.readers.named.test_units import FOOT, GRAVITY, LBF_FT, POUND
-from vstatics.model.shape import Measure
+from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.readers.named.scalars import NUMBER
-from vstatics.readers.named.si_units import UNIT_OF, WITH_UNIT, measured
+from vstatics.readers.named.si_units import WITH_UNIT, measured
 
 INCH = FOOT / 12
 EXACT: dict[Measure, dict[Fraction, str]] = {

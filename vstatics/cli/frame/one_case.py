@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import NamedTuple
 
 import click
@@ -17,6 +18,7 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import needs
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 from vstatics.tables.answer import Answer
 from vstatics.tables.grid import Grid
@@ -131,11 +133,19 @@ class OneCase(NamedTuple):
             reading = reading._replace(case=case)
             found = calculate(reading)
         found = found._replace(problems=not_allowed(found.problems, reading.case.allow))
+        if case.masses:
+            found = found._replace(grids=partial(_in_both_units, case, found.grids))
         tell(found.problems, self.telling._replace(notes=True), self.case)
         kept = found.write is None or found.write()
         show(self.case, to, case.name, found)
         fails = self.telling.fails([*reading.warnings, *found.problems])
         return FAILED if found.failed or fails or not kept else DONE
+
+
+def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> Iterator[Grid]:
+    from vstatics.tables.straight import in_both_units  # other cases do without
+
+    return in_both_units(case, grids())
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)

@@ -134,6 +134,7 @@ def show(
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
     from vstatics.simulation.record.grids import motion_grids
+    from vstatics.tables.straight import in_both_units
 
     title = read.name or read.scenario.case.name or file_name(scenario)
     targets = bool(read.scenario.targets)
@@ -144,7 +145,9 @@ def show(
             "npz": lambda _: as_npz(motion),
             "parquet": lambda _: as_parquet(motion),
         },
-        lambda: [*motion_grids(motion), *[damage_grid(motion.damage)] * damage],
+        lambda: in_both_units(
+            read.scenario.case, [*motion_grids(motion), *[damage_grid(motion.damage)] * damage]
+        ),
         lambda: motion_answer(motion, read.scenario.case.name, targets=targets, damage=damage),
         lay_out,
     )

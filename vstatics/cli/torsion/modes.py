@@ -36,8 +36,9 @@ def modes(
 ) -> int:
     """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
 
-    CASE has `inertias` of links [kg*m^2] and `springs`, mechanisms or shift elements with
-    a `stiffness` [N*m/rad]; everything else is rigid. For each mode: the frequency without
+    CASE has `inertias` of links [kg*m^2], or `masses` [kg] of those that move straight,
+    and `springs`, mechanisms or shift elements with a `stiffness` [N*m/rad; straight
+    N/m]; everything else is rigid. For each mode: the frequency without
     damping and with it, amplitudes of links (the largest is 1), torques of all devices at
     these, shares of the energy, the number of nodes. Given speeds, losses and drag take no
     part; freewheels hold as in `vstatics run`, and springs with `points` have their slopes

@@ -84,7 +84,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
         for name, links in _joined(case, state.gear)
     ]
     with_planets = {part.rpartition(".")[0] for part in modes.modes[0].kinetic} - {""}
-    kept = {link for link in moving if case.inertias.get(link)} | {state.input, state.output}
+    kept = {link for link in moving if case.heavy.get(link)} | {state.input, state.output}
     kept.update(*(links for name, links in joined if name in with_planets))
     joined = _loaded(moving - kept, joined)
     idle = moving - kept - {link for _, links in joined for link in links}
@@ -99,7 +99,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     return ModeLinks(
         tuple(row),
         tuple(names[link - 1] for link in row),
-        tuple(case.inertias.get(link, 0.0) > 0 for link in row),
+        tuple(case.heavy.get(link, 0.0) > 0 for link in row),
         tuple(_levelled(devices)),
         tuple(name for link, name in enumerate(names, 1) if link not in moving),
         tuple(names[link - 1] for link in sorted(idle)),

@@ -31,12 +31,14 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
         for part in ("shift_elements", "mechanisms", "springs", "gears")
     }
-    masses = ("springs", "inertias")
+    masses = ("springs", "inertias", "masses")
     given = any(values.get(key) or (key,) in walk.spots.unreadable for key in masses)
     if given and not parts["gears"]:
         parts["gears"] = [Gear()]  # so that drag of the case has a place
     load = values.get("load", Load())
-    common = Common(load, values.get("drag", {}), bool(values.get("inertias")))
+    common = Common(
+        load, values.get("drag", {}), bool(values.get("inertias") or values.get("masses"))
+    )
     elements, gears = in_gears(parts["shift_elements"], parts["gears"], common, walk.spots)
     return {
         **{key: values[key] for key in _OWN if key in values},

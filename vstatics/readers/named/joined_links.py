@@ -23,7 +23,7 @@ from vstatics.readers.named.nodes import (
 )
 from vstatics.readers.named.walk import Walk
 
-_HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name == "inertias"))
+_HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in ("inertias", "masses")))
 
 
 def is_listed(root: nodes.Mapping) -> bool:
@@ -76,7 +76,7 @@ def loose_links(
     carriers = {record.get("carrier") for record in values.get("elements", {}).values()}
     outputs = [values.get("output"), *values.get("outputs", ())]
     told = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
-    told.update(values.get("inertias", ()))
+    told.update((*values.get("inertias", ()), *values.get("masses", ())))
     for gear in gears:
         told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in told]

@@ -50,6 +50,13 @@ def _in_si(text: str, measure: Measure) -> float:
     return in_si(text, measure)
 
 
+def either_way(text: str, measure: Any) -> float:
+    """A number of what turns, or of what moves straight: it knows which, if its unit says so."""
+    from vstatics.readers.named.si_units import of_either  # likewise
+
+    return of_either(text, measure)
+
+
 def _drag(text: str) -> float:
     """A torque, or what depends on the speed w."""
     try:
@@ -87,6 +94,11 @@ LEAVES: dict[LeafKind, LeafReading] = {
     "flag": LeafReading("`true` or `false`", stand_in=False),
     "choice": LeafReading("text", None),
 }
+
+
+def parsed(text: str, kind: LeafKind) -> Any:
+    """A single value whose text alone tells it."""
+    return LEAVES[kind].parse(text)
 
 
 def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table

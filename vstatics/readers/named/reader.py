@@ -104,8 +104,8 @@ def read_case_tree(root: Node, found: Found) -> Reading:
         With every problem that can be told from the others.
     """
     expected = (
-        "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs` or "
-        "`inertias`"
+        "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs`, "
+        "`inertias` or `masses`"
     )
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
@@ -130,7 +130,7 @@ def read_case_tree(root: Node, found: Found) -> Reading:
 def _has_masses(root: Mapping) -> bool:
     """Whether springs or inertias are listed, so that a case may go without the rest."""
     return any(
-        key.text in ("springs", "inertias")
+        key.text in ("springs", "inertias", "masses")
         and not is_null(value)
         and (not isinstance(value, Mapping) or bool(value.entries))
         for key, value in root.entries

@@ -8,6 +8,8 @@ from typing import Any, get_args
 from vstatics.elements.keys import with_elements
 from vstatics.model.keys import CASE, with_masses
 from vstatics.model.shape import (
+    STRAIGHT,
+    UNIT_OF,
     Balances,
     ByForm,
     ByKey,
@@ -32,13 +34,13 @@ from vstatics.model.shape import (
 )
 from vstatics.model.torsional_keys import DAMPING
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
-from vstatics.readers.named.si_units import UNIT_OF, WITH_UNIT
+from vstatics.readers.named.si_units import WITH_UNIT
 from vstatics.readers.named.units import QUANTITY
 
 Words = dict[str, Any]
 
 _DAMPING = "any_damping"
-_IN_NO_CASE = frozenset(("pressure", "time", "velocity", "pump_factor"))
+_IN_NO_CASE = frozenset(("time", "velocity", "pump_factor", *STRAIGHT.values())) - {"length"}
 """Measures of scenarios alone."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {
@@ -72,7 +74,7 @@ _ENOUGH: tuple[Words, ...] = (
     },
     *(
         {"required": [key], "properties": {key: {**_GIVEN, **_NOT_EMPTY}}}
-        for key in ("springs", "inertias")
+        for key in ("springs", "inertias", "masses")
     ),
 )
 """What a case is made of, at least."""
@@ -86,7 +88,7 @@ def json_schema() -> Words:
     Examples
     --------
     >>> [one["required"] for one in json_schema()["anyOf"]]
-    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs'], ['inertias']]
+    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs'], ['inertias'], ['masses']]
     """
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

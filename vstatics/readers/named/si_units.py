@@ -6,10 +6,10 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 from vstatics.errors import spoken
-from vstatics.model.shape import Measure
+from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
 from vstatics.readers.named.units import LONGEST_UNIT, factors, with_article
 
@@ -19,30 +19,8 @@ WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×
 _Dimension = tuple[int, int, int, int, int]
 """Exponents of kg, m, s, rad, K."""
 
-UNIT_OF: dict[Measure, str] = {
-    "inertia": "kg*m^2",
-    "stiffness": "N*m/rad",
-    "compliance": "rad/(N*m)",
-    "damping": "N*m*s/rad",
-    "mass": "kg",
-    "length": "m",
-    "si_torque": "N*m",
-    "si_speed": "rad/s",
-    "area": "m^2",
-    "section_modulus": "m^3",
-    "stress": "Pa",
-    "pressure": "Pa",
-    "time": "s",
-    "angle": "rad",
-    "velocity": "m/s",
-    "pump_factor": "N*m*s^2",
-    "heat_capacity": "J/K",
-    "cooling": "W/K",
-}
-"""What bare numbers are in."""
 _FORMS: dict[str, tuple[str, ...]] = {
     "power": ("W",),
-    "force": ("N",),
     **{measure: (unit,) for measure, unit in UNIT_OF.items()},
     "compliance": ("rad/(N*m)", "1/(N*m)"),
     "damping": ("N*m*s/rad", "N*m*s"),
@@ -90,6 +68,7 @@ _OTHERS = {
         ("kPa кПа", 1000, 1),
         ("MPa МПа", 10**6, 1),
         ("bar бар", 10**5, 1),
+        ("at ат", 980665, 10),  # kgf/cm^2
         ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf by an inch squared
     )
     for word in words.split()
@@ -138,19 +117,6 @@ def measured(text: str, measure: Measure) -> float:
     raise ValueError(in_unit + told)
 
 
-class InUnit(float):
-    """A number in SI that knows what its unit measures."""
-
-    measure: Measure | None
-    """None: it is bare."""
-
-    def __new__(cls, value: float, measure: Measure | None) -> Self:
-        """Keep what it measures."""
-        made = super().__new__(cls, value)
-        made.measure = measure
-        return made
-
-
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
     """A number in SI, bare or with a unit of one of several measures.
 
@@ -174,6 +140,28 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
             continue
         return InUnit(value, measure if calculated(text).behind else None)
     raise ValueError(fault)
+
+
+def of_either(text: str, measure: Measure) -> InUnit:
+    """The same of a measure, or of that of what moves straight in its place.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> of_either("184 N/mm", "stiffness").measure
+    'straight_stiffness'
+    """
+    try:
+        return in_any_unit(text, (measure,))
+    except ValueError as error:
+        try:
+            return in_any_unit(text, (STRAIGHT[measure],))
+        except ValueError:
+            raise error from None
 
 
 @cache

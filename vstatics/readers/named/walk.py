@@ -37,7 +37,7 @@ from vstatics.model.shape import (
 )
 from vstatics.readers.named import compounds, laws, scalars
 from vstatics.readers.named.compounds import NO_MERGE, entries, is_merge, known_entries
-from vstatics.readers.named.leaves import LEAVES, stand_in, values_before
+from vstatics.readers.named.leaves import LEAVES, either_way, parsed, stand_in, values_before
 from vstatics.readers.named.nodes import (
     Listing,
     Mapping,
@@ -293,4 +293,5 @@ class Walk:
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
         infinite = shape.infinite and node.plain and node.text in scalars.INFINITE
-        return math.inf if infinite else LEAVES[shape.kind].parse(node.text)
+        read = either_way if shape.straight else parsed
+        return math.inf if infinite else read(node.text, shape.kind)

@@ -47,7 +47,9 @@ def with_viscous_damping(
         f"loss factors and damping ratios are taken as viscous damping at the lowest natural "
         f"frequency at the start, {frequency / (2 * math.pi):.4g} Hz"
     )
-    return replace(system, springs=springs), (Message("N601", text),)
+    return with_settings(replace(system, springs=springs), system.settings), (
+        Message("N601", text),
+    )
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
@@ -99,7 +101,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
         torque = max(-limit, min(limit, held.get(index, 0.0)))
         twist = spring.curve.twist_at(torque)
         if twist is None:
-            message = f"{spring.name} carries {torque:g} N*m, which its points do not reach"
+            message = f"{spring.name} carries {torque:g} N*m, which it never has"
             raise CaseError("E694", f"{message}: leave out `settled`", ("start", "settled"))
         twists[index] = twist
     return twists

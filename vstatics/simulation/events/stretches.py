@@ -268,6 +268,7 @@ class Closed:
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         by_state = equations.slopes_by_state(time, state)
         self.by_state = by_state[self.bending]
+        self.stiff = equations.strut_slopes(state)
         try:
             self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
@@ -283,8 +284,10 @@ class Closed:
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Whether the slopes in a state are others than those in the matrix."""
         slopes = self.equations.slopes_by_rate(time, state)[self.bending[: self.torques]]
-        largest = np.maximum(np.abs(slopes), np.abs(self.slopes))
-        return bool((np.abs(slopes - self.slopes) > 0.05 * largest).any())
+        slopes = np.append(slopes, self.equations.strut_slopes(state))
+        before = np.append(self.slopes, self.stiff)
+        largest = np.maximum(np.abs(slopes), np.abs(before))
+        return bool((np.abs(slopes - before) > 0.05 * largest).any())
 
     def _balanced(self) -> Floats:
         """Factors by which speeds and twists count alike: square roots of their energies."""

@@ -17,6 +17,7 @@ import numpy as np
 from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.converters import Converter
 from vstatics.model.parts import HOUSING
+from vstatics.model.springs import SpringLimit
 from vstatics.model.torsional_checks import of_converter
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.excerpt import Excerpt
@@ -202,8 +203,13 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
             yield Problem("E671", f"read spring {number}, {expected}", ("limits", str(number)))
             continue
         path = ("limits", springs[number - 1].name)
-        if springs[number - 1].points:
-            yield Problem("E693", "read a limit beside `points`, expected none", path)
+        spring = springs[number - 1]
+        if spring.points or spring.strut:
+            own = "points" if spring.points else "strut"
+            yield Problem("E693", f"read a limit beside `{own}`, expected none", path)
+        if spring.name in [one.limit.of for one in springs if isinstance(one.limit, SpringLimit)]:
+            message = f"another limit follows {quoted(spring.name)}, expected none of its own"
+            yield Problem("E546", message, path)
         yield from _of_capacity(Capacity(limit), scenario.duration, path)
         values: Sequence[float] = limit.y if isinstance(limit, Points) else ()
         for place, value in enumerate(values, 1):

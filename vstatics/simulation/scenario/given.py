@@ -102,7 +102,9 @@ def _number(measures: Sequence[Measure], expected: str) -> Parsed:
 
 ANY_MEASURE = get_args(Measure)
 CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa")
-ABSCISSA = _number(["time", "si_speed", "angle"], "a time, a speed or an angle")
+ABSCISSA = _number(
+    ["time", "si_speed", "angle", "velocity", "length"], "a time, a speed, an angle or a way"
+)
 SPEED = _number(["si_speed", "velocity"], "a speed")
 ANYTHING = _number(ANY_MEASURE, "a number")
 
@@ -117,13 +119,15 @@ def capacity_curve(words: Vocabulary) -> Parsed:
 def torque_curve(words: Vocabulary) -> Parsed:
     """A torque on a link, by its own motion or by what is seen."""
     names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
-    parse = partial(_curve, measures=["si_torque"], names=names, words=seen)
+    parse = partial(_curve, measures=["si_torque", "force"], names=names, words=seen)
     return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0)
 
 
 def limit_curve(words: Vocabulary) -> Parsed:
     """Within what a spring stays, over time or by what is seen."""
-    parse = partial(_curve, measures=["si_torque"], names=["t"], words=words.only(*OF_MOTION))
+    parse = partial(
+        _curve, measures=["si_torque", "force"], names=["t"], words=words.only(*OF_MOTION)
+    )
     return Parsed("a torque, or a formula of t", parse, 0.0)
 
 

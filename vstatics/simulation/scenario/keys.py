@@ -47,7 +47,7 @@ from vstatics.simulation.scenario.given import (
 )
 from vstatics.simulation.scenario.laws import Road
 
-_TIME, _TORQUE = Leaf("time"), Leaf("si_torque")
+_TIME, _TORQUE = Leaf("time"), Leaf("si_torque", straight=True)
 _NOT_BELOW_0 = {"minimum": 0}
 _ABOVE_0 = {"exclusiveMinimum": 0}
 _POINTS_OVER_TIME = "points [time in s, value] in their order: straight between, constant outside; "

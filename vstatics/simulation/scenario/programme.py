@@ -11,6 +11,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
+from vstatics.model.springs import SpringLimit
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.lookup_table import LookupTable
@@ -51,12 +52,20 @@ class Programme(NamedTuple):
     """Of coefficients of friction by slip and temperature, where these count."""
     rub: Look | None = None
     """The coefficient of the table."""
+    follows: SpringLimit | None = None
+    """Of a limit by the torque of another spring: its base is the curve."""
 
     def seen_at(self, time: float, seen: Sequence[float]) -> float:
         """What it gives while it sees something: cut at 0, and at what the case allows."""
         assert self.look is not None  # noqa: S101 - it is asked of these alone
         most = math.inf if self.largest is None else self.largest
         made = self.factor * min(max(self.look.at(time, seen), 0.0), most)
+        return made * self.rub.at(time, seen) if self.rub else made
+
+    def uncut_at(self, time: float, seen: Sequence[float]) -> float:
+        """The same without any cut."""
+        assert self.look is not None  # noqa: S101 - it is asked of these alone
+        made = self.factor * self.look.at(time, seen)
         return made * self.rub.at(time, seen) if self.rub else made
 
     def seen_along(self, times: Floats, seen: Floats) -> Floats:

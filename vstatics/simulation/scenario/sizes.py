@@ -12,6 +12,7 @@ from typing import Any
 
 from vstatics.errors import Path, Problem
 from vstatics.model.parts import OfLoad
+from vstatics.model.transmission import Transmission
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Scenario
@@ -34,12 +35,13 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     names = case.link_names
     for key, part in (
         ("inertias", case.inertias),
+        ("masses", case.masses),
         ("springs", case.springs),
         ("shift_elements", case.shift_elements),
         ("mechanisms", case.mechanisms),
     ):
         yield from _of_numbers(part, ("case", key))
-    yield from _of_unlike(case.inertias)
+    yield from _of_unlike(case)
     start = scenario.start
     yield from _of_numbers(scenario.duration, ("duration",))
     of_links = {
@@ -88,14 +90,14 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
             yield from _of_numbers(value, (*path, name), least)
 
 
-def _of_unlike(inertias: Mapping[int, float]) -> Iterator[Problem]:
+def _of_unlike(case: Transmission) -> Iterator[Problem]:
     """Inertias beside which others are rounding."""
-    largest = max(inertias.values(), default=0.0)
-    for link, inertia in inertias.items():
+    largest = max(case.heavy.values(), default=0.0)
+    for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:
             yield Problem(
                 "E664",
                 f"read {inertia:g} beside {largest:g}, expected at least {UNLIKE_INERTIAS:g} of "
                 "the largest: leave it out, a link without inertia turns as its torques balance",
-                ("case", "inertias", link),
+                ("case", "masses" if link in case.masses else "inertias", link),
             )

@@ -9,11 +9,10 @@ from typing import Any
 from vstatics.errors import Path, quoted
 from vstatics.model.converters import converters_of
 from vstatics.model.parts import ShiftElement
-from vstatics.model.shape import Measure
+from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.named.nodes import Spots
-from vstatics.readers.named.si_units import UNIT_OF, InUnit
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.given import GivenControl, GivenLaw, GivenSteps, GivenTable
@@ -39,6 +38,7 @@ from vstatics.simulation.scenario.parts import (
 )
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
+_STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
@@ -58,7 +58,8 @@ class ScenarioValues:
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
         """The scenario of a document's values."""
         torques = tuple(self._torques(values.get("torques", {})))
-        radii = {link: law.radius for link, law in torques if isinstance(law, Road)}
+        radii = dict.fromkeys(self.case.masses, 1.0)
+        radii |= {link: law.radius for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
         return Scenario(
             self.case,
@@ -82,7 +83,7 @@ class ScenarioValues:
                 for link, one in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(one, "si_torque", ("limits", number))
+                number: self._curve(one, self._force(number), ("limits", number))
                 for number, one in values.get("limits", {}).items()
             },
             speed_ratios={
@@ -168,6 +169,7 @@ class ScenarioValues:
 
     def _speeds(self, given: Any, path: Path, radius: float | None) -> Iterator[float]:
         """Speeds of a link [rad/s]; velocities by the radius of the wheels on it."""
+        straight = path[-1] in self.case.masses
         for number, one in enumerate(given if isinstance(given, list) else [given], 1):
             place = (*path, number) if isinstance(given, list) else path
             if getattr(one, "measure", None) == "velocity":
@@ -176,6 +178,8 @@ class ScenarioValues:
                     continue
                 message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
                 self.spots.tell(place, f"{message}to a link with a `road`")
+            if straight:
+                self._check_unit(one, "velocity", place, _STRAIGHT)
             yield float(one)
 
     def _given_speed(self, given: Any, path: Path, radius: float | None) -> Curve:
@@ -216,7 +220,8 @@ class ScenarioValues:
             self._check_unit(given, measure, path, why)
             return constant(given or 0.0)
         for number, (x, y) in enumerate(given, 1):
-            self._check_unit(x, _OVER[along], (*path, number, 1), f": the points are over {along}")
+            over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
+            self._check_unit(x, over, (*path, number, 1), f": the points are over {along}")
             self._check_unit(y, measure, (*path, number, 2), why)
         return Points(tuple(float(x) for x, _ in given), tuple(float(y) for _, y in given), along)
 
@@ -233,16 +238,25 @@ class ScenarioValues:
                 path = ("torques", link, number) if listed else ("torques", link)
                 yield link, self._law(one, path)
 
+    def _force(self, spring: int) -> Measure:
+        """In what the limit of a spring is, by its number."""
+        springs = self.case.springs[spring - 1 : spring]
+        return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
+
     def _law(self, given: Any, path: Path) -> TorqueLaw:
+        straight = path[1] in self.case.masses
+        measure: Measure = "force" if straight else "si_torque"
+        why = _STRAIGHT * straight
         if not isinstance(given, GivenLaw):
-            return self._curve(given, "si_torque", path)
+            return self._curve(given, measure, path, why)
         if given.resistance is not None:
+            self._check_unit(given.resistance, measure, (*path, "resistance"), why)
             return Resistance(float(given.resistance))
         if given.road is not None:
             return Road(*map(_road_number, given.road))
         along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
-        return self._curve(getattr(given, key), "si_torque", (*path, key), along=along)
+        return self._curve(getattr(given, key), measure, (*path, key), why, along)
 
 
 def _road_number(given: Any) -> Any:

@@ -13,7 +13,8 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.planet_inertia import planet_inertias
 from vstatics.errors import CaseError, Path, Problem
 from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
-from vstatics.model.springs import Spring, straight_curve
+from vstatics.model.springs import Spring, SpringLimit, TwistCurve, straight_curve
+from vstatics.model.struts import StrutCurve
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
@@ -63,7 +64,7 @@ def motion_system(
     """
     case = scenario.case
     bodies = [
-        (unit(link - 1, case.links), inertia) for link, inertia in case.inertias.items() if inertia
+        (unit(link - 1, case.links), inertia) for link, inertia in case.heavy.items() if inertia
     ]
     for body, _ in planet_bodies(case):
         if body.inertia:
@@ -225,19 +226,27 @@ def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> l
     for index, one in enumerate(bending):
         limit, element = Programme(constant(math.inf)), None
         if isinstance(one, Spring):
-            curve = one.curve
+            curve: TwistCurve | StrutCurve = one.curve
         elif one.stiffness is None or (isinstance(one, ShiftElement) and one.is_freewheel):
             continue
         else:
             curve = straight_curve(one.stiffness)
         if isinstance(one, ShiftElement):
             limit, element = _slipping_torque(one, capacities[index]), index
+        elif index - first in scenario.limits:
+            limit = bounded(scenario.limits[index - first])
         elif isinstance(one, Spring):
-            own = constant(math.inf if one.limit is None else one.limit)
-            limit = bounded(scenario.limits.get(index - first, own))
+            limit = _own_limit(one)
         damped = damping(one.damping)
         found.append(Elastic(one.name, index, rows[index], curve, *damped, limit, element))
     return found
+
+
+def _own_limit(spring: Spring) -> Programme:
+    """The limit that a spring has in the case."""
+    if isinstance(spring.limit, SpringLimit):
+        return Programme(constant(spring.limit.base), follows=spring.limit)
+    return Programme(constant(math.inf if spring.limit is None else spring.limit))
 
 
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:

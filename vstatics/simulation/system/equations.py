@@ -72,15 +72,10 @@ class Equations:
         slips = ~self.ports.bends
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
-        looks = dict(self.ports.looks)
-        self.seen_limits = [
-            (index, looks[layout.springs + index])
-            for index in np.flatnonzero(self.limited).tolist()
-            if layout.springs + index in looks
-        ]
-        """Springs that slip at limits which see something: index, torque."""
-        limits = {layout.springs + index for index, _ in self.seen_limits}
-        self.seeing = [port for port in looks if port not in limits]
+        self.seen_limits = [one for one in self.ports.limits if self.limited[one[0]]]
+        """Springs that slip at limits which see something: index, sign, limit."""
+        limits = {layout.springs + index for index, *_ in self.seen_limits}
+        self.seeing = [port for port, _ in self.ports.looks if port not in limits]
         """Ports whose torques see something and count as they are, not by their slopes."""
         self.driving = [
             (layout.contacts + one.of, row)
@@ -164,7 +159,7 @@ class Equations:
             left: Floats = self.by_torque.T @ (structure.balances @ torques)
             if not self.by_slope.shape[1]:
                 return left
-            slopes = ports.slopes(time, at, angles, self.within)
+            slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
             if self.unsensed:
                 self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
@@ -334,7 +329,7 @@ class Equations:
         """Whether matrices can tell the motion, as far as torques are straight on the way."""
         if self.system.variators:
             return False
-        if self.light and not self.light_is_straight and self.ports.looks:
+        if self.light and not self.light_is_straight and (self.ports.looks or self.ports.struts):
             return False
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
@@ -352,6 +347,13 @@ class Equations:
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
+    def strut_slopes(self, state: Floats) -> Floats:
+        """Of the torques of struts by their twists [N/m]."""
+        twists = state[self.twists]
+        return np.array(
+            [curve.strut.slope(float(twists[index])) for index, curve in self.ports.struts]
+        )
+
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
         """Changes, with the state, of torques that see the box and of the rates of values.
 
@@ -361,6 +363,8 @@ class Equations:
         """
         looks, first = self.seeing, self.layout.ports
         made = np.zeros((first + len(self.layout.values), self.works.start))
+        for (index, _), slope in zip(self.ports.struts, self.strut_slopes(state), strict=True):
+            made[self.layout.springs + index, self.twists.start + index] = slope
         if not looks and not self.layout.values:
             return made
 
@@ -449,24 +453,28 @@ class Equations:
         """Changes of the limits of springs with time [N*m/s]."""
         slopes = self.ports.c1
         if self.ports.timed:
-            slopes = self.ports.slopes(time, rates, state[self.angles], self.within)
+            parts = (state[self.twists], state[self.angles])
+            slopes = self.ports.slopes(time, rates, *parts, self.within)
         slopes = slopes[self.layout.spring_ports]
         return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
         """Of limits too that see something: straight ahead, by the motion that follows of them."""
         slopes, moving = slopes.copy(), slice(self.works.start)
-        step = self._sight(time)
+        step, at = self._sight(time), self.changes.seen_at(time, state[moving])
         for _ in range(_LIMIT_ROUNDS):
             change, before = self.derivative(time, state, slopes), slopes.copy()
 
-            def torques(ahead: float, change: Floats = change) -> Floats:
+            def limits(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
-                return np.array([look.at(then, seen) for _, look in self.seen_limits])
+                return np.array([one.uncut_at(then, seen) for *_, one in self.seen_limits])
 
-            now, middle, later = (torques(part * step) for part in (0.0, 0.5, 1.0))
-            slopes[[index for index, _ in self.seen_limits]] = (4 * middle - 3 * now - later) / step
+            now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
+            risen = (4 * middle - 3 * now - later) / step
+            for (index, sign, one), slope in zip(self.seen_limits, risen, strict=True):
+                is_cut = one.seen_at(time, at) != one.uncut_at(time, at)
+                slopes[index] = 0.0 if is_cut else sign * slope
             if np.allclose(slopes, before):
                 break
         return slopes

@@ -18,6 +18,7 @@ import numpy as np
 from vstatics.model.converters import Converter
 from vstatics.model.parts import HOUSING, Friction, Law
 from vstatics.model.springs import TwistCurve
+from vstatics.model.struts import StrutCurve
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
@@ -113,7 +114,7 @@ class Elastic(NamedTuple):
     name: str
     device: int
     row: Floats
-    curve: TwistCurve
+    curve: TwistCurve | StrutCurve
     viscous: float
     """[N*m*s/rad]"""
     loss_factor: float

@@ -17,6 +17,7 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.model.converters import Converter
 from vstatics.model.parts import Law
+from vstatics.model.struts import StrutCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
@@ -35,7 +36,7 @@ from vstatics.simulation.system.curves import (
     slope_of,
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
-from vstatics.simulation.system.sight import looking
+from vstatics.simulation.system.sight import following, looking
 
 
 class States(NamedTuple):
@@ -87,6 +88,8 @@ class Ports:
         """Port, its torque by the time alone, and by what that is multiplied."""
         self.looks: list[tuple[int, Look]] = []
         """Port, its torque by the time and all that is seen."""
+        self.limits: list[tuple[int, float, Programme]] = []
+        """Springs at limits that see something, with the sign of the torque."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
         """Between these formulas are asked: what jumps at an end does it outside."""
         self.converters = tuple(
@@ -106,12 +109,21 @@ class Ports:
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
+        self.struts = [
+            (index, one.curve)
+            for index, one in enumerate(system.springs)
+            if isinstance(one.curve, StrutCurve)
+        ]
+        """Springs whose torques bend with their twists."""
+        for index, curve in self.struts:
+            self.all_elastic[layout.springs + index] = curve.steepest
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
         self.bending = sorted(
             {port for port, *_ in self.special}
             | {port for port, _ in self.roads}
             | {port for port, _ in self.looks}
+            | {layout.springs + index for index, _ in self.struts}
             | set(range(layout.pumps, layout.sensors))
         )
         """Ports whose torques are not straight in rates, twists and angles."""
@@ -139,7 +151,7 @@ class Ports:
                 self.by_rate[port] = spring.viscous
                 self.senses_rate[port] = spring.viscous != 0
             elif state != "open":
-                self._programme(port, spring.programme, SIGNS[state], time)
+                self._limited(index, SIGNS[state], states, time)
 
     def torques(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
@@ -148,8 +160,7 @@ class Ports:
         time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
-        if len(twists):
-            torques[layout.spring_ports] += self.elastic * twists
+        self._add_elastic(torques, twists)
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -180,8 +191,7 @@ class Ports:
         if self.c1.any():
             torques += self.c1[:, None] * times
         layout = self.layout
-        if len(twists):
-            torques[layout.spring_ports] += self.elastic[:, None] * twists
+        self._add_elastic(torques, twists)
         for port, place, slope in self.by_angle:
             torques[port] += slope * angles[place]
         for port, formula, factor in self.timed:
@@ -201,6 +211,12 @@ class Ports:
             torques[pump], torques[turbine] = made
         return torques
 
+    def _add_elastic(self, torques: Floats, twists: Floats) -> None:
+        """Add the torques of springs; of both, times may follow behind ports and springs."""
+        torques[self.layout.spring_ports] += (self.elastic * twists.T).T
+        for index, curve in self.struts:
+            torques[self.layout.springs + index] += curve.at(twists[index])
+
     def inside(self, times: Floats) -> Floats:
         """Times as formulas are asked for them; the same array where it lies inside."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
@@ -208,11 +224,16 @@ class Ports:
             return clipped
         return times
 
-    def slopes(self, time: float, rates: Floats, angles: Floats, within: float) -> Floats:
+    def slopes(
+        self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
+    ) -> Floats:
         """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
+        for index, curve in self.struts:
+            port = self.layout.springs + index
+            slopes[port] += curve.strut.slope(twists[index]) * rates[port]
         for port, formula, factor in self.timed:
             slopes[port] = factor * slope_of(formula.function, time, within)
         for port, place, function, _ in self.special:
@@ -292,6 +313,16 @@ class Ports:
             return programme_at(contact.programme, at) * (SIGNS[state] * value + slope * slip)
 
         self.special.append((port, -1, torque, one_by_one(torque)))
+
+    def _limited(self, index: int, sign: float, states: States, time: float) -> None:
+        """A spring at its limit; one that follows another does so on the piece of its points."""
+        programme = self.system.springs[index].programme
+        if programme.follows:
+            pieces = states.pieces[self.layout.curves :]
+            programme = programme._replace(look=following(self.system, programme.follows, pieces))
+        if programme.look is not None:
+            self.limits.append((index, sign, programme))
+        self._programme(self.layout.springs + index, programme, sign, time)
 
     def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
         def torque(_time: float, slip: float, _angle: float) -> float:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.model.springs import SpringLimit, TwistCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
@@ -129,7 +130,7 @@ def corners(system: MotionSystem) -> list[list[Compared]]:
             found += [(state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
     for when in conditions(system):
         found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
-    made = [[one] for one in _rubbing_corners(system)]
+    made = [[one] for one in (*_rubbing_corners(system), *_vanishing_limits(system))]
     for formula, pairs, rate, angle in found:
         trees = [Applied("-", pair, 0, 0) for pair in pairs]
         if variables(trees[0]) - {"t"} - {*system.settings}:
@@ -155,6 +156,13 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
                 yield Compared(_place_seen(slip), fixed(one))
 
 
+def _vanishing_limits(system: MotionSystem) -> Iterator[Compared]:
+    """Where limits that follow other springs are cut at 0."""
+    for one in system.springs:
+        if one.programme.follows and one.programme.look:
+            yield Compared(one.programme.look, fixed(0.0))
+
+
 def _place_seen(place: int) -> Look:
     return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place], (place,))
 
@@ -174,6 +182,8 @@ def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> Motion
 
 def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     programme, curve = device.programme, device.programme.curve
+    if programme.follows:
+        return programme._replace(look=following(system, programme.follows))
     if isinstance(curve, Formula) and curve.seen:
         programme = programme._replace(look=looking(system, curve))
     table = programme.table
@@ -188,6 +198,31 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     )
     timed = Look(lambda time, _seen: curve.at(time), lambda times, _seen: curve_along(curve, times))
     return programme._replace(look=programme.look or timed, rub=rub)
+
+
+def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:
+    """A limit by the torque of another spring, and of its damper.
+
+    Parameters
+    ----------
+    pieces : sequence of int
+        On which springs are, where it holds there alone.
+    """
+    [index] = (n for n, one in enumerate(system.springs) if one.name == limit.of)
+    curve, viscous = system.springs[index].curve, system.springs[index].viscous
+    rate, twist = system.layout.springs + index, system.layout.ports + index
+    if pieces and isinstance(curve, TwistCurve):
+        curve = curve.alone(pieces[index])
+
+    def value(_time: float, seen: Sequence[float]) -> float:
+        torque = curve.at(seen[twist]) + viscous * seen[rate]
+        return float(limit.base + limit.times * torque)
+
+    def values(_times: Floats, seen: Floats) -> Floats:
+        torques = np.array([curve.at(one) for one in seen[twist].tolist()]) + viscous * seen[rate]
+        return np.asarray(limit.base + limit.times * torques)
+
+    return Look(value, values)
 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:

@@ -230,7 +230,7 @@ class _CycleSteps(NamedTuple):
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
         """``-J dw/dt`` on a link in some rows [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
-        inertia = self.case.inertias.get(link, 0.0)
+        inertia = self.case.heavy.get(link, 0.0)
         torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
         return torque
 
@@ -247,7 +247,7 @@ class _CycleSteps(NamedTuple):
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
-            for link, inertia in case.inertias.items()
+            for link, inertia in case.heavy.items()
             if inertia and link != case.gear_output(gear)
         }
 
@@ -262,7 +262,7 @@ class _CycleSteps(NamedTuple):
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         total = 0.0
-        for link, inertia in self.case.inertias.items():
+        for link, inertia in self.case.heavy.items():
             turned = self.ratios[self.gears, link - 1] * factor
             change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
             total += float(np.nan_to_num(inertia / 2 * change).sum())

@@ -97,7 +97,7 @@ class _Traction:
         """Of the output, by that of the engine."""
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
-            links = np.array([case.inertias.get(n + 1, 0.0) for n in range(speeds.shape[1])])
+            links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turned = np.where(links > 0, links * (speeds / self.per_engine[:, None]) ** 2, 0.0)
             self.mass = vehicle.mass + turned.sum(axis=1)
         """By gear, with what turns. [kg]"""

@@ -8,6 +8,7 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from vstatics.errors import Place, nearest, quoted
+from vstatics.model.shape import UNIT_OF
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.node_paths import (
     Keys,
@@ -24,7 +25,7 @@ from vstatics.readers.named.node_paths import (
     written,
 )
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar
-from vstatics.readers.named.si_units import UNIT_OF, in_any_unit
+from vstatics.readers.named.si_units import in_any_unit
 from vstatics.sweep.variants.targets import refusal
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
@@ -37,6 +38,7 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
 """What stands short for a mapping with one key: `controls.C.scale` where C is a formula."""
 _ALL_GIVEN = ("numbers", "set")
 """Where a name that is not there is one of which no formula knows."""
+_HEAVY = ("inertias", "masses")
 _OF_A_CASE = {
     "ratio": ("mechanisms", "elements"),
     "efficiency": ("mechanisms", "elements"),
@@ -149,14 +151,14 @@ def _spelled_of_a_case(keys: Keys) -> list[Keys]:
         return []
     name, quantity = keys
     if quantity == "inertia":
-        return [("inertias", name)]
+        return [(owner, name) for owner in _HEAVY]
     return [(owner, name, quantity) for owner in _OF_A_CASE.get(quantity, ())]
 
 
 def _leads(root: Node, keys: Keys) -> bool:
     """Whether all but the last key are there, and of inertias that one too."""
     node: Node | None = root
-    for key in keys if keys[0] == "inertias" else keys[:-1]:
+    for key in keys if keys[0] in _HEAVY else keys[:-1]:
         node = node and child(node, key)
     return node is not None
 

@@ -122,7 +122,7 @@ def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]
     if owner == "devices":
         return elastic
-    return names if owner == "mechanisms" or elastic or case.inertias else []
+    return names if owner == "mechanisms" or elastic or case.heavy else []
 
 
 def _names(owner: Owner, case: Transmission) -> Sequence[str]:
@@ -226,9 +226,9 @@ def devices_of(case: Transmission) -> list[Device]:
 
 
 def stiffness_of(device: Device) -> float | None:
-    """The stiffness of a device, None if it is rigid or has points [N*m/rad]."""
+    """The stiffness of a device, None if it is rigid, or has points or a strut [N*m/rad]."""
     if isinstance(device, Spring):
-        return None if device.points else device.rate
+        return None if device.points or device.strut else device.rate
     return device.stiffness
 
 
@@ -250,7 +250,7 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
     (0.002, 0.0)
     """
     if quantity == "inertia":
-        return case.inertias.get(index + 1, 0.0)
+        return case.heavy.get(index + 1, 0.0)
     if quantity in ("ratio", "efficiency"):
         number: float = getattr(case.mechanisms[index], quantity)
         return number

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.errors import CaseError
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.numerics.tolerances import NO_POWER
@@ -143,6 +144,8 @@ def response(  # noqa: PLR0913 - all but the first by name
     ------
     ValueError
         If there is no such link, gear or converter.
+    CaseError
+        If the link moves straight.
 
     Examples
     --------
@@ -156,7 +159,10 @@ def response(  # noqa: PLR0913 - all but the first by name
     (array([0.013889]), [])
     """
     asked = asked_gears(case, gears)
-    link, given = case.link_number(at) - 1, np.asarray(speeds, dtype=np.float64)
+    if (number := case.link_number(at)) in case.masses:
+        message = f"link {at} moves straight, so it has no revolutions: expected a link that turns"
+        raise CaseError("E547", message, ("masses", number))
+    link, given = number - 1, np.asarray(speeds, dtype=np.float64)
     working = [working_gear(case, gear, speed_ratios) for gear in asked]
     return [_gear_response(one, link, harmonics, given) for one in working]
 

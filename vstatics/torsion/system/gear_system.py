@@ -150,11 +150,12 @@ def torsional_system(
     >>> system.elastic[0].twist
     {0: 1.0, 1: -1.0}
     """
+    heavy = case.heavy
     links = [
-        Body(case.link_names[index], {index: 1.0}, case.inertias.get(index + 1, 0.0))
+        Body(case.link_names[index], {index: 1.0}, heavy.get(index + 1, 0.0))
         for index in range(case.own_links)
     ]
-    inertias = [case.inertias.get(index + 1, 0.0) for index in range(case.links)]
+    inertias = [heavy.get(index + 1, 0.0) for index in range(case.links)]
     planets = [*planet_bodies(case)]
     for _, shares in planets:
         for index, share in shares.items():

@@ -1,0 +1,245 @@
+"""Suspensions in motion: what moves straight, struts, grip that follows the load of a wheel."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
+
+from tests.chance import count, generator
+from tests.simulation.test_closed_forms import links
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, SpringLimit, between
+from vstatics.model.struts import Strut, StrutCurve
+from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation import load_scenario, simulate
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.laws import constant
+from vstatics.simulation.scenario.parts import Scenario, Start
+
+GAS = Strut(38 * 98066.5, 208.9e-4, 0.11, 1.02, 17 * 98066.5, 77e-4, 0.16)
+"""Tsitovich, Algin, table 4.2: BelAZ-540A, front, laden; in Pa, m^2, m."""
+
+
+def gas_force(strut: Strut, z: float) -> float:
+    """``P(0) - P(z)`` by (4.16) as it is printed."""
+
+    def force(z: float) -> float:
+        above: float = (
+            strut.pressure * strut.area * (strut.length / (strut.length + z)) ** strut.exponent
+        )
+        if strut.counter_length is None:
+            return above
+        below = strut.counter_pressure * strut.counter_area
+        ratio: float = strut.counter_length / (strut.counter_length - z)
+        return float(above - below * ratio**strut.exponent)
+
+    return force(0.0) - force(z)
+
+
+@pytest.mark.parametrize("z", [-0.1, -0.03, 0.0, 1e-6, 0.12])
+def test_a_strut_gives_back_what_is_put_in(z: float) -> None:
+    curve = StrutCurve(GAS)
+    assert float(curve.at(z)) == pytest.approx(gas_force(GAS, z), abs=1e-9 * 8e4)
+    assert curve.energy(z) == pytest.approx(quad(lambda x: gas_force(GAS, x), 0, z)[0], abs=1e-7)
+    near = 1e-6
+    slope = (gas_force(GAS, z + near) - gas_force(GAS, z - near)) / (2 * near)
+    assert GAS.slope(z) == pytest.approx(slope, rel=1e-6)
+    assert curve.twist_at(gas_force(GAS, z)) == pytest.approx(z, abs=1e-12)
+
+
+@pytest.mark.parametrize("exponent", [0.9, 1.0, 1.4])
+def test_energy_is_the_integral_of_the_force_for_any_exponent(exponent: float) -> None:
+    strut = GAS._replace(exponent=exponent)
+    put_in = quad(lambda x: gas_force(strut, x), 0, -0.08)[0]
+    assert StrutCurve(strut).energy(-0.08) == pytest.approx(put_in, rel=1e-9)
+
+
+def on_strut(mass: float, strut: Strut, damping: float = 0.0) -> Transmission:
+    spring = Spring(between(1), damping=damping, strut=strut, name="strut")
+    return Transmission(1, [], [], [], springs=[spring], masses={1: mass})
+
+
+def strut_reference(mass: float, strut: Strut, damping: float, speed: float) -> Floats:
+    """``m z'' + k z' + F(z) = 0`` after a second, by an independent integrator."""
+
+    def change(_: float, state: Floats) -> list[float]:
+        return [-(gas_force(strut, state[1]) + damping * state[0]) / mass, state[0]]
+
+    made = solve_ivp(change, (0, 1), [speed, 0.0], "DOP853", rtol=1e-12, atol=1e-13)
+    end: Floats = made.y[:, -1]
+    return end
+
+
+@pytest.mark.parametrize(("damping", "speed"), [(0.0, -0.6), (9e3, -0.9), (2e5, 0.8), (0.0, 0.001)])
+def test_a_strut_is_as_nonlinear_in_motion_as_its_gas(damping: float, speed: float) -> None:
+    motion = simulate(Scenario(on_strut(6620, GAS, damping), 1.0, Start(speeds={1: speed})))
+    end, z = strut_reference(6620, GAS, damping, speed)
+    assert motion.speeds[-1, 0] == pytest.approx(end, abs=1e-8 * abs(speed))
+    largest = abs(speed) * math.sqrt(6620 * GAS.slope(0))
+    expected = gas_force(GAS, z) + damping * end
+    assert motion.torques[-1, 0] == pytest.approx(expected, abs=1e-7 * largest)
+    assert abs(motion.energy.balance) <= 1e-8 * 6620 * speed**2
+    assert not motion.events
+
+
+def test_a_strut_that_nearly_bottoms_is_exact() -> None:
+    """At both ends it has the whole energy of the start; the last millimetres take a third."""
+    motion = simulate(Scenario(on_strut(6620, GAS), 0.5, Start(speeds={1: -1.8})))
+    given, curve = 6620 * 1.8**2 / 2, StrutCurve(GAS)
+    ends = [brentq(lambda z: curve.energy(z) - given, 0, most) for most in (-0.1099, 0.15999)]
+    pushed, pulled = (gas_force(GAS, z) for z in ends)
+    force = motion.torques[:, 0]
+    assert force.min() == pytest.approx(pushed, rel=1e-6)
+    assert force.max() == pytest.approx(pulled, rel=1e-5)
+    assert abs(motion.energy.balance) < 1e-7 * given
+
+
+@pytest.mark.parametrize("seed", range(count(4, 60)))
+def test_any_strut_moves_as_its_gas(seed: int) -> None:
+    random = generator(416, seed)
+    p, q = random.uniform(1e6, 6e6), random.uniform(1e5, 2e6)
+    sizes = random.uniform(0.01, 0.04), random.uniform(0.05, 0.3), random.uniform(1.0, 1.4)
+    counter = random.uniform(0.002, 0.01), random.uniform(0.1, 0.4)
+    strut = Strut(p, *sizes, *((q, *counter) if seed % 2 else ()))
+    mass, damping = random.uniform(1e3, 2e4), random.choice([0.0, 5e3])
+    speed = random.uniform(0.1, 0.3) * strut.length * math.sqrt(strut.slope(0) / mass)
+    motion = simulate(Scenario(on_strut(mass, strut, damping), 1.0, Start(speeds={1: -speed})))
+    end, _ = strut_reference(mass, strut, damping, -speed)
+    assert motion.speeds[-1, 0] == pytest.approx(end, abs=1e-7 * speed)
+
+
+def test_a_strut_without_counter_chamber_never_gives_more_than_its_rest() -> None:
+    case = on_strut(1000.0, Strut(1e6, 0.01, 0.1, 1.1))
+    scenario = Scenario(
+        case, 0.1, Start(speeds={1: 0.0}, settled=True), torques=((1, constant(1.1e4)),)
+    )
+    with pytest.raises(CaseError, match=r"strut carries 11000 N\*m, which it never has") as caught:
+        simulate(scenario)
+    assert caught.value.problems[0].id == "E694"
+
+
+def grip(base: float, times: float, damping: float) -> Transmission:
+    """A wheel on its tyre against the body that pitches on the rear suspension, (5.5)."""
+    springs = [
+        Spring(between(3), 3000.0, damping=damping, name="rear"),
+        Spring({1: 1, 2: -1, 3: -1}, 900.0, damping=3.0, name="shaft"),
+        Spring({2: 1, 3: -1.2}, 2500.0, limit=SpringLimit(base, "rear", times), name="tyre"),
+    ]
+    return links(2.0, 3.0, 4.0, springs=tuple(springs))
+
+
+def grip_reference(base: float, times: float, damping: float) -> tuple[list[float], Floats]:
+    """The same by an integrator that is stopped where the tyre slips or grips: times, speeds."""
+    rows = np.array([[0, 0, 1], [1, -1, -1], [0, 1, -1.2]])
+
+    def change(t: float, x: Floats, slips: int) -> Floats:
+        rates = rows @ x[:3]
+        rear = 3000 * x[3] + damping * rates[0]
+        tyre = slips * max(base + times * rear, 0) if slips else 2500 * x[5]
+        torques = np.array([rear, 900 * x[4] + 3 * rates[1], tyre])
+        given = np.array([120 * (1 - math.exp(-8 * t)), 0, 0])
+        faster = (given - rows.T @ torques) / [2, 3, 4]
+        if slips:
+            rates[2] = slips * times * (3000 * rates[0] + damping * faster[2]) / 2500
+        return np.concatenate([faster, rates])
+
+    def margin(t: float, x: Floats, slips: int) -> float:
+        rates = rows @ x[:3]
+        if slips:
+            return float(slips * (rates[2] - change(t, x, slips)[5]))
+        return float(base + times * (3000 * x[3] + damping * rates[0]) - abs(2500 * x[5]))
+
+    met, t, x, slips = [], 0.0, np.zeros(6), 0
+    while t < 1:
+        leaves: Any = partial(margin, slips=slips)
+        leaves.terminal, leaves.direction = True, -1
+        moves = partial(change, slips=slips)
+        exact: Any = {"rtol": 1e-10, "atol": 1e-11, "max_step": 0.01}
+        made = solve_ivp(moves, (t, 1), x, "DOP853", events=leaves, **exact)
+        t, x = float(made.t[-1]), made.y[:, -1]
+        if t < 1:
+            met.append(t)
+            slips = 0 if slips else int(np.sign(x[5]))
+    return met, x[:3]
+
+
+@pytest.mark.parametrize(
+    ("base", "times", "damping"), [(20, 0.3, 0.0), (20, 0.3, 20.0), (40, 0.2, 8.0), (90, -0.3, 0.0)]
+)
+def test_grip_follows_the_load_of_the_wheel(base: float, times: float, damping: float) -> None:
+    """(5.8): the limit is ``(G_2 + F_2) grip r`` while the body squats."""
+    start = Start(speeds=dict.fromkeys((1, 2, 3), 0.0))
+    engine = (1, Formula("120*(1-exp(-8*t))"))
+    motion = simulate(Scenario(grip(base, times, damping), 1.0, start, torques=(engine,)))
+    met, speeds = grip_reference(base, times, damping)
+    assert met
+    assert [event.time for event in motion.events] == pytest.approx(met, abs=1e-8)
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-6)
+    assert abs(motion.energy.balance) < 1e-6
+
+
+@pytest.mark.parametrize(
+    "rear",
+    [
+        Spring(between(3), 8e5, name="rear"),
+        pytest.param(Spring(between(3), strut=GAS, name="rear"), marks=pytest.mark.slow),
+        Spring(between(3), points=[(0, 0), (0.01, 500), (0.02, 4000)], name="rear"),
+        pytest.param(Spring(between(3), 8e5, damping=2e3, name="rear"), marks=pytest.mark.slow),
+    ],
+    ids=["straight", "strut", "points", "damped"],
+)
+def test_grip_follows_what_bends_and_comes_back_from_nothing(rear: Spring) -> None:
+    """No torque beyond the limit, which falls to 0 and rises again; energy closes."""
+    tyre = Spring({1: 1, 2: -1}, 900.0, name="tyre", limit=SpringLimit(20.0, "rear", 0.01))
+    case = Transmission(3, [], [], [], springs=[rear, tyre], inertias={1: 1, 2: 3}, masses={3: 500})
+    motion = simulate(Scenario(case, 0.3, Start(speeds={1: 9.0, 2: 0.0, 3: -0.3})))
+    load, grip = (motion.torques[:, motion.devices.index(name)] for name in ("rear", "tyre"))
+    assert motion.stopped is None
+    assert (np.abs(grip) <= np.maximum(20 + 0.01 * load, 0) + 1e-7).all()
+    assert motion.events[0].event == "slips"
+    assert abs(motion.energy.balance) < 1e-8
+
+
+@pytest.mark.slow
+def test_a_limit_by_a_formula_comes_back_from_nothing(tmp_path: Path) -> None:
+    """A formula that is bent, where it rises from 0 as fast as the spring is wound up."""
+    (tmp_path / "case.yaml").write_text(
+        "{inertias: {a: 1, b: 3, c: 500}, springs: {rear: {links: [c], stiffness: 8e5},"
+        " tyre: {links: [a, b], stiffness: 900}}}"
+    )
+    (tmp_path / "scenario.yaml").write_text(
+        "{case: case.yaml, duration: 0.75, start: {speeds: {a: 9, b: 0, c: -.3}},"
+        " limits: {tyre: \"20 + 8000*(twist('rear') + 3*twist('rear')**2)\"}}"
+    )
+    motion = simulate(load_scenario(tmp_path / "scenario.yaml"))
+    assert motion.stopped is None
+    assert abs(motion.energy.balance) < 1e-8
+
+
+def test_a_wheel_that_lifts_off_has_no_grip() -> None:
+    """The limit is cut at 0, beyond which the load would be below 0."""
+    start = Start(speeds={1: 0.0, 2: 0.0, 3: 3.0})
+    motion = simulate(Scenario(grip(50.0, -0.5, 0.0), 0.05, start))
+    rear, tyre = (motion.torques[:, motion.devices.index(name)] for name in ("rear", "tyre"))
+    lifted = rear > 101
+    assert lifted.any()
+    assert tyre[lifted] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_masses_take_forces_and_velocities(tmp_path: Path) -> None:
+    """A constant force: ``v = v0 + F t/m``."""
+    (tmp_path / "case.yaml").write_text("masses: {body: 1 t}")
+    scenario = tmp_path / "scenario.yaml"
+    scenario.write_text(
+        "{case: case.yaml, duration: 2, start: {speeds: {body: 18 km/h}}, torques: {body: 3 kN}}"
+    )
+    motion = simulate(load_scenario(scenario))
+    assert motion.speeds[-1, 0] == pytest.approx(5 + 3000 * 2 / 1000)
