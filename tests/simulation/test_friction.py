@@ -10,7 +10,7 @@ from vstatics.model.parts import Friction, OfLoad
 from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
-from vstatics.simulation.scenario.laws import Resistance, constant
+from vstatics.simulation.scenario.laws import Points, Resistance, constant
 from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Shift, Start
 
 PACK = Friction(radius=0.1, area=0.006, surfaces=8, coefficient=((0.0, 0.1),))
@@ -59,3 +59,24 @@ def test_what_has_one_name_is_one_sum_of_heat() -> None:
     motion = run(case, 0.2, {1: 50.0, 2: 0.0}, ((2, Resistance(5.0)),))
     slipped = motion.energy.heat["2"]
     assert slipped == pytest.approx(-motion.energy.kinetic - motion.energy.elastic)
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.01])
+def test_either_of_two_clutches_could_break_away(factor: float) -> None:
+    """Both carry the same; the one that could carry more, if one can, does not break away.
+
+    J_1 + J_3 take 200 t, so what is between carries 3/4 of it, up to 1.2*50 N*m.
+    """
+    pair = ShiftElement(1, 2, "C1", static=1.2 * factor), ShiftElement(2, 3, "C2", static=1.2)
+    motion = run(
+        links(1.0, 0.0, 3.0, elements=pair),
+        0.6,
+        {1: 10.0, 2: 10.0, 3: 10.0},
+        ((1, Points((0.0, 1.0), (0.0, 200.0), "time")),),
+        {1: Capacity(constant(50.0)), 2: Capacity(constant(50.0))},
+    )
+    [event] = motion.events
+    assert event.time == pytest.approx(60 / 150, rel=1e-9)
+    either = [str(one) for one in motion.messages if "what breaks away is open" in str(one)]
+    assert len(either) == (factor == 1)
+    assert factor > 1 or {"C1", "C2"} <= set(either[0].replace(",", "").split())

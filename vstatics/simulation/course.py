@@ -18,7 +18,13 @@ from vstatics.simulation.events.location import Finder, MarginEnd
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Watch
 from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.search import KIND_OF, Kind
-from vstatics.simulation.events.selection import ModeSelection, NoChoice, Selected, turned
+from vstatics.simulation.events.selection import (
+    ModesAsked,
+    ModeSelection,
+    NoChoice,
+    Selected,
+    turned,
+)
 from vstatics.simulation.events.sequences import Judge, SequenceProgress, SequenceRun
 from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.events.unbounded import unbounded
@@ -82,6 +88,8 @@ class EventRun:
         """What ended there, and is not taken up again at this instant."""
         self.met: list[int] = []
         """Indices of contacts whose slip ended there."""
+        self.at_limit: list[int] = []
+        """Indices of contacts that broke away there, all at one instant."""
         self.length: float | None = None
         """Of the last step. [s]"""
         self.latest = self.mark = 0.0
@@ -138,7 +146,7 @@ class EventRun:
 
     def _go(self, equations: Equations, at: Instant) -> None:
         """Be at an instant, up to which equations held."""
-        self.at, self.before, self.met = at, equations.states, []
+        self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
     def _turn(self, found: MarginEnd) -> None:
         """Note what ends here, if anything does."""
@@ -152,6 +160,7 @@ class EventRun:
             self.left = [*self.left, before]
         self.before = turned(before, found.watches)
         self.met = [watch.of for watch in found.watches if watch.kind == "slip"]
+        self.at_limit = [watch.of for watch in found.watches if watch.kind == "hold"]
 
     def _end(self, time: float) -> float:
         """Up to where nothing bends, jumps or is due by the time alone [s]."""
@@ -260,7 +269,24 @@ class EventRun:
             raise CaseError("E603", message) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
+        if len(self.at_limit) > 1:
+            states = selected.margins.equations.states
+            self._look_beside(ModesAsked(at, before, scales, [*self.left, states], met), states)
         return selected
+
+    def _look_beside(self, asked: ModesAsked, states: States) -> None:
+        """Note what could break away as well as what does."""
+        try:
+            other = self.selection.selected(asked, thorough=False)
+        except (NoChoice, CaseError):
+            return
+        beside = other.margins.equations.states
+        broken = [
+            {index for index in self.at_limit if one.contacts[index] != "stick"}
+            for one in (states, beside)
+        ]
+        if broken[0] != broken[1]:
+            self.record.fits_too(asked.at.time, *broken)
 
     def _to_event(self, selected: Selected, end: float) -> MarginEnd:
         """Integrate to the next event, or to an end."""

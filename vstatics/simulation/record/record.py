@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from types import MappingProxyType
 
 import numpy as np
 
 from vstatics.damage.devices import damages
-from vstatics.errors import Problem, not_allowed
+from vstatics.errors import Problem, listed, not_allowed
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
@@ -73,6 +73,8 @@ class Record:
         """Those that are kept in full: what was before is drawn."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
+        self.open: set[frozenset[int]] = set()
+        """Contacts of which it was open what breaks away."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -92,6 +94,7 @@ class Record:
         made.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
         made.numbers, made.sharing = 0, {*self.sharing}
         made.joined, made.cut, made.reached = {*self.joined}, {*self.cut}, dict(self.reached)
+        made.open = {*self.open}
         return made
 
     @property
@@ -141,6 +144,21 @@ class Record:
                 self.cut.add(device.name)
                 text = cut_note(now[0], device.name, programme.largest)
                 self.messages.append(Message("N605", text))
+
+    def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
+        """Note contacts that could break away as well as those that do, by their indices, once."""
+        if (both := frozenset([*broken, *others])) in self.open:
+            return
+        self.open.add(both)
+        taken, beside = (
+            listed([self.system.contacts[index].name for index in sorted(indices)])
+            for indices in (broken, others)
+        )
+        text = (
+            f"what breaks away is open (first at {time:.6g} s): {beside} could in place of "
+            f"{taken}, whose slip is shown"
+        )
+        self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
         """A piece begins."""
