@@ -228,6 +228,7 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
         ("sequences:\n  s: [{set: {b: 1}}]", "sequences.s[1].set.b: read `b`"),
         ("set: {a: 0}\nsequences:\n  s: [{when: \"slip('D') > 1\", set: {a: 1}}]", "read `D`, expected a shift element"),
         ('set: {a: 0}\nsequences:\n  s: [{when: "t + 1", set: {a: 1}}]', "expected a condition"),
+        ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]', "name what it is of, as in slip('C')"),
         ("set: {a: 0}\nsequences:\n  s: [{set: {a: 1}, within: 0}]", "expected a time above 0"),
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is no dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),

@@ -292,9 +292,11 @@ def _check_name(
             raise source.error(message, part.at)
         return
     expected = f"expected a formula of {spoken(names)}"
-    if name in VARIABLES and name != "t" and words.rows:
-        expected += f"; of a link it is {name}('out')"
-    hint = "" if name in VARIABLES else nearest(name, (*known, *words.rows, *FUNCTIONS, PI))
+    rows = words.rows.get(name, ())
+    if rows:
+        expected += f"; name what it is of, as in {name}('{next(iter(rows))}')"
+    others = (*known, *words.rows, *FUNCTIONS, PI)
+    hint = "" if name in (*VARIABLES, *words.rows) else nearest(name, others)
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
 
 
