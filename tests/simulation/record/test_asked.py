@@ -13,6 +13,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.answer import AskedAnswer
 from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.record.rows import rows_of_kind
 from vstatics.simulation.run import simulate
 
 WHEEL = "links: [o]\ninertias: {o: 2}\ngears: {g: []}\n"
@@ -262,6 +263,28 @@ def test_a_converter_tells_its_ratios_and_what_its_turbine_gives(
     # each torque holds its link at a given speed
     assert torques["p"] == pytest.approx(taken, abs=1e-9)
     assert torques["t"] == pytest.approx(-factor * taken, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "converter",
+    [
+        f"converters: {{TC: {{links: [p, t], points: {POINTS}}}}}\n",
+        "mechanisms: {TC: {kind: converter, first: p, second: t, speed_ratio: 0.7, "
+        f"points: {POINTS}}}}}\n",
+    ],
+)
+def test_a_converter_of_the_case_has_the_same_columns(converter: str) -> None:
+    """K i = (2.5 - 1.5 i) i; the turbine gives K lambda w_P^2."""
+    scenario = written(
+        "duration: 1\nstart: {speeds: {p: 200, t: 140}}\nspeeds: {p: 200, t: 140}",
+        CONVERTER + converter,
+    )
+    assert "TC.turbine" in rows_of_kind("device", scenario)
+    motion = simulate(scenario, columns=[("ratio", "TC"), ("efficiency", "TC")])
+    assert motion.asked["ratio"]["TC"][-1] == pytest.approx(0.7)
+    assert motion.asked["efficiency"]["TC"][-1] == pytest.approx(0.7 * 1.45)
+    given = motion.torques[-1, motion.devices.index("TC.turbine")]
+    assert given == pytest.approx(1.45 * 0.0009 * 200**2)
 
 
 def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:

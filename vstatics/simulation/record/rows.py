@@ -77,11 +77,13 @@ def _friction(scenario: Scenario) -> list[str]:
 
 
 def _devices(scenario: Scenario) -> list[str]:
-    return [*scenario.case.devices, *_converters(scenario)]
+    return [*scenario.case.devices, *(one.name for one in scenario.converters)]
 
 
 def _converters(scenario: Scenario) -> list[str]:
-    return [one.name for one in scenario.converters]
+    """Also mechanisms that are converters, which are open in motion."""
+    moved = [one.name for one in scenario.case.mechanisms if one.kind == "converter"]
+    return [*dict.fromkeys([*(one.name for one in scenario.converters), *moved])]
 
 
 def _losses(scenario: Scenario) -> list[str]:
