@@ -17,9 +17,9 @@ from scipy import linalg
 from vstatics.numerics.arrays import Complex, Floats
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
+from vstatics.torsion.tolerances import UNMOVED
 from vstatics.torsion.vibration.eigen_pairs import (
     massless_parts,
-    pencil_of,
     resisting_rows,
     rigid_basis,
 )
@@ -80,16 +80,21 @@ class ExcitedGear:
     @cached_property
     def links(self) -> tuple[Floats, Floats, Floats, Floats]:
         """M, K, D and what is lost of K, by links."""
+        return self._matrices(self.free.twists, self.free.speeds, np.eye(len(self.free.names)))
+
+    def _matrices(
+        self, twists: Floats, speeds: Floats, angles: Floats
+    ) -> tuple[Floats, Floats, Floats, Floats]:
+        """M, K, D and what is lost of K, by motions with these twists, speeds and angles."""
         system = self.free
         dampings = [one.damping for one in system.elastic]
         viscous = np.array([one.viscous for one in dampings])
         lost = system.rates * np.array([one.loss_factor for one in dampings])
         stiffness, resistance, hysteresis = (
-            system.twists.T @ (sizes[:, None] * system.twists)
-            for sizes in (system.rates, viscous, lost)
+            twists.T @ (sizes[:, None] * twists) for sizes in (system.rates, viscous, lost)
         )
-        mass = system.speeds.T @ (system.inertias[:, None] * system.speeds)
-        return mass, stiffness, resistance + system.slip_resistance, hysteresis
+        resistance = resistance + angles.T @ system.slip_resistance @ angles
+        return speeds.T @ (system.inertias[:, None] * speeds), stiffness, resistance, hysteresis
 
     @cached_property
     def unit(self) -> Floats:
@@ -98,82 +103,103 @@ class ExcitedGear:
         moved = free[self.at]
         return free @ (moved / (moved @ moved)) if self.by_motion else np.zeros(len(free))
 
-    def transfer(self, omega: float) -> Complex:
-        """Angles of links by the input at a frequency [rad/s]."""
-        mass, stiffness, resistance, hysteresis = self.links
+    def answers(self, forms: Floats, omega: float) -> Complex:
+        """What forms of the angles of links are by the input at a frequency [rad/s].
+
+        Raises
+        ------
+        LinAlgError
+            Where an undamped mode is hit.
+        """
+        mass, stiffness, resistance, hysteresis = self._by_basis
         resisted = omega * resistance + np.sign(omega) * hysteresis
         dynamic: Complex = stiffness - omega**2 * mass + 1j * resisted
-        free = self._free
-        right = -dynamic @ self.unit
-        right[self.at] += 0.0 if self.by_motion else 1.0
-        moved = free @ np.linalg.solve(free.T @ dynamic @ free, free.T @ right)
-        return np.asarray(self.unit + moved, np.complex128)
+        right = -dynamic[:-1, -1]
+        if not self.by_motion:
+            right = right + self._basis[self.at, :-1]
+        moved = np.append(np.linalg.solve(dynamic[:-1, :-1], right), 1.0)
+        return np.asarray(without_rounding(forms, self._basis) @ moved, np.complex128)
 
     @cached_property
-    def _free(self) -> Floats:
-        return coordinates(self.system).free
+    def _basis(self) -> Floats:
+        """Modes, rigid and massless motions, last the motion by 1 of the input."""
+        split = coordinates(self.system)
+        parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
+        return np.column_stack([*parts, self.unit])
+
+    @cached_property
+    def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """The matrices of `links` by these."""
+        twists = without_rounding(self.free.twists, self._basis)
+        return self._matrices(twists, self.free.speeds @ self._basis, self._basis)
 
     @cached_property
     def first_order(self) -> FirstOrder:
-        """The first order system; a loss factor is viscous damping that is equal at each mode."""
-        system, split = self.system, coordinates(self.system)
-        mass, stiffness, resistance, _ = self.links
-        omegas, rigid = self.natural.omegas, rigid_basis(system, split)
-        slow, quiet = massless_parts(split, resisting_rows(system), weighted_twists(system))
-        massive = np.hstack([self.natural.shapes, rigid])
-        if self.lossy:
-            pencil, shapes = pencil_of(system, split, self.natural), self.natural.shapes
-            equal = pencil.resistance_of_all(omegas) - pencil.viscous
-            back = np.linalg.pinv(np.hstack([shapes, slow]))
-            kept = np.r_[0 : len(omegas), pencil.massive : len(equal)]
-            resistance = resistance + back.T @ equal[np.ix_(kept, kept)] @ back
+        """The first order system; loss factors damp each mode as viscous damping at its omega."""
+        split = coordinates(self.system)
+        mass, stiffness, _, _ = self.links
+        viscous = [
+            one._replace(damping=one.damping._replace(loss_factor=0.0))
+            for one in self.system.devices
+        ]
+        rows = resisting_rows(self.system._replace(devices=tuple(viscous)))
+        slow, quiet = massless_parts(split, rows, weighted_twists(self.system))
+        massive = np.hstack([self.natural.shapes, rigid_basis(self.system, split)])
         at_once = self.unit - massive @ (massive.T @ (mass @ self.unit))
         force = np.zeros(len(mass))
         force[self.at] = not self.by_motion
         if quiet.shape[1]:
             right = quiet.T @ (force - stiffness @ at_once)
             at_once = at_once + quiet @ np.linalg.solve(quiet.T @ stiffness @ quiet, right)
-        return _first_order(_Basis(massive, slow, omegas), stiffness, resistance, force, at_once)
+        return self._first_order(massive, slow, force, at_once)
+
+    def _first_order(
+        self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
+    ) -> FirstOrder:
+        omegas, light = self.natural.omegas, slow.shape[1]
+        modes, heavy = len(omegas), massive.shape[1]
+        matrix, by_input, by_rate = self._rates(massive, slow, force, at_once)
+        angles, drift = np.zeros((len(massive), len(matrix))), np.zeros((len(massive), len(matrix)))
+        angles[:, :modes], angles[:, modes : modes + light] = massive[:, :modes] / omegas, slow
+        drift[:, len(matrix) - heavy + modes :] = massive[:, modes:]
+        return FirstOrder(
+            matrix,
+            by_input + matrix @ by_rate,
+            angles,
+            drift,
+            at_once + angles @ by_rate,
+            drift @ by_rate,
+        )
+
+    def _rates(
+        self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
+    ) -> tuple[Floats, Floats, Floats]:
+        """Rates of states by states, by the input, by its rate."""
+        _, stiffness, resistance, hysteresis = self.links
+        omegas, light, heavy = self.natural.omegas, slow.shape[1], massive.shape[1]
+        modes, size = len(omegas), len(omegas) + light + heavy
+        angle, creep = slice(modes), slice(modes, modes + light)
+        speed, swing = slice(modes + light, size), slice(modes + light, 2 * modes + light)
+        matrix, by_input, by_rate = np.zeros((size, size)), np.zeros(size), np.zeros(size)
+        matrix[angle, swing], matrix[swing, angle] = np.diag(omegas), -np.diag(omegas)
+        matrix[speed, speed] = -massive.T @ resistance @ massive
+        roots = massive[:, :modes] / np.sqrt(omegas)
+        matrix[swing, swing] -= roots.T @ hysteresis @ roots
+        by_input[speed] = massive.T @ (force - stiffness @ at_once)
+        by_rate[speed] = -massive.T @ resistance @ at_once
+        if light:
+            rates = linalg.solve(slow.T @ resistance @ slow, slow.T)
+            matrix[creep, creep] = -rates @ stiffness @ slow
+            matrix[creep, speed] = -rates @ resistance @ massive
+            by_input[creep] = rates @ (force - stiffness @ at_once)
+            by_rate[creep] = -rates @ resistance @ at_once
+            coupled = massive.T @ resistance @ slow
+            for made in (matrix, by_input, by_rate):
+                made[speed] -= coupled @ made[creep]
+        return matrix, by_input, by_rate
 
 
-@dataclass(frozen=True)
-class _Basis:
-    massive: Floats
-    slow: Floats
-    omegas: Floats
-
-
-def _first_order(
-    basis: _Basis, stiffness: Floats, resistance: Floats, force: Floats, at_once: Floats
-) -> FirstOrder:
-    massive, slow, omegas = basis.massive, basis.slow, basis.omegas
-    modes, heavy, light = len(omegas), massive.shape[1], slow.shape[1]
-    size = modes + light + heavy
-    angle, creep, speed = slice(modes), slice(modes, modes + light), slice(modes + light, size)
-    direct, rates = massive.T @ (force - stiffness @ at_once), -massive.T @ (resistance @ at_once)
-    matrix, by_input, by_rate = np.zeros((size, size)), np.zeros(size), np.zeros(size)
-    matrix[angle, speed] = np.eye(heavy)[:modes] * omegas[:, None]
-    matrix[speed, angle] = -np.eye(heavy)[:, :modes] * omegas
-    resisted = massive.T @ resistance @ massive
-    matrix[speed, speed] = -resisted
-    by_input[speed], by_rate[speed] = direct, rates
-    if light:
-        inverse = linalg.inv(slow.T @ resistance @ slow)
-        matrix[creep, creep] = -inverse @ slow.T @ stiffness @ slow
-        matrix[creep, speed] = -inverse @ slow.T @ resistance @ massive
-        by_input[creep] = inverse @ slow.T @ (force - stiffness @ at_once)
-        by_rate[creep] = -inverse @ slow.T @ (resistance @ at_once)
-        coupled = massive.T @ resistance @ slow
-        for made in (matrix, by_input, by_rate):
-            made[speed] -= coupled @ made[creep]
-    angles, drift = np.zeros((len(massive), size)), np.zeros((len(massive), size))
-    angles[:, angle], angles[:, creep] = massive[:, :modes] / omegas, slow
-    drift[:, modes + light + modes :] = massive[:, modes:]
-    return FirstOrder(
-        matrix,
-        by_input + matrix @ by_rate,
-        angles,
-        drift,
-        at_once + angles @ by_rate,
-        drift @ by_rate,
-    )
+def without_rounding(left: Floats, right: Floats) -> Floats:
+    """A product of matrices, 0 where it is rounding."""
+    made = left @ right
+    return np.where(np.abs(made) > UNMOVED * (np.abs(left) @ np.abs(right)), made, 0.0)

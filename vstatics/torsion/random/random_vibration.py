@@ -216,7 +216,7 @@ def _squares(excited: ExcitedGear, omega: float) -> Floats:
     """Of what each twist has of the input at a frequency; NaN where an undamped mode is hit."""
     twists = excited.free.twists
     try:
-        squares: Floats = np.abs(twists @ excited.transfer(omega)) ** 2
+        squares: Floats = np.abs(excited.answers(twists, omega)) ** 2
     except np.linalg.LinAlgError:
         return np.full(len(twists), np.nan)
     return squares

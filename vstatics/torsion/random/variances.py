@@ -226,7 +226,7 @@ def _integrated(
     orders = np.arange(0, 6, 2)[:, None]
 
     def density(omega: float) -> Floats:
-        answer = np.abs(forms @ gear.transfer(omega)) ** 2
+        answer = np.abs(gear.answers(forms, omega)) ** 2
         twice = 2 * float(spectrum.at(np.array(omega)))
         made: Floats = np.where(exists, twice * omega**orders * answer, 0.0)
         return made
