@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from tests.commands import vstatics
 from vstatics import Transmission
 from vstatics.model.vehicle import AIR, GRAVITY
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.parts import Scenario, Start
@@ -48,7 +49,7 @@ def test_points_with_corners_and_air(way: float) -> None:
     motion = rolls(way * 25.0, 60.0, points, drag_area=0.8)
     speeds, parts = zip(*points, strict=True)
 
-    def slows(_: float, v: list[float]) -> list[float]:
+    def slows(_: float, v: Floats) -> list[float]:
         rolling = GRAVITY * float(np.interp(abs(v[0]), speeds, parts))
         return [-math.copysign(rolling, v[0]) - AIR * 0.8 / 2 / MASS * v[0] * abs(v[0])]
 
