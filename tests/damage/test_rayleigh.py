@@ -49,4 +49,6 @@ def test_what_never_reaches_the_threshold_lives_for_ever() -> None:
 def test_numbers_too_large() -> None:
     with pytest.raises(ValueError, match="so large"):
         rayleigh_life(STEEL._replace(exponent=1e4, threshold=0), 60e6)
+    with pytest.raises(ValueError, match="so large"):
+        rayleigh_life(STEEL._replace(endurance=1e300, threshold=0), 1e-300)
     assert math.isfinite(rayleigh_life(STEEL._replace(exponent=100), 60e6).life or math.nan)

@@ -239,6 +239,7 @@ def _torque(
 def _road(road: Road, speed: float, smoothing: float) -> float:
     assert not isinstance(road.rolling, tuple), "by points: tests/simulation/test_rolling.py"
     travel = speed * road.radius
+    assert not isinstance(road.rolling, tuple)
     rolling = road.rolling * float(np.tanh(speed / smoothing)) + road.slope
     air = 1.2 * road.drag_area * travel * abs(travel) / 2
     return -road.radius * (road.mass * 9.81 * rolling + air)

@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from tests.commands import vstatics
 from vstatics import Transmission
 from vstatics.model.vehicle import AIR, GRAVITY
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.parts import Scenario, Start

@@ -53,6 +53,8 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     from scipy.special import gammaincc, gammaln
 
     half, ratio = fatigue.exponent / 2, fatigue.endurance / deviation
+    if math.isinf(ratio):
+        raise ValueError("numbers so large give no life")
     least = fatigue.threshold * ratio
     above = float(gammaincc(1 + half, least * least / 2))
     if not above:
