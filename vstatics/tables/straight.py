@@ -15,11 +15,13 @@ _UNITS = {
     "N*m": "N",
     "kg*m^2": "kg",
     "rad": "m",
+    "rad/s^2": "m/s^2",
     "rad/s": "m/s",
 }
 """Of what turns -> of what moves straight."""
 _ANY = "|".join(map(re.escape, [*_UNITS][:-1]))
-_UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?<=speed \[)rad/s(?=\])")
+_SPEEDS = "|".join(rf"(?<={word} \[)" for word in ("speed", "rate", "velocity"))
+_UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?=\])")
 """Frequencies are in rad/s of a vibration, whatever moves."""
 
 
