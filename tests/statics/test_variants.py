@@ -52,6 +52,7 @@ from vstatics import (
 from vstatics.model.converters import Converter
 from vstatics.model.fatigue import Fatigue
 from vstatics.model.parts import Friction, Load
+from vstatics.model.struts import Strut
 from vstatics.model.transmission import IdleConvention
 from vstatics.model.vehicle import Vehicle
 from vstatics.numerics.arrays import Floats
@@ -633,6 +634,7 @@ OTHER: dict[type, dict[str, object]] = {
         "limit": 3000.0,
         "points": ((0.0, 0.0), (0.1, 30.0)),
         "friction": 14.0,
+        "strut": Strut(3e6, 0.02, 0.1, 1.0),
     },
     Gear: {
         "speed_ratios": {1: 0.5},

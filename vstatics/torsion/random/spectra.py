@@ -61,7 +61,7 @@ class Correlation(NamedTuple):
         --------
         >>> road = Correlation(1e-4, ((1.0, 0.3, 0.8),), 10.0)
         >>> road.at(np.array([5.0])).round(13)
-        array([2.9208e-06])
+        array([2.9208211e-06])
         """
         squares, total = np.square(omegas), np.zeros(np.shape(omegas))
         for variance, a, b in self.parts:
