@@ -6,7 +6,23 @@ import json
 from pathlib import Path
 from typing import Any
 
-from tests.published.pages import rows
+import pytest
+
+from tests.published.pages import rounded, rows
+from tests.published.test_published_starts import (
+    TABLE_3_9,
+    TABLE_3_11,
+    Dumped,
+    chain_of,
+    of_table_3_9,
+    one_spring,
+)
+from tests.published.vehicle_dynamics_cells import cells
+from tests.simulation.boxes import RPM
+from tests.torsion.table_3_8 import TABLE_3_8
+from tests.torsion.test_simplification_tables import GEARS
+from vstatics.simulation import simulate
+from vstatics.torsion.clutch.dumped import dump
 
 HERE = Path(__file__).parent
 MZKT: dict[str, Any] = json.loads((HERE / "mzkt7922.json").read_text(encoding="utf-8"))
@@ -27,3 +43,60 @@ def test_cells_of_the_listing_that_are_wrong_in_print() -> None:
         for row in rows("visual-statics", "Cells of the listing")
     }
     assert told == known
+
+
+def test_cells_of_vehicle_dynamics_that_are_wrong_in_print() -> None:
+    found = cells()
+    for row in rows("vehicle-dynamics", "Cells that are wrong in print"):
+        own = found[row["table"], row["cell"]]
+        assert rounded(own, row["here"]) == row["here"], row
+        assert own != pytest.approx(float(row["printed"]), rel=0.004), row
+
+
+GAZ = [line for line in TABLE_3_8 if line.vehicle == "ГАЗ-53А"]
+GAZ_RATIOS = (6.48, 3.09, 1.71, 1.0)
+
+
+def test_measured_torques_of_a_dumped_clutch() -> None:
+    """GAZ-53A, table 3.2: no dump is below what was measured; a motion has the torque of the page."""
+    for row in rows("vehicle-dynamics", "Largest torques that were measured"):
+        number = GEARS.index(row["gear"])
+        speed = float(row["rpm"]) * RPM / GAZ_RATIOS[number]
+        line = GAZ[number]._replace(given=GAZ[number].given._replace(omega1=speed))
+        made = dump(line.given)
+        assert (made.case, rounded(made.max_torque / 1000, "0.00")) == (row["case"], row["dump"])
+        peak = simulate(one_spring(line)).peaks["S1"].torque / 1000
+        assert rounded(peak, "0.00") == row["simulate"], row
+        assert float(row["measured"]) < min(peak, made.max_torque / 1000)
+
+
+MAZ_RATIOS = (6.17, 3.4, 1.79, 1.0)
+
+
+def test_measured_torques_of_a_truck_with_many_masses() -> None:
+    """MAZ-504, table 3.2: 1780 rpm, a clutch of 1.2 kN*m."""
+    for row in rows("vehicle-dynamics", "Largest torques that were measured", 1):
+        gear = GEARS.index(row["gear"])
+        motion = simulate(chain_of(Dumped("500", gear + 1, {}), 1200, 1780))
+        peak = motion.peaks["Y34"].torque * MAZ_RATIOS[gear] / 1000
+        assert rounded(peak, "0.00") == row["simulate"]
+
+
+def test_starts_of_the_page() -> None:
+    """Tables 3.9 and 3.11: printed numbers and those of the program as the page has them."""
+    starts = {one["params"]["K"]: one for one in TABLE_3_9["cases"][:5]}
+    for row in rows("vehicle-dynamics", "Starts"):
+        one = starts[float(row["K [1/s]"])]
+        found = of_table_3_9(one)
+        for shaft, key in (("input shaft", "M_PV"), ("half-shafts", "Y_po")):
+            printed, here = row[f"{shaft}, printed"], row[f"{shaft}, here"]
+            assert float(printed) == one["published"][key]
+            assert rounded(found[key], "0") == here
+    dumps = {(f"{one.vehicle} {GEARS[one.gear - 1]}"): one for one in TABLE_3_11}
+    for row in rows("vehicle-dynamics", "Starts", 1):
+        one = dumps[row["vehicle"]]
+        peak = simulate(chain_of(one)).peaks[row["shaft"]].torque / 1000
+        assert (one.peaks[row["shaft"]], rounded(peak, "0.00")) == (
+            float(row["printed"]),
+            row["here"],
+        )

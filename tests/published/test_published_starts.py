@@ -173,8 +173,8 @@ TABLE_3_11 = [
 ]
 
 
-def chain_of(row: Dumped) -> Scenario:
-    """No damping, no reaction of the axle: 1300 N*m of the clutch at 1800 rpm, K = 150 1/s."""
+def chain_of(row: Dumped, clutch: float = 1300, rpm: float = 1800) -> Scenario:
+    """No damping, no reaction of the axle; torque of the clutch, speed of the engine, 150 1/s."""
     key = (row.vehicle, row.gear)
     springs = [
         Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
@@ -191,8 +191,8 @@ def chain_of(row: Dumped) -> Scenario:
         inertias={n: inertia / 10 for n, inertia in enumerate(inertias, 1)},
         springs=springs,
     )
-    control = Capacity(Formula(f"{slipping}*1300*(1 - exp(-150*t))"))
-    start = Start(speeds={1: 1800 * RPM} | dict.fromkeys(range(2, 8), 0.0))
+    control = Capacity(Formula(f"{slipping}*{clutch}*(1 - exp(-150*t))"))
+    start = Start(speeds={1: rpm * RPM} | dict.fromkeys(range(2, 8), 0.0))
     return Scenario(case, 0.16 if row.gear <= 2 else 0.08, start, {1: control})
 
 
