@@ -17,6 +17,7 @@ from tests.published.test_published_starts import (
     of_table_3_9,
     one_spring,
 )
+from tests.published.test_published_umdm import TABLE_1, TABLE_1_NUMBERS
 from tests.published.vehicle_dynamics_cells import cells
 from tests.simulation.boxes import RPM
 from tests.torsion.table_3_8 import TABLE_3_8
@@ -100,3 +101,18 @@ def test_starts_of_the_page() -> None:
             float(row["printed"]),
             row["here"],
         )
+
+
+def test_table_1_of_the_umdm() -> None:
+    """The page has the printed signs, and ratios of the program that agree with them."""
+    found = {}
+    for row in rows("umdm", "Table 1"):
+        signs = dict(zip("145678", row["printed"].split(), strict=True))
+        own = {brake: sign.replace("±", "+-") for brake, sign in signs.items() if sign != "."}
+        ratios = dict(zip(own, row["ratios here"].split(), strict=True))
+        assert own == TABLE_1[row["ports"]]
+        found[row["ports"]] = {brake: float(value) for brake, value in ratios.items()}
+        assert all(
+            ("-" if value < 0 else "+") in own[one] for one, value in found[row["ports"]].items()
+        )
+    assert found == TABLE_1_NUMBERS
