@@ -219,10 +219,11 @@ def test_broken_links_are_found(tmp_path: Path) -> None:
 
 
 def test_every_document_is_reached_from_the_readme() -> None:
-    """Pages of the cookbook by its list."""
+    """Pages of the cookbook and of the sources by their lists."""
     linked = set(LINK.findall((ROOT / "README.md").read_text(encoding="utf-8")))
-    pages = LINK.findall((ROOT / "docs/cookbook/README.md").read_text(encoding="utf-8"))
-    linked |= {f"docs/cookbook/{page}" for page in pages}
+    for document in ("docs/cookbook/README.md", "docs/sources.md"):
+        folder, pages = document.rpartition("/")[0], (ROOT / document).read_text(encoding="utf-8")
+        linked |= {f"{folder}/{page}" for page in LINK.findall(pages)}
     assert {name for name in NAMES if name != "README.md"} <= {
         link.partition("#")[0] for link in linked
     }
