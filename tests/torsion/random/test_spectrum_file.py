@@ -43,6 +43,7 @@ def test_numbers_may_have_units() -> None:
         ("{white: x}", "1:9", "expected a number"),
         ("{variance: -1, correlation: [[1, 2, 3]]}", "1:12", "a variance of 0 or more"),
         ("{variance: 1, correlation: [[.5, 2, 3]]}", "1:28", "shares add up to 0.5, expected 1"),
+        ("{variance: 1, correlation: [[2, 1, 0], [-1, 2, 0]]}", "1:41", "a share of 0 or more"),
         ("{variance: 1, correlation: [[1, 0, 3]]}", "1:33", "an alpha above 0"),
         ("{variance: 1, correlation: [[1, 2, 3]], speed: 0}", "1:48", "a speed above 0"),
         ("{variance: 1, correlation: [[1, 2, 3]], speed: 3 N}", "1:48", "expected a velocity"),

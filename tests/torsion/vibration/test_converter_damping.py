@@ -240,6 +240,12 @@ def test_without_a_working_point_there_is_an_error(load: Load | None, why: str) 
         only(two_masses(load=load))
 
 
+def test_without_torque_a_converter_turns_as_one() -> None:
+    """It takes 0 N*m at i = 1 alone, and no piece is above it."""
+    working = (only(two_masses(load=Load(speed=1900, torque=0))).converters or {})["TC"]
+    assert (working.speed_ratio, working.pump_torque) == (1, 0)
+
+
 def test_a_speed_ratio_alone_needs_the_speed_of_the_load() -> None:
     with pytest.raises(CaseError, match="the speed of the pump of TC is not known"):
         modes(two_masses(load=None), speed_ratios={"TC": 0.6})

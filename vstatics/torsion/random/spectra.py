@@ -79,7 +79,7 @@ class Correlation(NamedTuple):
             yield Problem("E529", f"read {self.speed:g}, expected a speed above 0", ("speed",))
         for number, (share, a, b) in enumerate(self.correlation, 1):
             for place, right, what in (
-                (1, math.isfinite(share), "a finite share"),
+                (1, 0 <= share < math.inf, "a share of 0 or more"),
                 (2, 0 < a < math.inf, "an alpha above 0"),
                 (3, math.isfinite(b), "a finite beta"),
             ):

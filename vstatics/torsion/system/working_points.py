@@ -149,7 +149,7 @@ class _WorkingPoints:
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
         """The largest speed ratio up to 1 at which a converter takes what comes to its pump."""
-        if not self.load.torque or self.load.speed is None:
+        if self.load.torque is None or self.load.speed is None:
             raise self._unknown([converter], "speed and torque of the `load` would tell it")
         corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
         excess = {ratio: self._excess(converter, ratios, ratio) for ratio in corners}
