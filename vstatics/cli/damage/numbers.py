@@ -34,10 +34,10 @@ def stress(name: str, text: str) -> Option:
     def read(given: str) -> float:
         from vstatics.readers.named.si_units import measured
 
-        return above_0(measured(given, "stress"))
+        return above_0(told(lambda text: measured(text, "stress"))(given))
 
     return click.option(
-        f"--{name}", required=True, callback=value(told(read)), metavar="STRESS", help=text
+        f"--{name}", required=True, callback=value(read), metavar="STRESS", help=text
     )
 
 

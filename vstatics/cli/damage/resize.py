@@ -23,7 +23,7 @@ def _diameter(text: str) -> _Diameter:
     from vstatics.readers.named.arithmetic import calculated
     from vstatics.readers.named.si_units import measured
 
-    above_0(measured(text, "length"))
+    above_0(told(lambda given: measured(given, "length"))(text))
     return _Diameter(*calculated(text))
 
 
@@ -35,7 +35,7 @@ def _part(name: str, text: str) -> Option:
 @click.option(
     "--diameter",
     required=True,
-    callback=value(told(_diameter)),
+    callback=value(_diameter),
     metavar="D",
     help="Of the shaft that lives long enough: '42 mm'.",
 )
