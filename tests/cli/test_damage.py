@@ -59,6 +59,16 @@ def test_units_in_headings_and_names_in_quotes() -> None:
     assert found["half-shaft"]["repeats"] is None
 
 
+def test_a_name_may_stand_as_it_is() -> None:
+    """As a test rig writes it, who knows no quotes."""
+    rows = [f"{one / 1000},{one}" for one in EXAMPLE]
+    heads = "torques[half-shaft] [kN*m],torques[shaft]"
+    Path("record.csv").write_text("\n".join([heads, *rows]), encoding="utf-8")
+    found = answer("damage", "both.yaml", "record.csv")["damage"]
+    assert [*found] == ["shaft", "half-shaft"]
+    assert found["half-shaft"]["cycles"] == found["shaft"]["cycles"]
+
+
 def test_a_device_that_was_not_recorded_is_left_out() -> None:
     found = vstatics("damage", "both.yaml", "record.csv", "-f", "json")
     assert [*json.loads(found.out)["damage"]] == ["shaft"]
@@ -74,6 +84,10 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
         ("torques[shaft]\n5\n5\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
         ("torques[shaft]\n", "record.csv:1:1: error: no torque of a device with `fatigue`"),
         ("torques[shaft]\n5\nnan\n", "record.csv:3:1: error: torques[shaft]: read 'nan'"),
+        (
+            "torques[shaft],torques[shaft] [kN*m]\n1,2\n",
+            "record.csv:1:1: error: torques[shaft]: read two columns of this name",
+        ),
         ("t,torques[shaft]\n1,5\n2,\n", "record.csv:3:1: error: torques[shaft]: read ''"),
         ("t,torques[shaft]\n1,5\n2\n", "record.csv:3:1: error: torques[shaft]: read ''"),
         (

@@ -27,7 +27,8 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     ----------
     case : Transmission
     data : bytes
-        CSV with columns `torques[DEVICE]`, as of `vstatics simulate`.
+        CSV with columns `torques[DEVICE]`, names in quotes as of `vstatics simulate`, or as they
+        are.
     file : str
         Its name, for messages.
 
@@ -38,8 +39,11 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     """
     names = case.devices
     headings = {name: f"torques[{written(names.index(name), names)}]" for name in case.fatigue}
-    record = read_record(data, file, dict.fromkeys(headings.values(), "si_torque"))
-    found = {name: head for name, head in headings.items() if head in record.columns}
+    plain = {name: f"torques[{name}]" for name in case.fatigue}
+    wanted = [*headings.values(), *plain.values()]
+    record = read_record(data, file, dict.fromkeys(wanted, "si_torque"))
+    both = [(name, way[name]) for name in case.fatigue for way in (plain, headings)]
+    found = {name: head for name, head in both if head in record.columns}
     torques = {name: record.columns[head] for name, head in found.items()}
     problems = list(_lacking(record, headings, found))
     made = damages(case, torques)

@@ -58,7 +58,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     Raises
     ------
     ReadError
-        With every cell of these that is no finite number, and its line.
+        With every cell of these that is no finite number, and its line, or a column that is there
+        twice.
 
     Examples
     --------
@@ -73,8 +74,11 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     places: dict[str, tuple[int, float]] = {}
     for place, heading in enumerate(headings):
         name, size = _named(heading, wanted, source)
+        if name in places:
+            message = f"{name}: read two columns of this name, expected one"
+            raise ReadError([Problem("E121", message, (), source.place(1))])
         if name in wanted:
-            places.setdefault(name, (place, size))
+            places[name] = place, size
     problems: list[Problem] = []
     values: dict[str, list[float]] = {name: [] for name in places}
     lines = []
