@@ -82,6 +82,16 @@ def test_struts_are_as_stiff_as_table_4_2_has_them(
     assert omega**2 * load / 100 == pytest.approx(expected, abs=0.5)
 
 
+def test_a_counter_chamber_without_pressure_pushes_nothing() -> None:
+    """By hand c = n p A/l of one chamber."""
+    case = readers.loads(
+        STRUT.format(load=6620, p=38, area=208.9, l=11, q=0, counter=77, m=16, at=0)
+    )
+    [omega] = omegas(case)
+    assert omega**2 * 6620 == pytest.approx(1.02 * 38 * 98066.5 * 208.9e-4 / 0.11, rel=1e-12)
+    assert readers.loads(write_yaml(case)) == case
+
+
 def test_a_body_bounces_and_pitches() -> None:
     """(4.1) with m = 4000, rho^2 = 1.4, l = 1.2 and 1.8, c = 180 and 240 kN/m: two by two."""
     case = readers.loads(

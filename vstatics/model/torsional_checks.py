@@ -157,9 +157,8 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
         yield from above_0(getattr(strut, name), "a number", (*path, name))
     for name in ("counter_pressure", "counter_area"):
         yield from not_negative(getattr(strut, name), "a number", (*path, name))
-    counter = (strut.counter_pressure, strut.counter_area, strut.counter_length)
-    if any(counter) and not all(counter):
-        message = "expected `counter_pressure`, `counter_area` and `counter_length`, or none"
+    if strut.counter_pressure and not (strut.counter_area and strut.counter_length):
+        message = "expected `counter_area` and `counter_length` above 0 beside `counter_pressure`"
         yield Problem("E543", message, path)
     elif strut.length > 0:
         least, most = strut.reach

@@ -49,7 +49,7 @@ FAULTS = [
         "strut-half-counter-chamber.yaml",
         3,
         29,
-        "springs.s.strut: expected `counter_pressure`, `counter_area` and `counter_length`, or none",
+        "springs.s.strut: expected `counter_area` and `counter_length` above 0 beside `counter_pressure`",
     ),
     (
         "strut-at-its-bottom.yaml",
