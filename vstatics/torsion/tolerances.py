@@ -54,3 +54,13 @@ NEVER_DAMPED = 1e-12
 """A real part below this part of the largest eigenvalue is none."""
 UNMOVED = 1e-9
 """A sum below this part of its terms is rounding."""
+WHOLE = 1e-9
+"""Shares add up to 1 within it."""
+ACCURACY = 1e-10
+"""Of integrals."""
+NOTHING = 1e-300
+"""A variance that is less is none. [square of a unit]"""
+
+# records
+UNDAMPED = 1e-6
+"""A decrement below 0 by no more is that of rounding. [-]"""

@@ -15,9 +15,7 @@ import numpy as np
 
 from vstatics.errors import Problem
 from vstatics.numerics.arrays import Floats
-
-WHOLE = 1e-9
-"""Shares add up to 1 within it."""
+from vstatics.torsion.tolerances import WHOLE
 
 
 class White(NamedTuple):

@@ -21,12 +21,8 @@ from scipy.integrate import quad_vec
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.torsion.random.excited import ExcitedGear, FirstOrder
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
-from vstatics.torsion.tolerances import NEVER_DAMPED, UNMOVED
+from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, UNMOVED
 
-ACCURACY = 1e-10
-"""Of integrals."""
-NOTHING = 1e-300
-"""Less is none. [square of a unit]"""
 MOST_PIECES = 2000
 """Of an integral."""
 

@@ -12,12 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
+from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5
 """Three of them are inner ones with amplitudes, of which two are a period apart."""
-
-UNDAMPED = 1e-6
-"""A decrement below 0 by no more is that of rounding. [-]"""
 
 
 class Decay(NamedTuple):
