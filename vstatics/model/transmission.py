@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError, nearest, plural
@@ -23,7 +24,7 @@ from vstatics.model.parts import (
     element_name,
     mechanism_name,
 )
-from vstatics.model.springs import SpringLimit, spring_name
+from vstatics.model.springs import Spring, SpringLimit, spring_name
 
 __all__ = [
     "HOUSING",
@@ -229,52 +230,16 @@ def _completed(case: Transmission) -> dict[str, object]:
         "outputs": tuple(case.outputs) if len(case.outputs) > 1 else (),
         "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
         "shift_elements": tuple(
-            element._replace(
-                name=element.name or element_name(number, element),
-                drag=_by_torque(element.drag, case.load),
-                capacity=None
-                if element.capacity is None
-                else _by_torque(element.capacity, case.load),
-                stiffness=_float(element.stiffness),
-                damping=damping(element.damping),
-                static=float(element.static),
-                friction=element.friction and element.friction.completed(),
-            )
+            _shift_element(element, number, case.load)
             for number, element in enumerate(case.shift_elements, 1)
         ),
-        "mechanisms": tuple(
-            mechanism._replace(
-                ratio=float(mechanism.ratio),
-                efficiency=as_float(mechanism.efficiency),
-                name=mechanism.name or mechanism_name(number),
-                back_efficiency=None
-                if mechanism.back_efficiency is None
-                else as_float(mechanism.back_efficiency),
-                stiffness=_float(mechanism.stiffness),
-                damping=damping(mechanism.damping),
-                points=tuple(tuple(map(float, point)) for point in mechanism.points),
-            )
-            for number, mechanism in enumerate(case.mechanisms, 1)
-        ),
+        "mechanisms": tuple(map(_mechanism, case.mechanisms, count(1))),
         "gears": tuple(
             _gear(case, gear, number) for number, gear in enumerate(case.gears or (Gear(),), 1)
         ),
         "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
         "masses": {link: float(mass) for link, mass in case.masses.items()},
-        "springs": tuple(
-            spring._replace(
-                twist=tuple(spring.form.items()),
-                stiffness=_float(spring.stiffness),
-                compliance=_float(spring.compliance),
-                damping=damping(spring.damping),
-                name=spring.name or spring_name(number),
-                limit=_limit(spring.limit),
-                strut=spring.strut and spring.strut.completed(),
-                points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
-                friction=float(spring.friction),
-            )
-            for number, spring in enumerate(case.springs, 1)
-        ),
+        "springs": tuple(map(_spring, case.springs, count(1))),
         "converters": tuple(
             one._replace(points=tuple(tuple(map(float, point)) for point in one.points))
             for one in case.converters
@@ -283,6 +248,45 @@ def _completed(case: Transmission) -> dict[str, object]:
         "vehicle": case.vehicle and case.vehicle.completed(),
         "fatigue": {name: one.completed() for name, one in case.fatigue.items()},
     }
+
+
+def _shift_element(element: ShiftElement, number: int, load: Load | None) -> ShiftElement:
+    return element._replace(
+        name=element.name or element_name(number, element),
+        drag=_by_torque(element.drag, load),
+        capacity=None if element.capacity is None else _by_torque(element.capacity, load),
+        stiffness=_float(element.stiffness),
+        damping=damping(element.damping),
+        static=float(element.static),
+        friction=element.friction and element.friction.completed(),
+    )
+
+
+def _mechanism(mechanism: Mechanism, number: int) -> Mechanism:
+    back = mechanism.back_efficiency
+    return mechanism._replace(
+        ratio=float(mechanism.ratio),
+        efficiency=as_float(mechanism.efficiency),
+        name=mechanism.name or mechanism_name(number),
+        back_efficiency=None if back is None else as_float(back),
+        stiffness=_float(mechanism.stiffness),
+        damping=damping(mechanism.damping),
+        points=tuple(tuple(map(float, point)) for point in mechanism.points),
+    )
+
+
+def _spring(spring: Spring, number: int) -> Spring:
+    return spring._replace(
+        twist=tuple(spring.form.items()),
+        stiffness=_float(spring.stiffness),
+        compliance=_float(spring.compliance),
+        damping=damping(spring.damping),
+        name=spring.name or spring_name(number),
+        limit=_limit(spring.limit),
+        strut=spring.strut and spring.strut.completed(),
+        points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
+        friction=float(spring.friction),
+    )
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:

@@ -360,85 +360,106 @@ def scenario_shape(words: Vocabulary) -> ByKey:
     return ByKey(
         "Scenario",
         "What happens to a case over time; bare numbers are in SI.",
-        (
-            KeyShape("name", TEXT, "Name of the scenario, on one line."),
-            KeyShape("description", TEXT, "What happens, as long as you like."),
-            KeyShape("source", TEXT, "Where its data come from."),
-            KeyShape(
-                "case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)
-            ),
-            KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
-            KeyShape("start", START, "The speeds at t = 0.", required=True),
-            KeyShape(
-                "controls",
-                Numbers("shift element", _control(capacity_curve(words))),
-                "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
-                "have `friction`; what has none, and no shift moves, stays as the start has it.",
-            ),
-            KeyShape(
-                "torques",
-                Numbers("link", OneOrMany(_law(torque_curve(words)))),
-                "Outside torques on links in N*m, positive like the input's; a law, or several.",
-            ),
-            KeyShape(
-                "speeds",
-                Numbers("link", ByForm(_SPEEDS, speed_curve(words), _SPEED_POINTS)),
-                "Speeds of links that are given over time, in rad/s; what torque this takes is "
-                "their column of torques.",
-                examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
-            ),
-            KeyShape(
-                "speed_ratios",
-                Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
-                "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
-                examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
-            ),
-            KeyShape(
-                "limits",
-                Numbers("spring", ByForm(_LIMITS, limit_curve(words), _TORQUE_POINTS)),
-                "Torques within which springs stay, over time or by what is seen, in N*m; else "
-                "the `limit` of the case.",
-                examples=({"tyre": [[0, 3000], [2, 1800]]},),
-            ),
-            KeyShape(
-                "converters",
-                ByName("converter", CONVERTER),
-                "Torque converters by their names, in place of those of the case.",
-            ),
-            KeyShape(
-                "shifts",
-                ListOf(SHIFT, "shifts", unique=False),
-                "Shifts by names of gears, in their order; of several at one time the last holds.",
-            ),
-            *named_numbers(),
-            KeyShape(
-                "states",
-                ByName("state", _state(value_curve(words))),
-                "Numbers that change by themselves, dx/dt = rate, by their names.",
-                examples=({"p": {"rate": "(command - p)/0.06"}},),
-            ),
-            KeyShape(
-                "set",
-                ByName("number", ANYTHING),
-                "Numbers that sequences change, as they are at first.",
-                examples=({"command": 0},),
-            ),
-            KeyShape(
-                "sequences",
-                ByName("sequence", _sequence(condition(words), value_curve(words))),
-                "What is done one after the other, each once a condition is true.",
-            ),
-            KeyShape(
-                "targets",
-                Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
-                "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
-                examples=({"vehicle": [8.3, 27.8]},),
-            ),
-            KeyShape(
-                "samples",
-                ByName("number", SAMPLES),
-                "Distributions of numbers of this scenario or its case, by their paths.",
-            ),
+        (*_beginning(), *_acting(words), *_shifting(), *_following(words)),
+    )
+
+
+def _beginning() -> tuple[KeyShape, ...]:
+    """What it is, how long it is, how it begins."""
+    return (
+        KeyShape("name", TEXT, "Name of the scenario, on one line."),
+        KeyShape("description", TEXT, "What happens, as long as you like."),
+        KeyShape("source", TEXT, "Where its data come from."),
+        KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
+        KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
+        KeyShape("start", START, "The speeds at t = 0.", required=True),
+    )
+
+
+def _acting(words: Vocabulary) -> tuple[KeyShape, ...]:
+    """What is given over time."""
+    return (
+        KeyShape(
+            "controls",
+            Numbers("shift element", _control(capacity_curve(words))),
+            "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
+            "have `friction`; what has none, and no shift moves, stays as the start has it.",
+        ),
+        KeyShape(
+            "torques",
+            Numbers("link", OneOrMany(_law(torque_curve(words)))),
+            "Outside torques on links in N*m, positive like the input's; a law, or several.",
+        ),
+        KeyShape(
+            "speeds",
+            Numbers("link", ByForm(_SPEEDS, speed_curve(words), _SPEED_POINTS)),
+            "Speeds of links that are given over time, in rad/s; what torque this takes is "
+            "their column of torques.",
+            examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
+        ),
+        KeyShape(
+            "speed_ratios",
+            Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
+            "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
+            examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
+        ),
+        KeyShape(
+            "limits",
+            Numbers("spring", ByForm(_LIMITS, limit_curve(words), _TORQUE_POINTS)),
+            "Torques within which springs stay, over time or by what is seen, in N*m; else "
+            "the `limit` of the case.",
+            examples=({"tyre": [[0, 3000], [2, 1800]]},),
+        ),
+    )
+
+
+def _shifting() -> tuple[KeyShape, ...]:
+    """Parts in place of those of the case, and shifts."""
+    return (
+        KeyShape(
+            "converters",
+            ByName("converter", CONVERTER),
+            "Torque converters by their names, in place of those of the case.",
+        ),
+        KeyShape(
+            "shifts",
+            ListOf(SHIFT, "shifts", unique=False),
+            "Shifts by names of gears, in their order; of several at one time the last holds.",
+        ),
+    )
+
+
+def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
+    """Numbers that change by themselves or by steps, and what is told of them."""
+    return (
+        *named_numbers(),
+        KeyShape(
+            "states",
+            ByName("state", _state(value_curve(words))),
+            "Numbers that change by themselves, dx/dt = rate, by their names.",
+            examples=({"p": {"rate": "(command - p)/0.06"}},),
+        ),
+        KeyShape(
+            "set",
+            ByName("number", ANYTHING),
+            "Numbers that sequences change, as they are at first.",
+            examples=({"command": 0},),
+        ),
+        KeyShape(
+            "sequences",
+            ByName("sequence", _sequence(condition(words), value_curve(words))),
+            "What is done one after the other, each once a condition is true.",
+        ),
+        KeyShape(
+            "targets",
+            Numbers("link", ByForm("a speed, or a list of speeds", SPEED, ListOf(SPEED))),
+            "Speeds of links in rad/s, or in km/h on a road: when they are reached.",
+            examples=({"vehicle": [8.3, 27.8]},),
+        ),
+        KeyShape(
+            "samples",
+            ByName("number", SAMPLES),
+            "Distributions of numbers of this scenario or its case, by their paths.",
         ),
     )
 

@@ -16,7 +16,6 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.scenario.programme import Look
-from vstatics.simulation.system.curves import curve_along, slope_of
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
@@ -262,8 +261,8 @@ class Equations:
             sprung, twisting = torques[at], rates[at]
             growing = twisting
             if not self.ports.bends.all():
-                limited = bool(self.limited.any())
-                slopes = self.given_at(times, slopes_count=limited)[1][at]
+                within = self.within if self.limited.any() else None
+                slopes = self.ports.given_at(times, within)[1][at]
                 if self.seen_limits:
                     columns = zip(times.tolist(), states.T, slopes.T, strict=True)
                     slopes = np.array([self._seen_slopes(*one) for one in columns]).T
@@ -279,19 +278,6 @@ class Equations:
                 : len(lost)
             ] * lost
         return made
-
-    def given_at(self, times: Floats, *, slopes_count: bool) -> tuple[Floats, Floats]:
-        """Torques that are given by the time alone, and their slopes, shape (ports, times)."""
-        ports = self.ports
-        times = ports.inside(times)
-        given: Floats = ports.c0[:, None] + ports.c1[:, None] * times
-        slopes = np.repeat(ports.c1[:, None], len(times), axis=1)
-        for port, formula, factor in ports.timed:
-            given[port] = factor * curve_along(formula, times)
-            if slopes_count:
-                made = [slope_of(formula.function, time, self.within) for time in times.tolist()]
-                slopes[port] = factor * np.array(made)
-        return given, slopes
 
     def _with_driving(self, torques: Floats) -> Floats:
         """Torques of ports, those of contacts that stick at a speed too; times may follow."""
@@ -619,7 +605,8 @@ class Affine:
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
         """Torques that are given by the time alone, and their slopes where they count."""
         equations = self.equations
-        count = bool(equations.light) or bool(self.change.by_slope.any())
+        count = bool(equations.light) or self.change.by_slope.any()
         more = np.zeros((len(equations.layout.values), len(times)))
-        given, slopes = equations.given_at(times, slopes_count=count)
+        within = equations.within if count else None
+        given, slopes = equations.ports.given_at(times, within)
         return np.vstack([given, more]), np.vstack([slopes, more])

@@ -100,6 +100,23 @@ class Ports:
         """Outside torques that may switch where no jump is known."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Ports whose torque changes with their rate."""
+        self._springs(system, states)
+        self._laws(system, states, time)
+        self.senses_rate[layout.pumps : layout.sensors] = True
+        self.bending = sorted(
+            {port for port, *_ in self.special}
+            | {port for port, _ in self.roads}
+            | {port for port, _ in self.looks}
+            | {layout.springs + index for index, _ in self.struts}
+            | set(range(layout.pumps, layout.sensors))
+        )
+        """Ports whose torques are not straight in rates, twists and angles."""
+        self.is_affine = not self.bending
+        """Whether all torques are straight in rates, twists and angles."""
+
+    def _springs(self, system: MotionSystem, states: States) -> None:
+        """Take the pieces of the points of springs."""
+        layout = self.layout
         self.stiffness = np.array([one.stiffness for one in system.springs])
         """Of springs where they are steepest. [N*m/rad]"""
         self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
@@ -117,18 +134,6 @@ class Ports:
         """Springs whose torques bend with their twists."""
         for index, curve in self.struts:
             self.all_elastic[layout.springs + index] = curve.steepest
-        self._laws(system, states, time)
-        self.senses_rate[layout.pumps : layout.sensors] = True
-        self.bending = sorted(
-            {port for port, *_ in self.special}
-            | {port for port, _ in self.roads}
-            | {port for port, _ in self.looks}
-            | {layout.springs + index for index, _ in self.struts}
-            | set(range(layout.pumps, layout.sensors))
-        )
-        """Ports whose torques are not straight in rates, twists and angles."""
-        self.is_affine = not self.bending
-        """Whether all torques are straight in rates, twists and angles."""
 
     def _laws(self, system: MotionSystem, states: States, time: float) -> None:
         """Take the torques of all ports but those of converters."""
@@ -223,6 +228,21 @@ class Ports:
             clipped: Floats = np.clip(times, self.after, self.until)
             return clipped
         return times
+
+    def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
+        """Torques that are given by the time alone, and their slopes, shape (ports, times).
+
+        Those of formulas are told where slopes count, from differences within a time [s].
+        """
+        times = self.inside(times)
+        given: Floats = self.c0[:, None] + self.c1[:, None] * times
+        slopes = np.repeat(self.c1[:, None], len(times), axis=1)
+        for port, formula, factor in self.timed:
+            given[port] = factor * curve_along(formula, times)
+            if within is not None:
+                made = [slope_of(formula.function, time, within) for time in times.tolist()]
+                slopes[port] = factor * np.array(made)
+        return given, slopes
 
     def slopes(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
