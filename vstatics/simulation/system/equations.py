@@ -274,9 +274,8 @@ class Equations:
             lost = structure.mesh_rates @ states[: self.motions]
             if self.light:
                 lost += structure.mesh_light_rates @ self._light_at(times, states)
-            made[self.meshed.start - self.works.start :] = (structure.torques @ torques)[
-                : len(lost)
-            ] * lost
+            by_mesh = (structure.torques @ torques)[: len(lost)]
+            made[self.meshed.start - self.works.start :] = by_mesh * lost
         return made
 
     def _with_driving(self, torques: Floats) -> Floats:
@@ -607,6 +606,5 @@ class Affine:
         equations = self.equations
         count = bool(equations.light) or self.change.by_slope.any()
         more = np.zeros((len(equations.layout.values), len(times)))
-        within = equations.within if count else None
-        given, slopes = equations.ports.given_at(times, within)
+        given, slopes = equations.ports.given_at(times, equations.within if count else None)
         return np.vstack([given, more]), np.vstack([slopes, more])

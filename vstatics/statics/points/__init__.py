@@ -8,7 +8,6 @@ battery.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -16,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vstatics.errors import not_allowed
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
-from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced
+from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced, settled_gear
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
 from vstatics.statics.points.parts import cases_of_points, joined
 from vstatics.statics.points.paths import (
@@ -124,7 +123,9 @@ def _alone(case: Transmission, answer: Followed) -> Results:
     points = points._replace(
         scales={unit: scale[0] for unit, scale in points.scales.items()},
         loaded=points.loaded[0],
-        gears=[*map(_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())],
+        gears=[
+            *map(settled_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())
+        ],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
         open=answer.open[0],
         outside={name: where[0] for name, where in answer.outside.items()},
@@ -135,15 +136,6 @@ def _alone(case: Transmission, answer: Followed) -> Results:
     said = [one for one in diagnosis.messages(own) if not (one.gear in unknown and one.id in SAID)]
     said += not_allowed(_messages(case, points), case.allow)
     return own._replace(case=case, messages=tuple(said))
-
-
-def _gear(case: Transmission, gear: Gear, state: int) -> Gear:
-    """A gear, whose open link has no torque where none balances it, or two do."""
-    if state not in (NO_BALANCE, TWO_BALANCES):
-        return gear
-    balance = case.gears[case.gear_number(gear.name) - 1]
-    [link] = balance.open_links((case.gear_input(gear), case.gear_output(gear)))
-    return gear._replace(torques={**gear.torques, link: math.nan})
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:

@@ -8,13 +8,14 @@ torques of both signs and of all sizes, and wherever it changes its sign a solut
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import BALANCED, EPSILON
 from vstatics.statics.physical import RELATIVE_TO_INPUT
@@ -104,6 +105,15 @@ def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) 
     found = follow(columns, variants)
     results = _told(found.results, asked, columns, unknown)
     return Followed(results, found.columns, np.where(unknown, unknown, found.open), found.outside)
+
+
+def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
+    """A gear, whose open link has no torque where none balances it, or two do."""
+    if state not in (NO_BALANCE, TWO_BALANCES):
+        return gear
+    balance = case.gears[case.gear_number(gear.name) - 1]
+    [link] = balance.open_links((case.gear_input(gear), case.gear_output(gear)))
+    return gear._replace(torques={**gear.torques, link: math.nan})
 
 
 def _asked(case: Transmission, given: Columns, variants: int) -> list[OpenBalance]:
