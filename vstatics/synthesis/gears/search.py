@@ -20,11 +20,11 @@ from vstatics.synthesis.gears.kinds import (
     EngagedSet,
     EngagedSets,
     Indices,
+    element_torques,
     engaged_kinds,
     kind_alone,
 )
 from vstatics.synthesis.gears.speed_forms import FreeSpeeds, Pair, SpeedForms
-from vstatics.synthesis.gears.torques import element_torques
 from vstatics.synthesis.tolerances import NEAR_DIRECT
 
 AUTO = "auto"
