@@ -14,6 +14,7 @@ from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, tell_outside
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import value
 from vstatics.errors import CaseError, Problem, ReadError, of_file
@@ -47,22 +48,34 @@ def _shifts(text: str) -> list[ShiftSpeed]:
     return read_shifts(text)
 
 
+def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearChoice:
+    from vstatics.summary.operation.drive_cycle import GearChoice
+
+    if least_speed is not None and shifts is not None:
+        raise click.UsageError("--least-speed and --shift exclude one another")
+    return GearChoice(least_speed, shifts or ())
+
+
 @click.command()
 @click.argument("case", type=click.Path())
 @click.argument("trace", type=click.Path())
 @formats.options(*formats.TABLES)
-@click.option(
-    "--least-speed",
-    callback=value(_speed),
-    metavar="SPEED",
-    help="The highest gear in which the engine turns as fast, 1200 rpm; else the first.",
-)
-@click.option(
-    "--shift",
-    "shifts",
-    callback=value(_shifts),
-    metavar="TEXT",
-    help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
+@gathered(
+    "choice",
+    _choice,
+    click.option(
+        "--least-speed",
+        callback=value(_speed),
+        metavar="SPEED",
+        help="The highest gear in which the engine turns as fast, 1200 rpm; else the first.",
+    ),
+    click.option(
+        "--shift",
+        "shifts",
+        callback=value(_shifts),
+        metavar="TEXT",
+        help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
+    ),
 )
 @click.option(
     "--steps",
@@ -76,8 +89,7 @@ def cycle(
     trace: str,
     wanted: OutputOptions,
     steps: str | None,
-    least_speed: float | None,
-    shifts: list[ShiftSpeed] | None,
+    choice: GearChoice,
     settings: CaseOptions,
 ) -> int:
     """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
@@ -102,16 +114,12 @@ def cycle(
     Exit status: 0 done; 1 a case or the trace is in error, or a gear has no
     torques; 2 wrong use.
     """
-    if least_speed is not None and shifts is not None:
-        raise click.UsageError("--least-speed and --shift exclude one another")
     to = wanted.destination([case, trace])
     files.spare([case, trace], steps)
     arguments.check_streams([case, trace])
-    from vstatics.summary.operation.drive_cycle import GearChoice
     from vstatics.summary.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace))
-    choice = GearChoice(least_speed, shifts or ())
     show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
 

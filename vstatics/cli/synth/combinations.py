@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.one_case import OneCase, file_name, one_case, problems_of
+from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import separated, value, wrong_value
 from vstatics.cli.synth.case_file import case_format, write_case, written_case
@@ -27,6 +28,13 @@ def _sizes(texts: Sequence[str]) -> list[int]:
             expected = "expected a whole number of elements, or several: 2,3"
             raise ValueError(f"read {quoted(text)}, {expected}")
     return list(dict.fromkeys(map(int, asked)))
+
+
+class Trials(NamedTuple):
+    """How many combinations may be tried, and whether any is."""
+
+    at_most: int
+    dry_run: bool
 
 
 @click.command()
@@ -51,15 +59,19 @@ def _sizes(texts: Sequence[str]) -> list[int]:
     metavar="all|IN:OUT,...",
     help="Between these links in place of the case's own ports; all: each ordered pair.",
 )
-@click.option(
-    "--at-most",
-    type=click.IntRange(min=1),
-    default=1_000_000,
-    show_default=True,
-    metavar="N",
-    help="Try no more combinations than these.",
+@gathered(
+    "trials",
+    Trials,
+    click.option(
+        "--at-most",
+        type=click.IntRange(min=1),
+        default=1_000_000,
+        show_default=True,
+        metavar="N",
+        help="Try no more combinations than these.",
+    ),
+    click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
 )
-@click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long.")
 @written_case
 @one_case
 def combinations(
@@ -67,8 +79,7 @@ def combinations(
     engaged: list[int],
     elements: tuple[str, ...],
     ports: tuple[str, ...],
-    at_most: int,
-    dry_run: bool,
+    trials: Trials,
     target: str | None,
 ) -> int:
     """Tell what each combination of shift elements of CASE does; - is standard input.
@@ -102,7 +113,7 @@ def combinations(
     from vstatics.synthesis.gears.ports import between, port_pairs
     from vstatics.synthesis.gears.search import AUTO, CombinationSearch, chosen_elements
 
-    if ports and (dry_run or target):
+    if ports and (trials.dry_run or target):
         raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
     reading = one.read()
     chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
@@ -116,11 +127,11 @@ def combinations(
         searches = [CombinationSearch(case, engaged, chosen) for case in cases]
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         for each in searches:
-            each.check(None if dry_run else at_most // len(searches))
+            each.check(None if trials.dry_run else trials.at_most // len(searches))
     search, kept = searches[0], True
     if pairs:
         show_ports(searches, one.case, to, telling)
-    elif dry_run:
+    elif trials.dry_run:
         show_estimate(search, one.case, to)
     else:
         check_room(search, to)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import formats
 from vstatics.cli.frame.one_case import OneCase
-from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.options import Command, Option, gathered
 from vstatics.cli.frame.values import value, wrong_value
 from vstatics.errors import Problem, listed
 from vstatics.model.transmission import Gear, Transmission
@@ -54,7 +54,7 @@ def _ratios(texts: Sequence[str]) -> dict[str, float]:
     return found
 
 
-speed_ratios = click.option(
+_speed_ratios = click.option(
     "--speed-ratio",
     "ratios",
     multiple=True,
@@ -63,16 +63,6 @@ speed_ratios = click.option(
     help="Speed ratio of a converter, turbine by pump, in place of that of the gear; when neither "
     "gives it that at which it takes the torque of the load.",
 )
-
-
-def working_gears(
-    case: Transmission, gears: Sequence[str], ratios: Mapping[str, float]
-) -> list[WorkingGear]:
-    """Gears by their names, with their converters at the speed ratios of an option."""
-    from vstatics.torsion.system.working_points import working_gear
-
-    with wrong_value("--speed-ratio"):
-        return [working_gear(case, case.gears[case.gear_number(one) - 1], ratios) for one in gears]
 
 
 CASE_OPTIONS = (
@@ -95,6 +85,26 @@ def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
         If there is no such gear.
     """
     return [case.gears[index].name for index in arguments.gear_indices(case, asked)]
+
+
+class WorkingAsked(NamedTuple):
+    """Gears that are asked for, and speed ratios of their converters."""
+
+    gears: tuple[str, ...]
+    ratios: Mapping[str, float]
+
+    def of(self, case: Transmission) -> list[WorkingGear]:
+        """These gears of a case, with its converters at these ratios."""
+        from vstatics.torsion.system.working_points import working_gear
+
+        gears = [case.gears[index] for index in arguments.gear_indices(case, self.gears)]
+        with wrong_value("--speed-ratio"):
+            return [working_gear(case, gear, self.ratios) for gear in gears]
+
+
+def working_options(*between: Option) -> Callable[[Command], Command]:
+    """Options of such gears, with others between them; the command gets `asked`."""
+    return gathered("asked", WorkingAsked, arguments.some_gears, *between, _speed_ratios)
 
 
 chosen_gear = click.option(

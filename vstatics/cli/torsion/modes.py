@@ -2,38 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import click
 
-from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.torsion.case import (
+    WorkingAsked,
     elastic_case,
-    gear_names,
     located,
-    speed_ratios,
-    working_gears,
+    working_options,
     working_slope_notes,
 )
 from vstatics.readers.reading import Reading
 
 
 @click.command()
-@arguments.some_gears
-@click.option(
-    "--modes",
-    "count",
-    type=click.IntRange(1),
-    metavar="N",
-    help="The first N modes that are not rigid; all when not given, of a case with more than 50 "
-    "links the first 20.",
+@working_options(
+    click.option(
+        "--modes",
+        "count",
+        type=click.IntRange(1),
+        metavar="N",
+        help="The first N modes that are not rigid; all when not given, of a case with more "
+        "than 50 links the first 20.",
+    )
 )
-@speed_ratios
 @elastic_case
-def modes(
-    one: OneCase, gears: tuple[str, ...], count: int | None, ratios: Mapping[str, float]
-) -> int:
+def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
     """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
 
     CASE has `inertias` of links [kg*m^2], or `masses` [kg] of those that move straight,
@@ -62,9 +56,9 @@ def modes(
         from vstatics.torsion.vibration.grids import modes_grids
 
         case = reading.case
-        working = working_gears(case, gear_names(case, gears), ratios)
+        working = asked.of(case)
         names = [one.gear.name for one in working]
-        found = modes_of(case, names, count=count, speed_ratios=ratios)
+        found = modes_of(case, names, count=count, speed_ratios=asked.ratios)
         notes = working_slope_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         doubts = ((gear.name, text) for gear in found for text in gear.warnings)

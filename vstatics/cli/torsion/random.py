@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import value
 from vstatics.cli.torsion.case import (
     CASE_OPTIONS,
-    gear_names,
+    WorkingAsked,
     link_name,
     located,
-    speed_ratios,
-    working_gears,
+    working_options,
     working_slope_notes,
 )
 from vstatics.cli.torsion.response import speeds_of
@@ -52,8 +49,7 @@ if TYPE_CHECKING:
     callback=value(speeds_of, "--omega"),
     help="Where spectra are asked for, in rad/s: N from A to B, or a list with commas.",
 )
-@arguments.some_gears
-@speed_ratios
+@working_options()
 @gathered("one", OneCase, *CASE_OPTIONS)
 def random(
     one: OneCase,
@@ -61,8 +57,7 @@ def random(
     by: Excitation,
     source: str,
     omega: Floats | None,
-    gears: tuple[str, ...],
-    ratios: Mapping[str, float],
+    asked: WorkingAsked,
 ) -> int:
     """Calculate the random vibration of CASE in every gear; - is standard input.
 
@@ -90,10 +85,10 @@ def random(
         case = reading.case
         link = link_name(case, at, "--at")
         spectrum = read_spectrum(*files.read_input(source))
-        working = working_gears(case, gear_names(case, gears), ratios)
+        working = asked.of(case)
         names = [one.gear.name for one in working]
         found = random_vibration(
-            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=ratios
+            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=asked.ratios
         )
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         return CaseAnswer(

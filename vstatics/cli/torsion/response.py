@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import numbers, value
 from vstatics.cli.torsion.case import (
     CASE_OPTIONS,
-    gear_names,
+    WorkingAsked,
     link_name,
     located,
-    speed_ratios,
-    working_gears,
+    working_options,
     working_slope_notes,
 )
 from vstatics.readers.reading import Reading
@@ -47,28 +45,57 @@ def speeds_of(text: str) -> Floats:
     return Steps(first, last, int(count))[np.arange(int(count))]
 
 
+class Exciting(NamedTuple):
+    """Orders, and the table of their torques."""
+
+    orders: Sequence[float] | None = None
+    torque: str | None = None
+
+    def harmonics(self) -> list[Harmonic]:
+        """What excites: by the table, or of 1 N*m."""
+        from vstatics.torsion.forced.harmonic_torques import Harmonic
+        from vstatics.torsion.forced.torque_table import read_torque_table
+
+        if self.torque is None:
+            return [Harmonic(order) for order in dict.fromkeys(self.orders or ())]
+        found = read_torque_table(*files.read_input(self.torque))
+        if self.orders is None:
+            return found
+        by_order = {one.order: one for one in found}
+        for order in self.orders:
+            if order not in by_order:
+                known = ", ".join(f"{one:g}" for one in by_order)
+                message = f"{self.torque} has no order {order:g}; it has {known}"
+                raise click.BadParameter(message, param_hint="--orders")
+        return [by_order[order] for order in dict.fromkeys(self.orders)]
+
+
 @click.command()
 @click.option(
     "--at", required=True, metavar="LINK", help="The link on which the torque acts, by its name."
 )
-@click.option(
-    "--orders",
-    metavar="N,...",
-    callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-    help="Orders, by revolutions of LINK: 1 N*m each, or those of the table that count.",
-)
-@click.option(
-    "--speed",
-    required=True,
-    metavar="A:B:N",
-    callback=value(speeds_of, "--speed"),
-    help="Speeds of LINK in rpm: N of them from A to B, or a list with commas.",
-)
-@click.option(
-    "--torque",
-    type=click.Path(),
-    metavar="FILE",
-    help="CSV with the columns order, amplitude [N*m] and phase [rad] or `phase [deg]`.",
+@gathered(
+    "exciting",
+    Exciting,
+    click.option(
+        "--orders",
+        metavar="N,...",
+        callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
+        help="Orders, by revolutions of LINK: 1 N*m each, or those of the table that count.",
+    ),
+    click.option(
+        "--speed",
+        required=True,
+        metavar="A:B:N",
+        callback=value(speeds_of, "--speed"),
+        help="Speeds of LINK in rpm: N of them from A to B, or a list with commas.",
+    ),
+    click.option(
+        "--torque",
+        type=click.Path(),
+        metavar="FILE",
+        help="CSV with the columns order, amplitude [N*m] and phase [rad] or `phase [deg]`.",
+    ),
 )
 @click.option(
     "--sum",
@@ -76,18 +103,15 @@ def speeds_of(text: str) -> Floats:
     is_flag=True,
     help="All orders together: the largest value over a cycle, and the RMS.",
 )
-@arguments.some_gears
-@speed_ratios
+@working_options()
 @gathered("one", OneCase, *CASE_OPTIONS)
 def response(
     one: OneCase,
     at: str,
-    orders: Sequence[float] | None,
+    exciting: Exciting,
     speed: Floats,
-    torque: str | None,
     with_sum: bool,
-    gears: tuple[str, ...],
-    ratios: Mapping[str, float],
+    asked: WorkingAsked,
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
@@ -106,8 +130,8 @@ def response(
     Exit status: 0 done; 1 the case is in error or a gear has no response;
     2 wrong use.
     """
-    to = one.destination(*([torque] if torque else []))
-    if torque is None and orders is None:
+    to = one.destination(*([exciting.torque] if exciting.torque else []))
+    if exciting == Exciting():
         raise click.UsageError("expected --orders, --torque or both")
 
     def calculate(reading: Reading) -> CaseAnswer:
@@ -116,11 +140,11 @@ def response(
         from vstatics.torsion.forced.harmonic_torques import response as responses
 
         case = reading.case
-        harmonics = _harmonics(orders, torque)
+        harmonics = exciting.harmonics()
         link = link_name(case, at, "--at")
-        working = working_gears(case, gear_names(case, gears), ratios)
+        working = asked.of(case)
         names = [one.gear.name for one in working]
-        found = responses(case, link, harmonics, speed, names, speed_ratios=ratios)
+        found = responses(case, link, harmonics, speed, names, speed_ratios=asked.ratios)
         if with_sum:
             found = [gear.with_sum() for gear in found]
         notes = working_slope_notes(reading, working)
@@ -134,22 +158,3 @@ def response(
         )
 
     return one.answer(calculate, to, extra="torsion")
-
-
-def _harmonics(orders: Sequence[float] | None, torque: str | None) -> list[Harmonic]:
-    """What excites: by the table, or of 1 N*m."""
-    from vstatics.torsion.forced.harmonic_torques import Harmonic
-    from vstatics.torsion.forced.torque_table import read_torque_table
-
-    if torque is None:
-        return [Harmonic(order) for order in dict.fromkeys(orders or ())]
-    found = read_torque_table(*files.read_input(torque))
-    if orders is None:
-        return found
-    by_order = {one.order: one for one in found}
-    for order in orders:
-        if order not in by_order:
-            known = ", ".join(f"{one:g}" for one in by_order)
-            message = f"{torque} has no order {order:g}; it has {known}"
-            raise click.BadParameter(message, param_hint="--orders")
-    return [by_order[order] for order in dict.fromkeys(orders)]

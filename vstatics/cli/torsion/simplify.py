@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -24,7 +24,8 @@ from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
-    from vstatics.torsion.reduction.simplification import SimplificationRule
+    from vstatics.torsion.reduction.scheme import TorsionScheme
+    from vstatics.torsion.reduction.simplification import Simplification, SimplificationRule
 
 RULES = ("partial", "r", "b", "u")
 FORMS = [form for form in TABLES if form != "xlsx"]
@@ -54,6 +55,24 @@ def _names(text: str) -> list[str]:
     return separated([text])
 
 
+class Reducing(NamedTuple):
+    """By which rule masses are taken out, and which before all others."""
+
+    rule: SimplificationRule | None
+    remove: Sequence[str] | None
+    merge: Sequence[str] | None
+
+    def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
+        """A scheme with so many natural frequencies."""
+        from vstatics.torsion.reduction.merging import simplify_merging
+        from vstatics.torsion.reduction.simplification import simplify
+
+        if self.merge:
+            removed = self.remove or ()
+            return simplify_merging(scheme, frequencies, self.rule, removed, self.merge)
+        return simplify(scheme, frequencies, self.rule, self.remove or ())
+
+
 @click.command()
 @chosen_gear
 @click.option(
@@ -64,24 +83,28 @@ def _names(text: str) -> list[str]:
     metavar="N",
     help="How many natural frequencies remain.",
 )
-@click.option(
-    "--rule",
-    type=click.Choice(RULES),
-    help="partial: by systems of one and two masses, of a chain; r, b, u: by systems of one "
-    "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
-    "for any other.",
-)
-@click.option(
-    "--remove",
-    metavar="A,B",
-    callback=value(_names),
-    help="These masses first, in this order; a name with commas in double quotes.",
-)
-@click.option(
-    "--merge",
-    metavar="A+B,C+D",
-    callback=value(_names),
-    help="Behind these, masses that turn as one, as those of equal branches do.",
+@gathered(
+    "way",
+    Reducing,
+    click.option(
+        "--rule",
+        type=click.Choice(RULES),
+        help="partial: by systems of one and two masses, of a chain; r, b, u: by systems of one "
+        "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
+        "for any other.",
+    ),
+    click.option(
+        "--remove",
+        metavar="A,B",
+        callback=value(_names),
+        help="These masses first, in this order; a name with commas in double quotes.",
+    ),
+    click.option(
+        "--merge",
+        metavar="A+B,C+D",
+        callback=value(_names),
+        help="Behind these, masses that turn as one, as those of equal branches do.",
+    ),
 )
 @gathered(
     "one",
@@ -112,9 +135,7 @@ def simplify(
     one: OneCase,
     gear: str | None,
     frequencies: int,
-    rule: str | None,
-    remove: Sequence[str] | None,
-    merge: Sequence[str] | None,
+    way: Reducing,
     output: str | None,
 ) -> int:
     """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
@@ -138,21 +159,15 @@ def simplify(
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import SimplificationAnswer
         from vstatics.torsion.reduction.grids import simplification_grids
-        from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.reduced_scheme import gear_scheme
         from vstatics.torsion.reduction.scheme import scheme_case
-        from vstatics.torsion.reduction.simplification import simplify as simplified
 
         own = reading.case
         chosen = gear_of(own, gear)
         scheme = gear_scheme(own, chosen)
         if isinstance(scheme, str):
             raise ReadError(located(reading, [(chosen.name, scheme)], "E517"))
-        chosen_rule = cast("SimplificationRule | None", rule)
-        if merge:
-            found = simplify_merging(scheme, frequencies, chosen_rule, remove or (), merge)
-        else:
-            found = simplified(scheme, frequencies, chosen_rule, remove or ())
+        found = way.simplified(scheme, frequencies)
 
         def write() -> bool:
             if output is not None:
