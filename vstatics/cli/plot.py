@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from functools import partial
 from typing import cast
 
@@ -12,14 +13,15 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.cli.frame.drawn_sweeps import plot_sweep
+from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, value, wrong_value
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
 from vstatics.pictures.sheet.style import Style
@@ -138,22 +140,21 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    for option, given, own, said in (
-        ("--merge", merge, "lever", "only levers can be merged"),
-        ("--wheels", wheels, "stick", "only stick diagrams name them"),
-        ("--ratios", ratios, "plan", "only a plan follows from ratios alone"),
-        ("--out", out, "shift", "only shift has columns of a run"),
-    ):
-        if given and kind != own:
-            raise click.UsageError(f"{option}: {said}")
-    if kind in _WITHOUT_GEARS and gears:
-        raise click.UsageError(f"--gear: {_WITHOUT_GEARS[kind]}")
-    if bool(cases) == (ratios is not None):
-        told = "--ratios: without a case" if cases else "Missing argument 'CASE...'."
-        raise click.UsageError(told)
     asked = DrawnColumns(x, y, z, by)
-    if kind not in SWEEP_PICTURES and asked != DrawnColumns():
-        raise click.UsageError("--x, --y, --z, --by: only map and curves are of columns")
+    of_sweeps = kind in SWEEP_PICTURES
+    refuse(
+        (merge and kind != "lever", "--merge: only levers can be merged"),
+        (wheels and kind != "stick", "--wheels: only stick diagrams name them"),
+        (ratios and kind != "plan", "--ratios: only a plan follows from ratios alone"),
+        (out and kind != "shift", "--out: only shift has columns of a run"),
+        (gears and kind in _WITHOUT_GEARS, f"--gear: {_WITHOUT_GEARS.get(kind)}"),
+        (cases and ratios is not None, "--ratios: without a case"),
+        (not cases and ratios is None, "Missing argument 'CASE...'."),
+        (
+            not of_sweeps and asked != DrawnColumns(),
+            "--x, --y, --z, --by: only map and curves are of columns",
+        ),
+    )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture")
@@ -161,8 +162,8 @@ def plot(
         return _plot_ratios(ratios, gears, to, Style(lang, dark))
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
-    if kind in SWEEP_PICTURES:
-        return plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
+    if of_sweeps:
+        return _plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
     picture = partial(
         _shown,
         kind=kind,
@@ -173,6 +174,39 @@ def plot(
     )
     options = settings._replace(scenarios=True, of_runs=kind in OF_RUNS)
     return carry_out(Job("plot", options, to, picture), cases)
+
+
+def _plot_sweep(
+    sweeps: Sequence[str],
+    kind: str,
+    to: formats.Destination,
+    form: Format,
+    style: Style,
+    asked: DrawnColumns,
+) -> int:
+    """Write the picture of a written sweep, in place of a case; the exit status.
+
+    Raises
+    ------
+    UsageError
+        If there are several files.
+    ReadError
+        If the file is no sweep, there is nothing to draw, or the picture can't be written.
+    """
+    from vstatics.pictures.sweeps import render_sweep
+    from vstatics.readers import sweep_tables
+
+    if len(sweeps) > 1 or to.is_folder:
+        raise click.UsageError(f"{kind}: expected one written sweep, and a file for its picture")
+    data, name = files.read_input(sweeps[0])
+    if not is_a("sweep", data, name):
+        message = "this is no table of variants: expected what `vstatics sweep -o` has written"
+        raise ReadError([of_file("E039", name, message)])
+    sweep = sweep_tables.read(data, name)
+    with files.problems_of_file(name):
+        drawn = render_sweep(sweep, kind, form, style, asked)
+    files.write_data(drawn, to.output)
+    return DONE
 
 
 def _plot_ratios(

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.options import Command, gathered
+from vstatics.cli.frame.options import Command, gathered, refuse
 from vstatics.errors import Problem, ReadError
 from vstatics.extras import missing
 from vstatics.jobs.files import STDOUT, is_stream
@@ -106,16 +106,24 @@ class OutputOptions(NamedTuple):
 
     def _checked(self, form: str | None, *, is_folder: bool) -> Destination:
         chosen = form or self.formats[0]
-        if is_folder and chosen == "jsonl":
-            raise click.UsageError(f"jsonl is one stream: expected -o FILE, not {self.output}")
-        if self.style.digits is not None and chosen in FULL:
-            raise click.UsageError(f"--digits does not apply to {chosen}, which has all digits")
-        if self.style.raw and chosen != "csv":
-            raise click.UsageError("--raw is for CSV")
-        if self.style.lang == "source" and chosen != "listing":
-            raise click.UsageError(f"--lang source is for a listing, not for {chosen}")
-        if self.style.own_tables and self.style.lang != "source":
-            raise click.UsageError("--own-tables is for --lang source: other listings have them")
+        style, of_source = self.style, self.style.lang == "source"
+        all_digits = f"--digits does not apply to {chosen}, which has all digits"
+        refuse(
+            (
+                is_folder and chosen == "jsonl",
+                f"jsonl is one stream: expected -o FILE, not {self.output}",
+            ),
+            (style.digits is not None and chosen in FULL, all_digits),
+            (style.raw and chosen != "csv", "--raw is for CSV"),
+            (
+                of_source and chosen != "listing",
+                f"--lang source is for a listing, not for {chosen}",
+            ),
+            (
+                style.own_tables and not of_source,
+                "--own-tables is for --lang source: other listings have them",
+            ),
+        )
         if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
             raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)

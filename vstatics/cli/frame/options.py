@@ -7,6 +7,8 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Any, TypeVar
 
+import click
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 Option = Callable[[Any], Any]
 """As click declares it: it is put on a command."""
@@ -55,3 +57,20 @@ def gathered(
         return decorated  # type: ignore[no-any-return]
 
     return put
+
+
+def refuse(*rules: tuple[object, str]) -> None:
+    """Say the first thing that is wrong with options.
+
+    Parameters
+    ----------
+    *rules : tuple
+        What is wrong if it is true, and the message.
+
+    Raises
+    ------
+    UsageError
+    """
+    for wrong, message in rules:
+        if wrong:
+            raise click.UsageError(message)

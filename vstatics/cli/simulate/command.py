@@ -13,6 +13,7 @@ from vstatics.cli.frame.documents import scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.one_case import file_name, one_text, tell
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.scenario_run import needs, run_problems
 from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.cli.simulate.options import SimulateOptions, options
@@ -63,10 +64,7 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
-    for option, given in events.items():
-        if given is not None and asked.method != "events":
-            raise click.UsageError(f"{option} is for the method `events`.")
+    _check_method(asked)
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
@@ -74,11 +72,7 @@ def simulate(asked: SimulateOptions) -> int:
 
         return run_samples(asked)
     out = asked.sampling.out
-    if out is not None and to.form not in WITH_COLUMNS:
-        expected = " ".join(known(WITH_COLUMNS))
-        raise click.UsageError(f"--out asks for columns over time: expected -o with {expected}.")
-    if asked.damage and to.form in ("csv", "npz", "parquet"):
-        raise click.UsageError("--damage is told in text and JSON: expected -o with .txt or .json.")
+    _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
     read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
@@ -112,6 +106,34 @@ def simulate(asked: SimulateOptions) -> int:
         return stopped_by(signal.SIGINT)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
+
+
+def _check_method(asked: SimulateOptions) -> None:
+    """Refuse what the published method has not."""
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    refuse(
+        *(
+            (
+                given is not None and asked.method != "events",
+                f"{option} is for the method `events`.",
+            )
+            for option, given in events.items()
+        )
+    )
+
+
+def _check_format(asked: SimulateOptions, form: str) -> None:
+    """Refuse what a format has no place for."""
+    refuse(
+        (
+            asked.sampling.out is not None and form not in WITH_COLUMNS,
+            f"--out asks for columns over time: expected -o with {' '.join(known(WITH_COLUMNS))}.",
+        ),
+        (
+            asked.damage and form in ("csv", "npz", "parquet"),
+            "--damage is told in text and JSON: expected -o with .txt or .json.",
+        ),
+    )
 
 
 def _check_step(step: float | None, duration: float) -> None:

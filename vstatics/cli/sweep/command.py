@@ -12,7 +12,7 @@ from vstatics import readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.options import Command, gathered
+from vstatics.cli.frame.options import Command, gathered, refuse
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import LIMIT_OPTION
 from vstatics.cli.frame.sharing import Sharing, shared
@@ -167,24 +167,33 @@ def sweep(
 def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Sharing) -> Format:
     """The format of the output; wrong combinations of options are wrong use."""
     to_stream = is_stream(options.output)
-    if options.case is None:
-        raise click.UsageError("Missing argument 'CASE' (or `case` in --file).")
-    if not (options.vary or options.variants):
-        raise click.UsageError("Nothing is varied: expected --vary, or --variants.")
-    for message in conflicts(vars(options), spelled):
-        raise click.UsageError(message if message.endswith("?") else f"{message}.")
+    against = [
+        (True, message if message.endswith("?") else f"{message}.")
+        for message in conflicts(vars(options), spelled)
+    ]
+    refuse(
+        (options.case is None, "Missing argument 'CASE' (or `case` in --file)."),
+        (
+            not (options.vary or options.variants),
+            "Nothing is varied: expected --vary, or --variants.",
+        ),
+        *against,
+    )
     sharing.check(options.output)
     told = format_of(options.output or "", FORMATS)
     form = cast("Format | None", options.format) or told
     message = "" if to_stream else mismatch(form, str(options.output))
     as_text = form in TEXTS and format_of(str(options.output), ["text"])
-    if message and not as_text:
-        raise click.UsageError(f"{spelled('format')} {message}")
-    if to_stream and (form or "csv") not in TEXTS:
-        raise click.UsageError(f"{form} can't go to a stream, expected a file: -o FILE")
-    if form is None and not to_stream:
-        raise click.UsageError(
+    refuse(
+        (message and not as_text, f"{spelled('format')} {message}"),
+        (
+            to_stream and (form or "csv") not in TEXTS,
+            f"{form} can't go to a stream, expected a file: -o FILE",
+        ),
+        (
+            form is None and not to_stream,
             f"can't tell the format of {options.output}: expected a suffix of "
-            f"{' '.join(known(FORMATS))}, or --format"
-        )
+            f"{' '.join(known(FORMATS))}, or --format",
+        ),
+    )
     return form or "csv"
