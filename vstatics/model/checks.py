@@ -20,10 +20,11 @@ from vstatics.model.part_checks import (
 from vstatics.model.parts import (
     Mechanism,
     ShiftElement,
-    element_name,
+    element_names,
     mechanism_name,
+    mechanism_names,
 )
-from vstatics.model.springs import spring_name
+from vstatics.model.springs import spring_names
 from vstatics.model.vehicle import of_vehicle
 
 MOST_FREEWHEELS = 8
@@ -159,15 +160,12 @@ def _counted(case: TransmissionFields) -> str:
 
 def _names(case: TransmissionFields) -> Iterator[Problem]:
     """Names are one line of text, and each is the only one of its kind."""
-    elements = [e.name or element_name(n, e) for n, e in enumerate(case.shift_elements, 1)]
-    mechanisms = [m.name or mechanism_name(n) for n, m in enumerate(case.mechanisms, 1)]
     gears = [gear.name or str(number) for number, gear in enumerate(case.gears, 1)]
     yield from _distinct(case.link_names, "link_names", "link")
-    yield from _distinct(elements, "shift_elements", "shift element")
-    yield from _distinct(mechanisms, "mechanisms", "mechanism")
+    yield from _distinct(element_names(case.shift_elements), "shift_elements", "shift element")
+    yield from _distinct(mechanism_names(case.mechanisms), "mechanisms", "mechanism")
     yield from _distinct(gears, "gears", "gear")
-    springs = [spring.name or spring_name(n) for n, spring in enumerate(case.springs, 1)]
-    yield from _distinct(springs, "springs", "spring")
+    yield from _distinct(spring_names(case.springs), "springs", "spring")
     for number, name in enumerate(case.link_names, 1):
         if name in ("0", "housing"):
             message = f"`{name}` is the housing, expected another name for link {number}"

@@ -25,6 +25,10 @@ class Converter(NamedTuple):
         """Pump and turbine."""
         return self.pump, self.turbine
 
+    def completed(self) -> Converter:
+        """The same with floats."""
+        return self._replace(points=tuple(tuple(map(float, point)) for point in self.points))
+
     def at_ratio(self, ratio: float) -> Mechanism:
         """The mechanism that it is at a speed ratio."""
         return Mechanism(
@@ -41,7 +45,7 @@ class Converter(NamedTuple):
 def converters_of(given: Mapping[str, Any]) -> tuple[Converter, ...]:
     """The converters of a document, by their names."""
     return tuple(
-        Converter(name, pump, turbine, tuple(tuple(map(float, row)) for row in one["points"]))
+        Converter(name, pump, turbine, one["points"]).completed()
         for name, one in given.items()
         for pump, turbine in [one["links"]]
     )

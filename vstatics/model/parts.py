@@ -608,9 +608,19 @@ def element_name(number: int, element: ShiftElement) -> str:
     return f"{kind}{number}"
 
 
+def element_names(elements: Sequence[ShiftElement]) -> list[str]:
+    """Their names, as they will be filled in."""
+    return [one.name or element_name(number, one) for number, one in enumerate(elements, 1)]
+
+
 def mechanism_name(number: int) -> str:
     """The name of a mechanism that has none: D and its number."""
     return f"D{number}"
+
+
+def mechanism_names(mechanisms: Sequence[Mechanism]) -> list[str]:
+    """Their names, as they will be filled in."""
+    return [one.name or mechanism_name(number) for number, one in enumerate(mechanisms, 1)]
 
 
 class Member(NamedTuple):

@@ -278,3 +278,8 @@ def spring_record(spring: Spring) -> dict[str, Any]:
 def spring_name(number: int) -> str:
     """The name of a spring that has none: S and its number."""
     return f"S{number}"
+
+
+def spring_names(springs: Sequence[Spring]) -> list[str]:
+    """Their names, as they will be filled in."""
+    return [one.name or spring_name(number) for number, one in enumerate(springs, 1)]

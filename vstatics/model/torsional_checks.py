@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -12,9 +12,9 @@ from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.converters import Converter
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import called, expect, of_characteristic, of_link
-from vstatics.model.parts import HOUSING, Damping, damping, element_name, mechanism_name
+from vstatics.model.parts import HOUSING, Damping, damping, element_names, mechanism_names
 from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit
-from vstatics.model.springs import Spring, SpringLimit, ends, spring_name
+from vstatics.model.springs import Spring, SpringLimit, ends, spring_names
 
 _TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 
@@ -178,7 +178,7 @@ def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> It
     yield from not_negative(limit.base, "a torque", (*path, "base"))
     right = math.isfinite(limit.times) and limit.times != 0
     yield from expect(limit.times, "a number other than 0", (*path, "times"), right=right)
-    names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
+    names = spring_names(case.springs)
     if limit.of not in names:
         message = f"read {quoted(limit.of)}, expected the name of a spring"
         yield Problem("E545", f"{message}{nearest(limit.of, names)}", (*path, "of"))
@@ -231,9 +231,7 @@ def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
 
 def _of_names(case: TransmissionFields) -> Iterator[Problem]:
     """Torques and energies are told by names, so everything that has one is called otherwise."""
-    taken: dict[str, str] = {}
-    for number, element in enumerate(case.shift_elements, 1):
-        taken[element.name or element_name(number, element)] = "a shift element"
+    taken = dict.fromkeys(element_names(case.shift_elements), "a shift element")
     rows: dict[str, str] = {}
     for what, name, path, members in _devices(case):
         if name in taken:
@@ -241,7 +239,7 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E257", message, path)
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
-    names = [spring.name or spring_name(number) for number, spring in enumerate(case.springs, 1)]
+    names = spring_names(case.springs)
     for number, name in enumerate(names, 1):
         if other := taken.get(name) or rows.get(name):
             message = f"`{name}` is the name of {other} too, expected another"
@@ -256,8 +254,7 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
     """Mechanisms and drawn elements: what each is, its name, its path, names of its members."""
     if case.drawing is None:
-        for number, mechanism in enumerate(case.mechanisms, 1):
-            name = mechanism.name or mechanism_name(number)
+        for number, name in enumerate(mechanism_names(case.mechanisms), 1):
             yield "a mechanism", name, ("mechanisms", number), ()
         return
     given = len(case.drawing.devices) - len(case.drawing.mechanisms)
@@ -306,7 +303,8 @@ _PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
 
 def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """What is wrong in the fatigue strengths of a case."""
-    names = [*_device_names(case)]
+    names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
+    names += spring_names(case.springs)
     for number, (name, fatigue) in enumerate(case.fatigue.items(), 1):
         path = ("fatigue", number)
         if name not in names:
@@ -321,13 +319,3 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
                 yield from not_negative(value, _PARTS[key], (*path, key))
             elif value is not None:
                 yield from above_0(value, _STRENGTHS[key], (*path, key))
-
-
-def _device_names(case: TransmissionFields) -> Iterable[str]:
-    """Of shift elements, mechanisms and springs, as they will be filled in."""
-    for number, element in enumerate(case.shift_elements, 1):
-        yield element.name or element_name(number, element)
-    for number, mechanism in enumerate(case.mechanisms, 1):
-        yield mechanism.name or mechanism_name(number)
-    for number, spring in enumerate(case.springs, 1):
-        yield spring.name or spring_name(number)

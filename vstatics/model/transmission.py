@@ -240,10 +240,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
         "masses": {link: float(mass) for link, mass in case.masses.items()},
         "springs": tuple(map(_spring, case.springs, count(1))),
-        "converters": tuple(
-            one._replace(points=tuple(tuple(map(float, point)) for point in one.points))
-            for one in case.converters
-        ),
+        "converters": tuple(one.completed() for one in case.converters),
         "dump": case.dump and case.dump.completed(),
         "vehicle": case.vehicle and case.vehicle.completed(),
         "fatigue": {name: one.completed() for name, one in case.fatigue.items()},

@@ -83,10 +83,8 @@ SHARED_TORQUE = 1e-6
 """A torque takes part in a redundant direction that has more of it."""
 SAME_VALUES = 1e-9
 """Values at one instant that differ by less do not jump."""
-GIVEN_CAPACITY = 1e-12
-"""A number that is given may be above the capacity of the case by this part, ..."""
 MADE_CAPACITY = 1e-9
-"""... and one by a formula, or below 0, by this part."""
+"""A number may be above the capacity of the case, or below 0, by this part."""
 MISSING_MASS = 1e-3
 """Part of the mass of a vehicle that its inertia may lack."""
 LEAST_PROBABILITY = 2.0**-53

@@ -7,7 +7,7 @@ same equations, the same directions of drag, and a case that stands for all of t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -121,18 +121,6 @@ def loads_of(case: Transmission, columns: Columns, variants: int) -> list[GearLo
         ).turned()
         for n in gears
     ]
-
-
-def expect_loads(case: Transmission, numbers: Iterable[CaseNumber]) -> None:
-    """Make sure that numbers which are to vary have the load that they are related to.
-
-    Raises
-    ------
-    CaseError
-        For the first that has not.
-    """
-    columns = dict.fromkeys(numbers, np.ones(1))
-    _expect_loads(case, columns, loads_of(case, columns, 1))
 
 
 def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad]) -> None:
