@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -12,10 +13,9 @@ from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
 from vstatics.simulation.system.matrices import Contact
 
+Slopes = TypeVar("Slopes", float, Floats)
 Torque = Callable[[float, float, float], float]
 """By time [s], rate [rad/s] and angle [rad]."""
-
-
 TorqueAlong = Callable[[Floats, Floats, Floats], Floats]
 """By times, and the rate and the angle at each."""
 
@@ -78,4 +78,13 @@ def slope_of(
 ) -> float:
     """Change of a torque with time, looking forward only."""
     now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
-    return (4 * middle - 3 * now - later) / within
+    return slope_ahead(now, middle, later, within)
+
+
+def slope_ahead(now: Slopes, middle: Slopes, later: Slopes, step: float) -> Slopes:
+    """The slope at once of what is so now, after half a step and after a whole one.
+
+    >>> slope_ahead(0.0, 0.25, 1.0, 1.0), slope_ahead(1.0, 2.0, 3.0, 2.0)  # t^2, 1 + t
+    (0.0, 1.0)
+    """
+    return (4 * middle - 3 * now - later) / step

@@ -16,6 +16,7 @@ import numpy as np
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.scenario.programme import Look
+from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure, null
@@ -201,7 +202,7 @@ class Equations:
         ]
         for port, look in self.unsensed:
             now, middle, later = map(look.at, [time + one for one in aheads], seen)
-            slopes[port] = (4 * middle - 3 * now - later) / ahead
+            slopes[port] = slope_ahead(now, middle, later, ahead)
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Rates of ports, and speeds of the motions without inertia."""
@@ -456,7 +457,7 @@ class Equations:
                 return np.array([one.uncut_at(then, seen) for *_, one in self.seen_limits])
 
             now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
-            risen = (4 * middle - 3 * now - later) / step
+            risen = slope_ahead(now, middle, later, step)
             for (index, sign, one), slope in zip(self.seen_limits, risen, strict=True):
                 is_cut = one.seen_at(time, at) != one.uncut_at(time, at)
                 slopes[index] = 0.0 if is_cut else sign * slope
