@@ -32,7 +32,7 @@ def damage() -> None:
     \b
     Examples:
       vstatics damage box.yaml record.csv
-      vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' --exponent 3 \\
-          --cycles 4e6 --per-km 100
+      vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' \\
+          --exponent 3 --cycles 4e6 --per-km 100
       vstatics damage resize --diameter '42 mm' --ratio 2.9
     """

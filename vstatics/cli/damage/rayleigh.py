@@ -48,8 +48,8 @@ def rayleigh(
 
     \b
     Examples:
-      vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' --exponent 3 \\
-          --cycles 4e6 --per-km 100
+      vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' \\
+          --exponent 3 --cycles 4e6 --per-km 100
 
     \b
     Exit status: 0 done; 2 wrong use.

@@ -62,8 +62,8 @@ def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
     Examples:
       vstatics torsion identify box.yaml --gear 3 --omega 27.4
       vstatics torsion identify box.yaml --gear 3 --omega 27.4 --decrement 1.06
-      vstatics torsion identify box.yaml --gear 3 --peaks 160,-51,109,-13,80 --period .23
-      vstatics torsion identify box.yaml --record test.csv --column 'torques[shaft]'
+      vstatics torsion identify box.yaml --peaks 160,-51,109,-13 --period .23
+      vstatics torsion identify box.yaml --record test.csv --column shaft
 
     \b
     Exit status: 0 done; 1 the case or the record is in error, or the gear has no

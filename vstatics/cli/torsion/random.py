@@ -71,8 +71,8 @@ def random(
       vstatics torsion random box.yaml --at road --by motion --input road.yaml
 
     \b
-    Exit status: 0 done; 1 the case or FILE is in error or a gear can't be excited;
-    2 wrong use.
+    Exit status: 0 done; 1 the case or FILE is in error or a gear can't be
+    excited; 2 wrong use.
     """
     to = one.destination(source)
 

@@ -148,7 +148,7 @@ def simplify(
     Examples:
       vstatics torsion simplify box.yaml --gear 1 --links 3
       vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
-      vstatics torsion simplify box.yaml --links 3 --merge 'left wheel+right wheel'
+      vstatics torsion simplify box.yaml --links 3 --merge 'left hub+right hub'
 
     \b
     Exit status: 0 done; 1 the case is in error or has no such scheme;

@@ -239,7 +239,7 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     chosen = np.concatenate([members, output], axis=1)
     values = np.nan_to_num(forms.values, posinf=0.0, neginf=0.0)
     rows = values[chosen]
-    large = abs(rows).max(axis=2, keepdims=True)
+    large = abs(rows).max(axis=2, keepdims=True, initial=0.0)
     sizes = np.where(large > 0, large, 1.0)
     inverse = np.linalg.pinv(np.swapaxes(rows / sizes, 1, 2), rcond=DETERMINED)
     torques = inverse @ values[-3] / sizes[..., 0]
