@@ -147,13 +147,73 @@ def test_variants_are_what_each_is_alone(seed: int) -> None:
         assert not disagreements(case, ratios(numbers, case, 30, kind), None, range(0, 30, 5))
 
 
-def test_ratios_that_are_nearly_alike_lose_digits_too() -> None:
+def nearly_alike(u: float, v: float) -> Transmission:
     """Two sets on the same carrier: w_3 = (u - v)/(u - 1) w_1 with link 2 held by w_2 = v w_1."""
-    u, v = -2.0, -2.0 * (1 + 1e-13)
-    sets = [Mechanism(2, 1, 3, u), Mechanism(2, 1, 0, v)]
-    results = solve(Transmission(3, [], sets, [Gear()]))
-    expected = (Fraction(u) - Fraction(v)) / (Fraction(u) - 1)
-    assert results.speeds[0, 2] == pytest.approx(float(expected), rel=1e-12)
+    return Transmission(3, [], [Mechanism(2, 1, 3, u), Mechanism(2, 1, 0, v)], [Gear()])
+
+
+def speed_of_output(u: float, v: float) -> float:
+    return float((Fraction(u) - Fraction(v)) / (Fraction(u) - 1))
+
+
+@pytest.mark.parametrize("u", [-2.0, 2.0, 1.61])
+@pytest.mark.parametrize("near", [1e-9, 1e-13, 1e-14, -1e-14, 3e-15])
+def test_ratios_that_are_nearly_alike_lose_digits_too(u: float, near: float) -> None:
+    v = u * (1 + near)
+    results = solve(nearly_alike(u, v))
+    assert results.speeds[0, 2] == pytest.approx(speed_of_output(u, v), rel=1e-6, abs=0)
+    assert (len(said(results)) == 1) == (abs(near) < 1e-10)
+
+
+@pytest.mark.parametrize("near", [1e-12, 1e-14, 3e-15])
+@pytest.mark.parametrize("first", [0, 3], ids=["from two that are the same", "from others"])
+def test_nearly_alike_in_arrays_of_variants(near: float, first: int) -> None:
+    ratios = [(-2.0, -2.0 * (1 + (first + one) % 7 * near)) for one in range(60)]
+    speeds = solve(nearly_alike(-2.0, -2.0), ratios=ratios).speeds[:, 0, 2]
+    expected = [speed_of_output(*one) for one in ratios]
+    assert speeds.tolist() == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+def test_equal_decimals_are_equal_whatever_their_floats_are() -> None:
+    """1.1 * 1.1 = 1.21, though not in floats: both ways to link 3 say the same of its speed."""
+    pairs = [Mechanism(3, 2, 0, 1.1), Mechanism(2, 1, 0, 1.1), Mechanism(3, 1, 0, 1.21)]
+    results = solve(Transmission(3, [], pairs, [Gear()]))
+    assert results.speeds[0].tolist() == pytest.approx([1, 1.1, 1.21])
+    assert (results.excess[0], bool(results.tied_up[0]), said(results)) == (1, False, [])
+
+
+def of_one_ratio(seed: int) -> Transmission:
+    """A random train of two to six mechanisms, most of nearly the same ratio."""
+    rng = seeded(seed)
+    case = random_train(rng, regular=True)
+    ratio, near = rng.choice((-2.0, 2.0, -1.5, 3.0, -2.37, 1.61)), 10.0 ** -rng.randint(6, 14)
+    mechanisms = [
+        one._replace(ratio=ratio * (1 + near * rng.choice((0, 1, -1, 2, 5))))
+        if one.third and rng.random() < 0.85
+        else one
+        for one in case.mechanisms
+    ]
+    return replace(case, mechanisms=mechanisms)
+
+
+@pytest.mark.usefixtures("as_doubles")
+@pytest.mark.parametrize(
+    "seeds",
+    [range(376, 386), pytest.param(range(1000, 1000 + count(400, 4000)), marks=pytest.mark.slow)],
+)
+def test_speeds_and_torques_of_nearly_one_ratio_are_those_of_fractions(seeds: range) -> None:
+    """But for speeds of some units in the last place of the input's, which are those of ratios."""
+    for seed in seeds:
+        case = of_one_ratio(seed)
+        results = solve(case)
+        for number, exact in enumerate(oracle.solve(case)):
+            for got, wanted in (
+                *zip(results.speeds[number], exact.speeds, strict=True),
+                *zip(results.torques[number], exact.torques.listed, strict=True),
+            ):
+                expected = math.nan if wanted is None else float(wanted)
+                close = pytest.approx(expected, rel=2e-6, abs=1e-14, nan_ok=True)
+                assert got == close, (seed, shown(case))
 
 
 def is_wrong(got: float, exact: object) -> bool:

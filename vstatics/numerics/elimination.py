@@ -7,14 +7,13 @@ their magnitude allows, so that variants of one structure take the same way.
 
 The size is the sum of the magnitudes that a value was made from. Its rounding error is
 at most a few units in the last place of its size (running error analysis: Wilkinson
-1963). So a difference that is small against its size is zero, unless a millionth of its
-larger term is left: sizes overrate the error of long calculations.
+1963). So a difference of no more than a unit in the last place of its size is zero, unless
+a millionth of its larger term is left: sizes overrate the error of long calculations. What is
+larger, and yet so small that few digits are left, is told by `solve_told`.
 
-Traced numbers need no size: a guard sees to it that what is zero, or is not, for the
-first variant is so for all.
-
-Whether a difference is zero is decided for the first variant as for floats, and guarded for
-the others by their own sizes. These are calculated only where a guard asks for one.
+Whether a difference of traced numbers is zero is decided for the first variant as for floats.
+For the others it is guarded: by parts of the terms, or, of any sign, by their own sizes, which
+are calculated only where a guard asks for one.
 """
 
 from __future__ import annotations
@@ -34,6 +33,7 @@ from vstatics.numerics.tolerances import (
     SIGNED_SAME,
     TRACED_DIFFERENCE,
     TRACED_REAL,
+    TRACED_SAME,
     UNCERTAIN,
     ZERO,
 )
@@ -47,6 +47,7 @@ from vstatics.numerics.traced import (
     is_exact,
     is_traced,
     of_any_sign,
+    operand_of,
     plain,
 )
 
@@ -107,12 +108,13 @@ def solve_told(
     consistent = run.consistent()
     values: list[Number] = [math.nan] * (unknowns + len(sums))
     decisive = [pivot for _, pivot, _ in run.pivots]
+    decisive += [row[RIGHT] for row in run.left if RIGHT in row]
     if consistent:
         entries = run.values(unknowns, sums)
         values = [value for value, _ in entries]
         decisive += entries
     solution = Solution(values, consistent, unknowns - len(run.pivots), len(run.left))
-    return solution, arithmetic is not FLOATS or all(map(_has_digits, decisive))
+    return solution, arithmetic is EXACT or all(map(_has_digits, decisive))
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
@@ -232,9 +234,9 @@ def _value_of_sum(row: Row) -> Entry:
 
 
 def _has_digits(entry: Entry) -> bool:
-    """Whether rounding leaves digits of a float, by its size; of what does not exist, too."""
-    value, size = entry
-    return not EPSILON * size > UNCERTAIN * abs(plain(value))
+    """Whether rounding leaves digits of a number, by its size; of what does not exist, too."""
+    value, size = _of_first_variant(entry)
+    return not EPSILON * size > UNCERTAIN * abs(value)
 
 
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
@@ -270,8 +272,6 @@ Equation = Mapping[int, Coefficient]
 """Column -> coefficient of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
 
 RIGHT = -1
-UNKNOWN = math.nan
-"""The size of what was calculated from traced numbers."""
 EXACTLY_ONE: Entry = (1.0, 0.0)
 """A factor that adds no rounding."""
 
@@ -348,34 +348,35 @@ FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enou
 
 
 def _traced_entry(number: Number) -> Entry:
-    return (number, UNKNOWN) if isinstance(number, Traced) else _float_entry(plain(number))
+    return (number, first(number)) if isinstance(number, Traced) else _float_entry(plain(number))
 
 
 def _traced_quotient(entry: Entry, pivot: Entry) -> Entry:
-    if is_traced(entry[0]) or is_traced(pivot[0]):
-        return entry[0] / pivot[0], UNKNOWN
-    return quotient_of_floats(entry, pivot)  # type: ignore[arg-type]
+    ratio = entry[0] / pivot[0]
+    return ratio, quotient_of_floats(_of_first_variant(entry), _of_first_variant(pivot))[1]
 
 
 def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
-    untraced = not any(map(is_traced, (entry[0], factor[0], term[0])))
-    if untraced and not math.isnan(entry[1] + factor[1] + term[1]):
-        return less_of_floats(entry, factor, term)  # type: ignore[arg-type]
     value, product = entry[0], factor[0] * term[0]
-    if not all(is_traced(one) or math.isfinite(plain(one)) for one in (value, product)):
+    left, size = less_of_floats(*map(_of_first_variant, (entry, factor, term)))
+    if not (is_traced(value) or is_traced(product)):
+        return left, size
+    if not math.isfinite(left):
         raise Untraceable
     if value == 0 or product == 0 or (value > 0) != (product > 0):
-        return value - product, UNKNOWN
+        return value - product, size
     larger, smaller = (value, -product) if first(value) >= first(product) else (-product, value)
     part = 1 - first(smaller) / first(larger)
-    if part <= ZERO:
-        if not untraced:
-            guard_same(absolute(smaller), absolute(larger), ZERO)
-        return 0.0, UNKNOWN
+    if left == 0:
+        most = min(ZERO * size / first(larger), TRACED_SAME)
+        if part > most:
+            raise Untraceable
+        guard_same(absolute(smaller), absolute(larger), most)
+        return 0.0, size
     if part <= 2 * TRACED_REAL:
         raise Untraceable
     least = max(min(TRACED_DIFFERENCE, part / 16), 1.5 * TRACED_REAL)
-    return value - product if untraced else difference(larger, smaller, least), UNKNOWN
+    return difference(larger, smaller, least), size
 
 
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
@@ -401,7 +402,9 @@ class LaterSize:
 def _of_first_variant(entry: Entry) -> FloatEntry:
     """An entry as it is in the first variant."""
     number, size = entry
-    return value_of(of_any_sign(number)), size.first if isinstance(size, LaterSize) else size
+    if number.__class__ is size.__class__ is float:
+        return entry  # type: ignore[return-value]
+    return operand_of(number)[2], size.first if isinstance(size, LaterSize) else size
 
 
 def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:

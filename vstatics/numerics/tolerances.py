@@ -10,10 +10,12 @@ EPSILON = 2.0**-52
 """A unit in the last place of 1."""
 
 # arithmetic of linear systems
-ZERO = 32 * EPSILON
-"""A difference is zero when it is at most this part of its size, ..."""
+ZERO = EPSILON
+"""A difference is zero when it is at most this part of its size, which bounds its rounding, ..."""
 TRACED_REAL = 2.0**-20
 """... and this part of the larger of its terms."""
+TRACED_SAME = 32 * EPSILON
+"""Traced: what is zero leaves at most this part of its larger term; so do all variants."""
 TRACED_DIFFERENCE = 1 / 64
 """Traced: a difference is at least this part of its larger term for all variants, or a
 sixteenth of the part that the first variant has, but more than `REAL`."""

@@ -64,13 +64,12 @@ def _messages(results: Results) -> Iterator[Message]:
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag
-    is_near = digits.is_near_singular(case)
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
-        lost = tuple(_digit_messages(results, number)) if is_near else ()
+        lost = tuple(_digit_messages(results, number)) if results.exact[number] else ()
         said = (
             *(_conflict(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(results, number, gear) if case.outputs else ()),

@@ -2,8 +2,9 @@
 
 A mechanism of ratio u near 1 has differences u - 1 in its equations; where several meet,
 their product is soon as small as rounding. So such a gear is calculated in exact fractions,
-in which a ratio is what its float is. Here its systems are solved once more, with the decimals
-that the numbers show: what then differs is lost by the rounding of the numbers themselves.
+in which a ratio is what its float is; so is one whose elimination leaves too few digits. Here
+its systems are solved once more, with the decimals that the numbers show: what then differs is
+lost by the rounding of the numbers themselves.
 """
 
 from __future__ import annotations
@@ -36,18 +37,6 @@ class LostDigits(NamedTuple):
     """Those with such torques; `the output` is the output torque."""
 
 
-def is_near_singular(case: Transmission) -> bool:
-    """Whether a ratio is nearly 1, and the case small enough to be solved exactly.
-
-    >>> from vstatics.model.transmission import Gear, Mechanism
-    >>> [is_near_singular(Transmission(3, [], [Mechanism(1, 2, 3, ratio)], [Gear()]))
-    ...  for ratio in (-2.0, 1.0, 1.00000001)]
-    [False, False, True]
-    """
-    near = is_nearly_one(case, [one.ratio for one in case.mechanisms])
-    return near and len(case.devices) + case.links <= MOST_EXACT_UNKNOWNS
-
-
 def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     """Whether the ratio of a mechanism with three links is nearly 1, but is not.
 
@@ -64,9 +53,11 @@ def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
 def lost_digits(state: GearState) -> LostDigits | None:
     """The speeds and torques of a gear that rounding makes uncertain; None if it makes none.
 
-    The gear is that of one case, not of arrays of variants.
+    The gear is that of one case, not of arrays of variants. None for large systems, too.
     """
     case, ideal = state.case, state.ideal
+    if len(case.devices) + case.links > MOST_EXACT_UNKNOWNS:
+        return None
     speeds = _exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
     by_link = _parts(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)

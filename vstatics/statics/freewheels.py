@@ -88,7 +88,7 @@ def _exact_state(
         state: GearState = rounded(_find_state(case, gear, *exact))
     except OverflowError:  # beyond any float, where the search asks for one
         return _find_state(case, gear, ratios, efficiencies)
-    return state
+    return state._replace(exact=True)
 
 
 def _find_state(

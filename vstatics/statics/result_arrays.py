@@ -130,6 +130,8 @@ class ResultFields(NamedTuple):
     """(..., gears, shift elements): is engaged, or a freewheel that holds."""
     conflict: Booleans
     """(..., gears): a freewheel can neither hold nor overrun."""
+    exact: Booleans
+    """(..., gears): calculated in fractions, as floats leave too few digits."""
 
     mesh_torques: Floats
     """(..., gears, meshes), on the first wheel of each mesh of drawn elements. [-]"""
@@ -199,6 +201,7 @@ ARRAYS: Mapping[str, GearArray] = {
     "balanced": GearArray("one", np.bool_),
     "holds": GearArray("elements", np.bool_),
     "conflict": GearArray("one", np.bool_),
+    "exact": GearArray("one", np.bool_),
     "mesh_torques": GearArray("meshes"),
     "lossy_mesh_torques": GearArray("meshes"),
     "mesh_losses": GearArray("meshes"),

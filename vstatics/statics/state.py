@@ -45,6 +45,8 @@ class GearState(NamedTuple):
     search: SignSearch
     conflict: bool = False
     """There is no such state: a freewheel can neither hold nor overrun."""
+    exact: bool = False
+    """Calculated in fractions, as floats leave too few digits."""
 
     @property
     def case(self) -> Transmission:
@@ -266,6 +268,7 @@ def values_of(state: GearState) -> Values:
         "balanced": state.balanced,
         "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
         "conflict": state.conflict,
+        "exact": state.exact,
         "mesh_torques": list(_of_meshes(state, state.torques.on_first_link)),
         "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
         "mesh_losses": [lossy.losses[index] for one in devices for index, _ in one.meshes_by_index],

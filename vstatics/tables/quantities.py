@@ -298,6 +298,9 @@ _ASKED = (
     Quantity("conflict", "conflict", "CONFLICT", Phrase(
         "A freewheel can neither hold nor overrun",
         "Муфта свободного хода не может ни замкнуться, ни разомкнуться")),
+    Quantity("exact", "exact", "EXACT", Phrase(
+        "Calculated in fractions, as rounding leaves few digits",
+        "Расчет в дробях, так как округление оставляет мало цифр")),
     Quantity("balanced", "balanced", "BALANCED", Phrase(
         "Torques without losses exist",
         "Моменты без потерь существуют")),
