@@ -71,6 +71,14 @@ def test_coast_down_by_viscous_friction() -> None:
     assert not motion.events
 
 
+@pytest.mark.parametrize("duration", [1.0, 1e3, 1e6, 1e9])
+def test_a_torque_that_dies_away_acts_however_long_the_run(duration: float) -> None:
+    """The integral of 10 exp(-t); the first look ahead may come when it is over."""
+    motion = run(links(2.0), duration, {1: 100.0}, ((1, Formula("10*exp(-t)")),))
+    assert motion.speeds[-1, 0] == pytest.approx(100 - 10 / 2 * math.expm1(-duration), rel=1e-10)
+    assert motion.energy.balance == pytest.approx(0, abs=1e-6)
+
+
 def test_coast_down_to_rest() -> None:
     """J dw/dt = -c w - R: rests at t = J/c ln(1 + c w0/R), and stays."""
     case = links(2.0)

@@ -427,8 +427,6 @@ class Closed:
 
     def _fits_at_start(self, time: float, state: Floats, given: Floats, limit: float) -> bool:
         """Whether torques begin where polynomials do: they may bend before the first instant."""
-        if self.is_given:
-            return True
         first: Floats = np.power(-1.0, np.arange(_ORDERS))[:, None]
         now = self._bent(np.array([time]), state[: self.size, None], given, first)
         return bool(largest(given @ first - now) <= _MOST_AT_START * limit)
