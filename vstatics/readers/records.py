@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -12,6 +11,7 @@ import numpy as np
 from vstatics.errors import Place, Problem, ReadError, listed, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.csv_rows import numbered_rows
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
@@ -69,36 +69,40 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     array([ 1500., -2000.])
     """
     source = decode(data, file, "a record").source
-    rows = csv.reader(source.lines)
-    headings = tuple(unguarded(cell.strip()) for cell in next(rows))
+    try:
+        rows = list(numbered_rows(source.lines))
+    except ValueError as error:
+        raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
+    head, first = rows.pop(0) if rows else (1, [])
+    headings = tuple(unguarded(cell.strip()) for cell in first)
     places: dict[str, tuple[int, float]] = {}
     for place, heading in enumerate(headings):
-        name, size = _named(heading, wanted, source)
+        name, size = _named(heading, wanted, source, head)
         if name in places:
             message = f"{name}: read two columns of this name, expected one"
-            raise ReadError([Problem("E121", message, (), source.place(1))])
+            raise ReadError([Problem("E121", message, (), source.place(head))])
         if name in wanted:
             places[name] = place, size
     problems: list[Problem] = []
     values: dict[str, list[float]] = {name: [] for name in places}
-    lines = []
-    for row in filter(None, rows):
-        lines.append(rows.line_num)
+    for line, row in rows:
         for name, (place, size) in places.items():
             cell = row[place].strip() if place < len(row) else ""
             values[name].append(_number(cell) * size)
             if math.isnan(values[name][-1]):
                 message = f"{name}: read {cell[:40]!r}, expected a finite number"
-                problems.append(Problem("E121", message, (), source.place(rows.line_num)))
+                problems.append(Problem("E121", message, (), source.place(line)))
         if len(problems) >= MOST_PROBLEMS:
             break
     if problems:
         raise ReadError(problems)
     made = {name: np.array(column) for name, column in values.items()}
-    return RecordedColumns(made, headings, lines, source)
+    return RecordedColumns(made, headings, [line for line, _ in rows], source)
 
 
-def _named(heading: str, wanted: Mapping[str, Measure | None], source: Source) -> tuple[str, float]:
+def _named(
+    heading: str, wanted: Mapping[str, Measure | None], source: Source, line: int
+) -> tuple[str, float]:
     """The name that a heading has without its unit, and the size of that in SI."""
     name, bracket, unit = heading.rpartition(" [")
     measure = wanted.get(name.strip())
@@ -110,7 +114,7 @@ def _named(heading: str, wanted: Mapping[str, Measure | None], source: Source) -
         return name.strip(), measured(f"1 {unit.removesuffix(']')}", measure)
     except ValueError as error:
         message = f"{name.strip()}: read the unit {unit.removesuffix(']')[:40]!r}, {error}"
-        raise ReadError([Problem("E121", message, (), source.place(1))]) from None
+        raise ReadError([Problem("E121", message, (), source.place(line))]) from None
 
 
 def _number(cell: str) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 
@@ -26,8 +27,21 @@ def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
         data = opened.read(most + 1)
     if len(data) > most:
         raise ValueError(f"expected a file of {most // 1000} kB at most")
+    return list(numbered_rows(io.StringIO(data.decode("utf-8-sig"))))
+
+
+def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
+    """Rows that are not empty, each with the number of its last line.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+    """
+    rows = csv.reader(lines)
     try:
-        rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+        for row in rows:
+            if row:
+                yield rows.line_num, row
     except csv.Error as error:
         raise ValueError(f"expected CSV: {error}") from None
-    return [(number, row) for number, row in enumerate(rows, 1) if row]

@@ -167,7 +167,7 @@ def _of_part(system: FirstOrder, forms: Floats, size: float, one: _Filter | None
     def of(form: Floats) -> Iterator[float]:
         turning = signal(form @ system.angles, _tidy(form, system.at_once))
         drifting = signal(form @ system.drift, _tidy(form, system.drift_at_once))
-        drifts = bool(np.abs(form @ system.drift).max(initial=0.0) > UNMOVED * np.abs(form).max())
+        drifts = _drifts(system, form)
         rate = whole.derivative(turning)
         if drifts and rate is not None:
             rate = rate.plus(drifting)
@@ -190,6 +190,11 @@ def _tidy(form: Floats, parts: Floats) -> float:
     return total if abs(total) > UNMOVED * float(np.abs(form) @ np.abs(parts)) else 0.0
 
 
+def _drifts(system: FirstOrder, form: Floats) -> bool:
+    """Whether a form has a part of rigid motions."""
+    return bool(np.abs(form @ system.drift).max(initial=0.0) > UNMOVED * np.abs(form).max())
+
+
 def _existing_at_points(gear: ExcitedGear, spectrum: SpectrumPoints, forms: Floats) -> Booleans:
     """Whether integrals exist: no resonance that nothing damps lies where the spectrum is."""
     system = gear.first_order
@@ -202,7 +207,7 @@ def _existing_at_points(gear: ExcitedGear, spectrum: SpectrumPoints, forms: Floa
     found = np.ones((3, len(forms)), np.bool_)
     for number, form in enumerate(forms):
         row = form @ system.angles
-        drifts = np.abs(form @ system.drift).max(initial=0.0) > UNMOVED * np.abs(form).max()
+        drifts = _drifts(system, form)
         for order in range(3):
             found[order, number] = not (met and whole.sees_undamped(row))
             row = row @ system.matrix + (form @ system.drift if order == 0 else 0.0)
