@@ -204,7 +204,7 @@ def _plot_sweep(
         raise ReadError([of_file("E039", name, message)])
     sweep = sweep_tables.read(data, name)
     with files.problems_of_file(name):
-        drawn = render_sweep(sweep, kind, form, style, asked)
+        [drawn] = render_sweep(sweep, kind, form, style, asked)
     files.write_data(drawn, to.output)
     return DONE
 

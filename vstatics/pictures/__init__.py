@@ -11,15 +11,17 @@ b'<?xml'
 'Generalised kinematic plan'
 
 `sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `boxes` and
-`sweeps` have the kinds of pictures. A kind is a function ``draw(results, style, gears) -> Figure``
+`sweeps` have the kinds of pictures. A kind is a function ``draw(results, style, gears)``
 in a module of its own, which is imported when its picture is asked for: matplotlib is an extra.
-Kinds that show a run take its motion, too. Where gears have something in common it is
-``each(results, style, shown)``, which makes this once for figures of several lists of gears.
+It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
+Where gears have something in common it is ``each(results, style, shown)``, which makes this once
+for the pages of several lists of gears.
 """
 
 from __future__ import annotations
 
 import io
+import math
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -71,7 +73,7 @@ def picture(
     *,
     motion: Motion | None = None,
 ) -> Figure:
-    """A picture of the results of one case, as a figure of matplotlib.
+    """A picture of the results of one case on one page, as a figure of matplotlib.
 
     Parameters
     ----------
@@ -87,7 +89,8 @@ def picture(
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     """
-    return _drawn(results, kind, style, [gears], motion)[0]
+    [[one]] = _drawn(results, kind, style._replace(height=math.inf), [gears], motion)
+    return one
 
 
 def _drawn(
@@ -96,8 +99,8 @@ def _drawn(
     style: Style,
     shown: Sequence[Sequence[int]],
     motion: Motion | None = None,
-) -> list[Figure]:
-    """A figure of each list of gears."""
+) -> list[list[Figure]]:
+    """The pages of each list of gears."""
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with settings_of(style):
@@ -115,41 +118,36 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     *,
     motion: Motion | None = None,
 ) -> bytes:
-    """A picture of a result as a file; parameters and errors as of `picture`."""
+    """A picture of a result on one page as a file; parameters and errors as of `picture`."""
     figure = picture(results, kind, style, gears, motion=motion)
     return written(figure, form, style, _alternative(results, kind, style, gears))
 
 
-def sheets(
+def pages(  # noqa: PLR0913 - what is drawn, and how
     results: Results,
     kind: str,
+    form: Format,
     style: Style,
     gears: Sequence[int] = (),
     *,
     motion: Motion | None = None,
 ) -> list[bytes]:
-    """A picture of a result as SVG; a long one in parts that fit a printed page.
-
-    Parameters and errors as of `picture`.
-    """
-    module = import_module(PICTURES[kind])
-    if not hasattr(module, "sheets"):
-        return [render(results, kind, "svg", style, gears, motion=motion)]
-    with settings_of(style):
-        figures = module.sheets(results, style, gears, *_run(kind, motion))
+    """A picture of a result in files of a page each; parameters and errors as of `picture`."""
+    [figures] = _drawn(results, kind, style, [gears], motion)
     title = _alternative(results, kind, style, gears)
-    return [written(figure, "svg", style, title) for figure in figures]
+    return [written(figure, form, style, title) for figure in figures]
 
 
-def of_each_gear(results: Results, kind: str, style: Style) -> list[bytes]:
-    """A picture of each gear as SVG, in the order of the gears.
+def of_each_gear(results: Results, kind: str, style: Style) -> list[list[bytes]]:
+    """The pages of each gear as SVG, in the order of the gears.
 
     Parameters and errors as of `picture`.
     """
     shown = [(number,) for number in range(1, len(results.case.gears) + 1)]
+    titles = (_alternative(results, kind, style, gears) for gears in shown)
     return [
-        written(figure, "svg", style, _alternative(results, kind, style, gears))
-        for gears, figure in zip(shown, _drawn(results, kind, style, shown), strict=True)
+        [written(figure, "svg", style, title) for figure in figures]
+        for title, figures in zip(titles, _drawn(results, kind, style, shown), strict=True)
     ]
 
 

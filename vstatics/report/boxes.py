@@ -41,7 +41,8 @@ def box_pages(listing: BoxListing) -> dict[str, bytes]:
     from vstatics.pictures.boxes.picture import render_boxes
 
     page = boxes_page(listing).encode(errors="backslashreplace")
-    return {"boxes.svg": render_boxes(listing, "svg", Style()), "boxes.html": page}
+    [drawn] = render_boxes(listing, "svg", Style())
+    return {"boxes.svg": drawn, "boxes.html": page}
 
 
 def boxes_page(

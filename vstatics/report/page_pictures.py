@@ -13,8 +13,8 @@ from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.pictures import of_each_gear, sheets
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures import of_each_gear, pages
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.pictures.sheet.words import KINDS
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
@@ -37,7 +37,7 @@ NAMES = {kind: english for kind, (english, _) in KINDS.items()}
 """What a kind of picture is called."""
 OF_EACH_GEAR = ("stick", "flow", "lever")
 OF_ALL_GEARS = ("efficiency", "plan")
-PAGE = Style(titled=False)
+PAGE = Style(titled=False, height=PAGE_HEIGHT)
 
 
 class Drawn(NamedTuple):
@@ -81,9 +81,10 @@ def of_each(results: Results, kind: str) -> list[Drawn]:
         made = of_each_gear(results, kind, PAGE)
     except CaseError:  # of one of them, perhaps
         return [picture_of(results, kind, number) for number in range(1, len(gears) + 1)]
+    labels = (f"{NAMES[kind]}, gear {gear.name}" for gear in gears)
     return [
-        Drawn(kind, [inline(svg, f"{kind}{number}", f"{NAMES[kind]}, gear {gear.name}")])
-        for number, (svg, gear) in enumerate(zip(made, gears, strict=True), 1)
+        Drawn(kind, _inlined(svgs, f"{kind}{number}", label))
+        for number, (svgs, label) in enumerate(zip(made, labels, strict=True), 1)
     ]
 
 
@@ -92,7 +93,7 @@ def picture_of(
 ) -> Drawn:
     """A picture of a case, of one gear by its number from 1, or of a run."""
     try:
-        made = sheets(results, kind, PAGE, () if gear is None else (gear,), motion=motion)
+        made = pages(results, kind, "svg", PAGE, () if gear is None else (gear,), motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
     own, label = f"{kind}{gear or ''}", NAMES[kind]
@@ -100,7 +101,12 @@ def picture_of(
         label = f"{label}, gear {results.case.gears[gear - 1].name}"
     if motion is not None:
         own, label = f"run-{own}", f"{label}, run"
-    return Drawn(kind, [inline(svg, f"{own}-{n or ''}", label) for n, svg in enumerate(made)])
+    return Drawn(kind, _inlined(made, own, label))
+
+
+def _inlined(svgs: Sequence[bytes], own: str, label: str) -> list[Markup]:
+    """Pages within HTML; the first has its own prefix, further ones have their numbers."""
+    return [inline(svg, f"{own}-{n}" if n else own, label) for n, svg in enumerate(svgs)]
 
 
 def palette(*, dark: bool) -> str:

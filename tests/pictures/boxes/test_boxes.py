@@ -29,7 +29,8 @@ from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
 def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:
     listing, style = listing_of(document), style or Style()
     with settings_of(style):
-        return draw_boxes(listing, style, drawn_boxes(listing, most))
+        [figure] = draw_boxes(listing, style, drawn_boxes(listing, most))
+    return figure
 
 
 def words(figure: Figure) -> list[str]:

@@ -168,7 +168,7 @@ def test_no_line_runs_through_a_text(name: str) -> None:
     with settings_of(Style()):
         results = result(name)
         gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
-        for figure in each(results, Style(), gears):
+        for [figure] in each(results, Style(), gears):
             assert list(crossed(figure)) == []
 
 

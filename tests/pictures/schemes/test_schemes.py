@@ -410,7 +410,7 @@ def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
     placement = stick.place(scheme, style).placement if is_drawn else structure.place(scheme, style)
     by_number = range(1, len(results.case.gears) + 1)
     figures = (stick if is_drawn else structure).each(results, style, [(n,) for n in by_number])
-    for gear, figure in enumerate(figures, 1):
+    for gear, [figure] in enumerate(figures, 1):
         check_pins(results, placement, gear, figure)
 
 

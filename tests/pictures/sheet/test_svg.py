@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from tests.commands import CASES
 from vstatics import load, solve
 from vstatics.pictures import PICTURES, render, settings_of
+from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.svg import halo, told, written_as_svg
 
@@ -50,7 +51,7 @@ def test_what_an_artist_says_is_its_title_and_data() -> None:
 
 
 def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
-    root = made(**halo(STYLE))
+    root = made(**halo(STYLE), gid=told(halo=True))
     group = next(root.iter(f"{SVG}g"))
     assert group.attrib["paint-order"] == "stroke"
     assert group.attrib["stroke"] == STYLE.paper
@@ -86,3 +87,19 @@ def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> No
     assert len(root.findall(f".//{SVG}title")) > 4
     for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):
         assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", text), text
+
+
+def test_what_belongs_together_is_one_group() -> None:
+    """Parts of two links drawn in turns stand by link, and their wires have their class."""
+    with settings_of(Style()):
+        pen = blank(50.0, 50.0, Style())
+        for turn in range(2):
+            for name in ("sun", "ring"):
+                link = pen.within("scheme").within("link", name=name)
+                link.line((0.0, turn), (5.0, turn), kind="wire", color="#000000")
+        root = parsed(written_as_svg(pen.figure, "", Style()))
+    [scheme] = root.findall(".//*[@class='scheme']")
+    assert {link.get("data-name"): [part.get("class") for part in link] for link in scheme} == {
+        "sun": ["wire", "wire"],
+        "ring": ["wire", "wire"],
+    }

@@ -41,7 +41,8 @@ def saddle(where: float = np.inf) -> WrittenSweep:
 def drawn(kind: object, sweep: WrittenSweep, **asked: object) -> object:
     style = Style()
     with settings_of(style):
-        return kind.draw(sweep, style, DrawnColumns(**asked))  # type: ignore[attr-defined, arg-type]
+        [figure] = kind.draw(sweep, style, DrawnColumns(**asked))  # type: ignore[attr-defined, arg-type]
+    return figure
 
 
 def lines(figure: object, title: str) -> list[np.ndarray]:

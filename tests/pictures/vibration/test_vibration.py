@@ -15,7 +15,7 @@ from tests.pictures.test_pictures import STYLES, overlaps
 from vstatics import Gear, Load, Mechanism, Results, ShiftElement, Spring, Transmission, load, solve
 from vstatics.errors import CaseError
 from vstatics.pictures import PICTURES, Format, picture, render
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.pictures.vibration.campbell import OrderRange, crossings, highest_speed, order_range
 from vstatics.pictures.vibration.links import mode_links
 from vstatics.pictures.vibration.shown_modes import modes_of
@@ -169,7 +169,7 @@ def test_damping_is_told_of_what_is_damped() -> None:
 def test_sheets_fit_a_printed_page_and_have_all_modes() -> None:
     from vstatics.pictures.vibration import modes
 
-    figures = modes.sheets(ODD["sixteen masses"], Style())
+    figures = modes.draw(ODD["sixteen masses"], Style(height=PAGE_HEIGHT))
     assert len(figures) > 1
     for figure in figures:
         wide, high = figure.get_size_inches()
@@ -183,14 +183,16 @@ def test_sheets_fit_a_printed_page_and_have_all_modes() -> None:
 def test_there_are_sheets_for_all_gears() -> None:
     from vstatics.pictures.vibration import campbell, modes
 
-    told = [text for one in modes.sheets(tied(), Style()) for text in drawn.texts(one)]
+    told = [
+        text for one in modes.draw(tied(), Style(height=PAGE_HEIGHT)) for text in drawn.texts(one)
+    ]
     assert [text for text in told if text.startswith(("gear ", "tied"))] == [
         "gear low",
         "gear both",
         "tied up",
     ]
     results = solve(load(CASES / "moskvich412.yaml"))
-    pages = [drawn.texts(one) for one in campbell.sheets(results, Style())]
+    pages = [drawn.texts(one) for one in campbell.draw(results, Style(height=PAGE_HEIGHT))]
     assert [sum(text.startswith("gear ") for text in page) for page in pages] == [6, 2]
 
 
@@ -274,7 +276,7 @@ def test_no_number_of_a_resonance_lies_on_a_line_or_point() -> None:
     figure = picture(solve(load(CASES / "driveline-8hp70.yaml")), "campbell", Style(), [1])
     titled = [(said, line) for said, line in drawn.titled(figure) if isinstance(line, Line2D)]
     lines = [line for _, line in titled]
-    numbers = [text for text in figure.texts if float(text.get_fontsize()) < 7]
+    numbers = [text for text in figure.texts if float(text.get_fontsize()) < 8]
     assert 5 < len(numbers) < len([said for said, _ in titled if " rpm, " in said])
     figure.draw_without_rendering()
     for text in numbers:

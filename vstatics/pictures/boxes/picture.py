@@ -44,8 +44,8 @@ DIAGRAM_LETTERS = 1.5
 """Size of letters in a diagram over what they would have."""
 
 
-def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
-    """The picture of found boxes as a file.
+def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:
+    """The pages of a picture of found boxes as files.
 
     Raises
     ------
@@ -56,8 +56,8 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> bytes:
     """
     require("plot", "a picture")
     with settings_of(style):
-        figure = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
-    return written(figure, form, style, "found boxes")
+        figures = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
+    return [written(figure, form, style, "found boxes") for figure in figures]
 
 
 def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
@@ -68,7 +68,7 @@ def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
     return written(figure, "svg", style, "found boxes")
 
 
-def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> Figure:
+def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
     """Points of all boxes over the diagrams of some.
 
     Raises
@@ -102,7 +102,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
         wide, high = (part * length for length in stick.size)
         corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
         stick.drawn(within=page.panel(corner, (wide, high))._replace(letters=DIAGRAM_LETTERS))
-    return page.figure
+    return [page.figure]
 
 
 def _page(

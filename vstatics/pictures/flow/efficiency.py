@@ -67,7 +67,7 @@ class _Losses(NamedTuple):
         return upright, max(map(width if upright else height, self.gears))
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
     """Draw the efficiency of all gears, or of some.
 
     Raises
@@ -107,7 +107,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
         high = height(sign.text) + 6
         sign.draw(pen, pen.size[0] + MARGIN / 2, y - high / 2)
         y -= high
-    return pen.figure
+    return [pen.figure]
 
 
 def _panel(name: str, losses: _Losses) -> Pen:

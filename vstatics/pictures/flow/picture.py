@@ -46,7 +46,7 @@ _Chosen = tuple[GearFlow, FlowGear | None]
 """Nothing of a gear in which no power is drawn."""
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
     """The power flow of all gears, one below another, or of some; all figures in one scale.
 
     Power runs from left to right, widths of bands are power in one scale for all gears.
@@ -57,7 +57,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
-    >>> [figure] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
+    >>> [[figure]] = each(solve(Transmission(3, [], mechanisms, [Gear()])), Style(), [()])
     >>> [text.get_text() for text in figure.texts if "circulates" in text.get_text()][-1]
     'circulates 1.000: 100.0% of the power in'
     """
@@ -73,7 +73,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
                 said = titles(FlowTexts(flow, flow.shown, style), results.gear(number))
                 drawn = FlowGear(placing, said)
             found.append((flow, drawn))
-        yield _figure(results, found, style)
+        yield [_figure(results, found, style)]
 
 
 def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:

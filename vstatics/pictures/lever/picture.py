@@ -32,7 +32,7 @@ NARROWEST_FIGURE = 320.0
 """Of a figure, for its title. [pt]"""
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
     """The levers of a case in all gears, or in some; at the same places in each figure.
 
     Raises
@@ -45,7 +45,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         raise CaseError("E403", "the case has no mechanism to draw as a lever")
     for gears in shown:
         numbers = gears or range(1, len(results.case.gears) + 1)
-        yield _figure(page, [in_gear(results, one, page.levers) for one in numbers], style)
+        yield [_figure(page, [in_gear(results, one, page.levers) for one in numbers], style)]
 
 
 class LeverBlock(NamedTuple):

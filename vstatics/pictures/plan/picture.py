@@ -38,8 +38,8 @@ PLANS_ON_SHEET, PLANS_ON_SHEET_WITH_RUN = 6, 4
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), motion: Motion | None = None
-) -> Figure:
-    """Draw all plans of a case, or those that have one of some gears.
+) -> list[Figure]:
+    """Draw all plans of a case, or those that have one of some gears, on pages.
 
     With a run those on which it is at any time are drawn, and its course through them.
 
@@ -48,14 +48,9 @@ def draw(
     CaseError
         If there is no plan.
     """
-    return _figure(results.case, _chosen(results, gears), style, motion)
-
-
-def sheets(
-    results: Results, style: Style, gears: Sequence[int] = (), motion: Motion | None = None
-) -> list[Figure]:
-    """The plans of a case in figures that fit a printed page each; errors as of `draw`."""
     drawn = _chosen(results, gears)
+    if math.isinf(style.height):
+        return [_figure(results.case, drawn, style, motion)]
     if motion is not None:
         drawn = [plan for plan, _ in visited(results.case, drawn, motion)]
     on_sheet = PLANS_ON_SHEET if motion is None else PLANS_ON_SHEET_WITH_RUN

@@ -74,7 +74,7 @@ def draw(
     style: Style,
     gears: Sequence[int] = (),  # noqa: ARG001 - a run has them all
     motion: Motion | None = None,
-) -> Figure:
+) -> list[Figure]:
     """Draw a run of a case.
 
     Raises
@@ -91,7 +91,7 @@ def draw(
     events = [Label(event.time, event_text(event, style), style.ink) for event in named]
     content = _RunContent(motion, shown, states(motion), events)
     subject = style.text("run over time", "движение во времени")
-    return _figure(content, printable(title(results.case, subject)), style)
+    return [_figure(content, printable(title(results.case, subject)), style)]
 
 
 def _figure(content: _RunContent, name: str, style: Style) -> Figure:

@@ -105,7 +105,7 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
     subject: str,
     note: str = "",
     is_coaxial: bool = False,
-) -> Iterator[Figure]:
+) -> Iterator[list[Figure]]:
     """Figures with room for everything, of no gear or of one by its number from 1.
 
     Raises
@@ -121,7 +121,7 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
             own = state_of(results, gear)
             state = scheme_state(scheme, own)
             texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
-        yield wired(
+        sheet = wired(
             scheme,
             placement,
             style,
@@ -131,7 +131,8 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
             name=title(results.case, ", ".join(texts)),
             note=note,
             is_coaxial=is_coaxial,
-        ).pen.figure
+        )
+        yield [sheet.pen.figure]
 
 
 def wired(  # noqa: PLR0913 - what is drawn, and how

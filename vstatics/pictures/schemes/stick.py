@@ -60,7 +60,7 @@ class StickLayout(NamedTuple):
         return self.glyphs[index][self.placement.arrangement.variants[index]]
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
     """The stick diagram of a case that is made of elements, or of what may be planetary sets.
 
     In the picture of a gear what is engaged is marked, and what turns as one piece; what

@@ -31,7 +31,7 @@ BOX_NAME_LETTERS = 18
 """The names of boxes are broken at. [letters]"""
 
 
-def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[Figure]:
+def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
     """Mechanisms, links, clutches and brakes, and how they are joined; in the same places in each.
 
     In the picture of a gear what is engaged is marked, and what turns as one piece; what
@@ -41,7 +41,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
-    >>> [figure] = each(solve(case), Style(), [()])
+    >>> [[figure]] = each(solve(case), Style(), [()])
     >>> sorted(text.get_text() for text in figure.texts)
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """

@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
-from vstatics.pictures.sheet.svg import halo, told
+from vstatics.pictures.sheet.svg import MarkGroup, halo, told
 from vstatics.pictures.sheet.tolerances import SAME_TICK
 from vstatics.tables.numbers import typeset
 
@@ -72,10 +72,20 @@ class Pen(NamedTuple):
     """Lengths in the figure over what they are here."""
     letters: float = 1.0
     """Size of letters over what they would have."""
+    groups: tuple[MarkGroup, ...] = ()
+    """In which what it draws is in SVG."""
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
         """The same in a rectangle with scales."""
         return self._replace(corner=corner, size=size, x=x, y=y)
+
+    def within(self, kind: str, **data: str) -> Pen:
+        """The same, what it draws in a group of a class in SVG: ``within("link", name="sun")``.
+
+        An underscore in a name is a hyphen: ``largest_force`` is ``data-largest-force``.
+        """
+        named = tuple((key.replace("_", "-"), value) for key, value in data.items())
+        return self._replace(groups=(*self.groups, MarkGroup(kind, named)))
 
     def fitted(self, low: Point, high: Point) -> Pen:
         """The same with places between two corners: in its middle, no larger than they are."""
@@ -96,12 +106,16 @@ class Pen(NamedTuple):
         """The place of an ordinate."""
         return self.y.part(y) * self.size[1]
 
-    def add(self, artist: Artist, title: str = "") -> None:
-        """An artist whose places are those of the figure, and what it says."""
+    def add(self, artist: Artist, title: str = "", kind: str = "") -> None:
+        """An artist whose places are those of the figure, what it says, and its class in SVG."""
         artist.set_transform(self.points)
-        if title:
-            artist.set_gid(told(title))
+        self._mark(artist, title, kind)
         self.figure.add_artist(artist)
+
+    def _mark(self, artist: Artist, title: str, kind: str = "", *, halo: bool = False) -> None:
+        """What an artist says in SVG, and where it is."""
+        if title or kind or halo or self.groups:
+            artist.set_gid(told(title, halo=halo, kind=kind, groups=self.groups))
 
     def text(  # noqa: PLR0913 - a text has these
         self,
@@ -118,8 +132,8 @@ class Pen(NamedTuple):
         """A text at a place; with paper around its letters where it stands `over` lines."""
         if not text:
             return
-        look |= halo(self.style, title) if over else {"gid": told(title)} if title else {}
-        self.figure.text(
+        look |= halo(self.style) if over else {}
+        made = self.figure.text(
             self.corner[0] + x,
             self.corner[1] + y,
             text,
@@ -128,12 +142,20 @@ class Pen(NamedTuple):
             transform=self.points,
             **look,
         )
+        self._mark(made, title, halo=over)
 
-    def line(self, *places: Point, width: float = LINE_WIDTH, title: str = "", **look: Any) -> None:
-        """A line through places; a place of NaN is a gap."""
+    def line(
+        self,
+        *places: Point,
+        width: float = LINE_WIDTH,
+        title: str = "",
+        kind: str = "",
+        **look: Any,
+    ) -> None:
+        """A line through places, with its class in SVG; a place of NaN is a gap."""
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
-        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title)
+        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title, kind)
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
         """Lines through places, of one look."""
@@ -141,18 +163,27 @@ class Pen(NamedTuple):
         if places:
             self.line(*places, **look)
 
-    def area(self, *corners: Point, width: float = 0.0, title: str = "", **look: Any) -> None:
-        """A polygon, with an outline if this has a width."""
+    def area(
+        self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
+    ) -> None:
+        """A polygon, with an outline if this has a width, and its class in SVG."""
         left, low = self.corner
         places = [(left + x, low + y) for x, y in corners]
-        self.add(Polygon(places, linewidth=width * self.part, **look), title)
+        self.add(Polygon(places, linewidth=width * self.part, **look), title, kind)
 
     def box(self, corner: Point, size: Point, **look: Any) -> None:
         """A rectangle by its lower left corner."""
         self.area(*corners(*corner, corner[0] + size[0], corner[1] + size[1]), **look)
 
     def plot(
-        self, xs: Floats, ys: Floats, *, width: float = LINE_WIDTH, title: str = "", **look: Any
+        self,
+        xs: Floats,
+        ys: Floats,
+        *,
+        width: float = LINE_WIDTH,
+        title: str = "",
+        kind: str = "",
+        **look: Any,
     ) -> None:
         """A line through points of both scales, which need not be logarithmic; cut at the edge."""
         places = [
@@ -162,7 +193,7 @@ class Pen(NamedTuple):
             )
         ]
         line = Line2D(*places, linewidth=width * self.part, **look)
-        self.add(line, title)
+        self.add(line, title, kind)
         ends = zip(places, self.corner, self.size, strict=True)
         if any(np.any((at < start) | (at > start + length)) for at, start, length in ends):
             own = Bbox.from_bounds(*self.corner, *self.size)

@@ -36,8 +36,12 @@ LONG_NAME = 110.0
 """Names of links and devices beside panels are wrapped to this width, ..."""
 SHORT_NAME = 84.0
 """... and those within a picture to this."""
-SMALL_NUMBER = 6.5
+SMALL_NUMBER = 7.0
 """Size of numbers within a picture."""
+
+POINTS_PER_MILLIMETRE = 72 / 25.4
+PAGE_WIDTH, PAGE_HEIGHT = 170 * POINTS_PER_MILLIMETRE, 240 * POINTS_PER_MILLIMETRE
+"""What a page of a report has room for. [pt]"""
 
 # Found by a search: in normal sight, without red and without green cones (Machado et al. 2009)
 # any two are .12 apart in OKLab, and .09 from ink, faint and engaged; each has a contrast of
@@ -71,6 +75,8 @@ class Style(NamedTuple):
         Stick diagrams with names and teeth of wheels.
     merged : bool
         Two sets with two common links are one lever.
+    width, height : float
+        That no page exceeds; an endless height is one page. [pt]
     """
 
     language: Language = "en"
@@ -78,6 +84,8 @@ class Style(NamedTuple):
     titled: bool = True
     wheels: bool = False
     merged: bool = False
+    width: float = PAGE_WIDTH
+    height: float = math.inf
 
     def text(self, english: str, russian: str) -> str:
         """A text in the language of the picture.

@@ -17,9 +17,9 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from matplotlib.figure import Figure
@@ -45,7 +45,28 @@ _USUAL = {
 _MEASURES = {"d", "x", "y", "x1", "x2", "y1", "y2", "width", "height", "points", "transform"}
 
 
-def told(title: str = "", *, halo: bool = False, **data: str) -> str:
+class MarkGroup(NamedTuple):
+    """A group of what belongs together in SVG: ``<g class="link" data-name="sun">``."""
+
+    kind: str
+    """Its class."""
+    data: tuple[tuple[str, str], ...] = ()
+    """Attributes ``data-...``."""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Of its element."""
+        return {"class": self.kind} | {f"data-{key}": value for key, value in self.data}
+
+
+def told(
+    title: str = "",
+    *,
+    halo: bool = False,
+    kind: str = "",
+    groups: Sequence[MarkGroup] = (),
+    **data: str,
+) -> str:
     """What an artist says in SVG, as its ``gid``.
 
     Parameters
@@ -53,21 +74,25 @@ def told(title: str = "", *, halo: bool = False, **data: str) -> str:
     title : str
         Shown while a pointer rests on it; it is the alternative text, too.
     halo : bool
-        A text with paper around its letters; `halo` makes one.
+        A text with paper around its letters, as of `halo`.
+    kind : str
+        The class of its own path or text.
+    groups : sequence of MarkGroup
+        In which it is, the outermost first; all of a group stands where its first part stood.
     **data
         Attributes ``data-...`` of its group.
     """
-    return json.dumps({"title": title, "halo": halo, "data": data}, ensure_ascii=False)
+    mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
+    return json.dumps(mark, ensure_ascii=False)
 
 
-def halo(style: Style, title: str = "") -> dict[str, Any]:
+def halo(style: Style) -> dict[str, Any]:
     """How a text is written that stands over lines: with paper around its letters.
 
-    >>> sorted(halo(Style()))
-    ['gid', 'path_effects']
+    >>> list(halo(Style()))
+    ['path_effects']
     """
-    effect = withStroke(linewidth=HALO, foreground=style.paper)
-    return {"path_effects": [effect], "gid": told(title, halo=True)}
+    return {"path_effects": [withStroke(linewidth=HALO, foreground=style.paper)]}
 
 
 def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
@@ -83,6 +108,7 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
         figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
     root = ET.fromstring(file.getvalue())  # noqa: S314 - our own, not from anywhere else
     _strip(root)
+    _gather(root)
     for element in list(root.iter()):
         _say(element, style)
         _shorten(element)
@@ -126,6 +152,26 @@ def _strip(root: ET.Element) -> None:
             parent.text = None
 
 
+def _gather(root: ET.Element) -> None:
+    """Put the parts of each group into one element."""
+    groups: dict[str, ET.Element] = {}
+    for parent in list(root.iter()):
+        for child in list(parent):
+            said = child.get("id", "") if child.tag == _GROUP else ""
+            into = parent
+            own = json.loads(said)["groups"] if said.startswith("{") else []
+            for depth, group in enumerate(own, 1):
+                key = json.dumps(own[:depth])
+                if key not in groups:
+                    groups[key] = ET.Element(_GROUP, MarkGroup(*group).attributes)
+                    place = list(into).index(child) if into is parent else len(into)
+                    into.insert(place, groups[key])
+                into = groups[key]
+            if into is not parent:
+                parent.remove(child)
+                into.append(child)
+
+
 def _say(element: ET.Element, style: Style) -> None:
     """Give a group its title, halo and data, and take the names that nobody refers to."""
     said = element.attrib.pop("id", "") if element.tag == _GROUP else ""
@@ -134,6 +180,8 @@ def _say(element: ET.Element, style: Style) -> None:
     mark = json.loads(said)
     for key, value in mark["data"].items():
         element.set(f"data-{key}", value)
+    for part in element if mark["kind"] else ():
+        part.set("class", mark["kind"])
     if mark["halo"]:
         element.attrib |= {
             "paint-order": "stroke",
@@ -194,7 +242,7 @@ def _joins(line: ET.Element, other: ET.Element) -> bool:
     """Add a line to one that looks like it, if it does."""
     lines = line.tag == other.tag == f"{{{SVG}}}path" and other.get("fill") == "none"
     looks = [{**one.attrib, "d": ""} for one in (line, other)]
-    if not lines or looks[0] != looks[1] or "opacity" in looks[0]:
+    if not lines or looks[0] != looks[1] or looks[0].keys() & {"opacity", "class"}:
         return False
     line.set("d", line.attrib["d"] + other.attrib["d"])
     return True

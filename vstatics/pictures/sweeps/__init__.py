@@ -6,7 +6,7 @@ comes out; `map` and `curves` draw one kind each.
 >>> from vstatics.pictures.sheet.style import Style
 >>> from vstatics.tables.written_results import WrittenSweep
 >>> columns = {"u": [1.0, 2.0], "eta": [0.9, 0.8]}
->>> drawn = render_sweep(WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",)), "curves", "svg",
+>>> [drawn] = render_sweep(WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",)), "curves", "svg",
 ...                      Style(), DrawnColumns())
 >>> drawn[:5]
 b'<?xml'
@@ -34,8 +34,8 @@ SWEEP_PICTURES = {
 
 def render_sweep(
     sweep: WrittenSweep, kind: str, form: Format, style: Style, asked: DrawnColumns
-) -> bytes:
-    """The picture of a sweep as a file.
+) -> list[bytes]:
+    """The pages of a picture of a sweep as files.
 
     Parameters
     ----------
@@ -53,5 +53,5 @@ def render_sweep(
 
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
-        figure = module.draw(sweep, style, asked)
-    return written(figure, form, style, f"sweep: {kind}")
+        figures = module.draw(sweep, style, asked)
+    return [written(figure, form, style, f"sweep: {kind}") for figure in figures]

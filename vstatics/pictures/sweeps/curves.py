@@ -64,7 +64,7 @@ class Curve(NamedTuple):
         return ", ".join(self.names) if len(others) < 2 else f"{first} … {others[-1]}"
 
 
-def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
+def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]:
     """Draw a panel for each column, below one another.
 
     Raises
@@ -98,7 +98,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
         box = pen.panel((CURVES_SCALE_WIDTH, low), (wide, highs[place]), scale)
         _draw(box, panels[place], names[place], x * (place == len(panels) - 1))
         low += highs[place] + PANEL_GAP
-    return pen.figure
+    return [pen.figure]
 
 
 def _tells_lines(sweep: WrittenSweep, asked: DrawnColumns) -> str:

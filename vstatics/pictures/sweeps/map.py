@@ -64,7 +64,7 @@ class Surface(NamedTuple):
     """What is said where no row has a number."""
 
 
-def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
+def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]:
     """Draw a map of each gear, or of each value of a column, all to the same levels.
 
     Raises
@@ -108,7 +108,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> Figure:
         )
         panel = pen.panel(corner, (wide, high), *(AxisScale(*one) for one in ends))
         _draw(panel, surface, levels, (x, y))
-    return pen.figure
+    return [pen.figure]
 
 
 def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:

@@ -85,22 +85,18 @@ class _CampbellDiagram(NamedTuple):
         return found + [LineEnd(y, (_order_name(n),)) for n, x, y in reached if x == 1.0]
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """Draw a diagram for each gear of a case, or for some, all to one scale.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+    """Draw a diagram for each gear of a case, or for some, all to one scale, on pages.
 
     Raises
     ------
     CaseError
         If scipy is not installed, or no gear has a natural frequency.
     """
-    return _figure(results.case, _diagrams(results, style, gears))
-
-
-def sheets(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
-    """The same in figures that fit a printed page each; errors as of `draw`."""
     every = _diagrams(results, style, gears)
-    starts = range(0, len(every), DIAGRAMS_ON_SHEET)
-    return [_figure(results.case, every[n : n + DIAGRAMS_ON_SHEET]) for n in starts]
+    on_page = len(every) if math.isinf(style.height) else DIAGRAMS_ON_SHEET
+    starts = range(0, len(every), on_page)
+    return [_figure(results.case, every[n : n + on_page]) for n in starts]
 
 
 def _diagrams(results: Results, style: Style, gears: Sequence[int]) -> list[_CampbellDiagram]:

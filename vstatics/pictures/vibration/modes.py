@@ -110,28 +110,23 @@ class _ModeColumns(NamedTuple):
         return self.left + self.shapes + self.elastic + self.kinetic + 2 * MODE_GAP + MARGIN
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> Figure:
-    """Draw the natural modes of the first gear, or of others, one below another.
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+    """Draw the natural modes of gears one below another, on pages.
+
+    On one page of any height it is the first gear, where none is told.
 
     Raises
     ------
     CaseError
         If scipy is not installed, or these gears have no natural frequency.
     """
-    numbers = gears or (1,)
+    is_one = math.isinf(style.height)
+    numbers = gears or ((1,) if is_one else range(1, len(results.case.gears) + 1))
     found = modes_of(results, numbers)
     parts = [_part(results, *one, style) for one in zip(numbers, found, strict=True)]
-    return _figure(results, parts, style)
-
-
-def sheets(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
-    """The same of all gears, or some, in figures that fit a printed page each."""
-    numbers = gears or range(1, len(results.case.gears) + 1)
-    figures = []
-    for one in zip(numbers, modes_of(results, numbers), strict=True):
-        part = _part(results, *one, style)
-        figures += [_figure(results, [page], style) for page in _on_pages(part)]
-    return figures
+    if is_one:
+        return [_figure(results, parts, style)]
+    return [_figure(results, [page], style) for part in parts for page in _on_pages(part)]
 
 
 def _part(results: Results, gear: int, found: GearModes, style: Style) -> _GearModesPart:
