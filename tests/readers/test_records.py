@@ -17,7 +17,7 @@ def test_blank_lines_before_the_headings_are_passed_over() -> None:
 
 
 def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() -> None:
-    text = b'\n"time","tor\nque","torque"\n0,0,1\n1,0,much\n'
+    text = b'\n"time","what\never","torque"\n0,0,1\n1,0,much\n'
     with pytest.raises(ReadError) as told:
         read_record(text, "r.csv", WANTED)
     [problem] = told.value.problems
