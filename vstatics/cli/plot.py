@@ -23,7 +23,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import FORMATS, OF_RUNS, PICTURES, Format, render
+from vstatics.pictures import FORMATS, OF_RUNS, OF_VIBRATION, PICTURES, Format, render
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES
 from vstatics.pictures.sweeps.columns import DrawnColumns
@@ -172,7 +172,9 @@ def plot(
         out=out,
         style=Style(lang, dark, wheels=wheels, merged=merge),
     )
-    options = settings._replace(scenarios=True, of_runs=kind in OF_RUNS)
+    options = settings._replace(
+        scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
+    )
     return carry_out(Job("plot", options, to, picture), cases)
 
 

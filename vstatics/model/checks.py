@@ -60,7 +60,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_gear(case, gear, path)
         if gear.load:
             yield from of_load(case.gear_load(gear), path)
-    yield from of_missing_ratios(case)
+    yield from of_missing_ratios(case, open_too=False)
     yield from _laws(case)
     for number, identity in enumerate(case.allow, 1):
         if why := why_not_allowed(identity):

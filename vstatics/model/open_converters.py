@@ -8,6 +8,7 @@ from typing import Any
 
 from vstatics.errors import CaseError, Problem
 from vstatics.model.converters import Converter
+from vstatics.model.part_checks import of_missing_ratios
 from vstatics.model.parts import Mechanism
 from vstatics.model.transmission import Transmission
 
@@ -42,6 +43,22 @@ def with_open_converters(case: Transmission) -> Transmission:
     return with_mechanisms(case, kept, gears=gears, converters=[*case.converters, *moved])
 
 
+def with_needed_ratios(case: Transmission) -> Transmission:
+    """The case, with all converters open if one of them lacks a speed ratio.
+
+    Examples
+    --------
+    >>> from vstatics.model.parts import Gear
+    >>> points = ((0, 2, 0.001), (1, 1, 0.0))
+    >>> converter = Mechanism(1, 2, 0, float("nan"), name="TC", kind="converter", points=points)
+    >>> case = with_needed_ratios(Transmission(2, [], [converter], [Gear()]))
+    >>> len(case.mechanisms), len(case.converters)
+    (0, 1)
+    """
+    lacks = any(of_missing_ratios(case, open_too=True))
+    return with_open_converters(case) if lacks else case
+
+
 def with_mechanisms(case: Transmission, own: Sequence[Mechanism], **changes: Any) -> Transmission:
     """A case with others in place of the mechanisms that it gives itself, and further changes."""
     if case.drawing is None:
@@ -53,6 +70,6 @@ def with_mechanisms(case: Transmission, own: Sequence[Mechanism], **changes: Any
 def without_lambda(case: Transmission) -> Iterator[Problem]:
     """Mechanisms that are converters of which no torque is known."""
     for number, one in enumerate(case.mechanisms, 1):
-        if one.kind == "converter" and len(one.points[0]) == 2:
+        if one.kind == "converter" and not one.can_be_open:
             message = f"{one.name} has no lambda, so its torque is not known: expected points "
             yield Problem("E698", f"{message}[i, K, lambda]", ("mechanisms", number, "points"))

@@ -267,10 +267,16 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
 
 
-def of_missing_ratios(case: TransmissionFields) -> Iterator[Problem]:
-    """Variators and converters that have a speed ratio neither by themselves nor by a gear."""
+def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[Problem]:
+    """Variators and converters that have a speed ratio neither by themselves nor by a gear.
+
+    Parameters
+    ----------
+    open_too : bool
+        Also converters whose torque is known, which can be open.
+    """
     for number, one in enumerate(case.mechanisms[case.own_mechanisms], 1):
-        if one.kind and math.isnan(one.ratio):
+        if one.kind and math.isnan(one.ratio) and (open_too or not one.can_be_open):
             message = (
                 f"`speed_ratio` of {one.kind} {one.name or number} is missing: give it in this "
                 "gear under `speed_ratios`, or in the mechanism for all gears"

@@ -302,6 +302,11 @@ class Mechanism(NamedTuple):
         """
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
+    @property
+    def can_be_open(self) -> bool:
+        """Whether it is a converter whose torque at the pump is known: its points have lambda."""
+        return self.kind == "converter" and len(self.points[0]) == 3
+
     def is_outside(self, ratio: Any) -> Any:
         """Whether a speed ratio, or each of an array, lies outside the points of a converter."""
         return (ratio < self.points[0][0]) | (ratio > self.points[-1][0])

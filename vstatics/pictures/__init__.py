@@ -54,6 +54,8 @@ PICTURES = {
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")
 """Kinds that show a run: ``draw(results, style, gears, motion)``."""
+OF_VIBRATION = ("modes", "campbell")
+"""Kinds that show vibration: a converter may be open."""
 
 DPI = 200
 """Of PNG. [1/inch]"""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 from vstatics.errors import CaseError, Problem, type_and_value
+from vstatics.model.part_checks import of_missing_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
@@ -58,7 +59,8 @@ def solve(  # noqa: PLR0913
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none, or `idle` no convention.
+        If a ratio or an efficiency in the arrays is none, `idle` no convention, or a converter
+        has no speed ratio.
     TypeError
         If `case` is no transmission, such as the name of a file.
     ValueError
@@ -91,6 +93,8 @@ def solve(  # noqa: PLR0913
         advice = "vstatics.load reads a file" if isinstance(case, str | PathLike) else ""
         read = f"solve of {type_and_value(case)}: expected a Transmission"
         raise TypeError("; ".join(filter(None, [read, advice])))
+    if problems := list(of_missing_ratios(case, open_too=True)):
+        raise CaseError(problems)
     case = case.with_coast(coast)
     if idle not in (None, case.idle):
         case = replace(case, idle=idle)

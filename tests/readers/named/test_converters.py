@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.commands import vstatics
@@ -110,3 +112,41 @@ gears: {"1": {speed_ratios: {TC: 0.6}}}
         assert said.status == 1
         assert "box.yaml:3:65: error: " in said.err
         assert "TC has no lambda" in said.err
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ["torsion", "modes", "box.yaml"],
+        ["torsion", "modes", "box.yaml", "--speed-ratio", "TC=.6"],
+        ["simulate", "s.yaml"],
+    ],
+)
+def test_without_a_speed_ratio_it_vibrates_and_moves_as_one_of_converters(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, asked: list[str]
+) -> None:
+    """Statics cannot be had of it, and says so at the gear."""
+    monkeypatch.chdir(tmp_path)
+    common = """links: [engine, turbine, shaft]
+shift_elements: {K: [turbine, shaft]}
+inertias: {engine: 0.5, turbine: 0.1, shaft: 2}
+gears: {"1": [K]}
+load: {speed: 1000 rpm, torque: 5 N*m}
+"""
+    points = "points: [[0, 2.4, 1.0e-3], [0.5, 1.6, 1.0e-3], [1, 1, 0]]"
+    one = f"mechanisms: {{TC: {{kind: converter, first: engine, second: turbine, {points}}}}}\n"
+    other = f"converters: {{TC: {{links: [engine, turbine], {points}}}}}\n"
+    Path("s.yaml").write_text("""case: box.yaml
+duration: 0.5
+torques: {engine: 100, shaft: -20}
+start: {speeds: {engine: 100, turbine: 20}, engaged: [K]}
+""")
+    said = []
+    for converter in (one, other):
+        Path("box.yaml").write_text(common + converter)
+        said.append(vstatics(*asked, "-f", "json"))
+    assert [(one.status, one.out) for one in said] == [(0, said[1].out)] * 2
+    Path("box.yaml").write_text(common + one)
+    statics = vstatics("run", "box.yaml")
+    assert statics.status == 1
+    assert "box.yaml:4:9: error: gears.1: `speed_ratio` of converter TC is missing" in statics.err

@@ -15,6 +15,7 @@ from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file, plural, spoken
 from vstatics.model.checks import hints
+from vstatics.model.open_converters import with_needed_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
 from vstatics.statics.result_arrays import Message
@@ -117,6 +118,8 @@ class CaseOptions(NamedTuple):
     """Whether a scenario may stand for its case."""
     of_runs: bool = False
     """Whether its run is shown then, of which faults of gears are none."""
+    of_vibration: bool = False
+    """Whether vibration is shown, in which a converter without a speed ratio is open."""
 
 
 telling = gathered("telling", Telling, quiet, strict, allow)
@@ -191,7 +194,8 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         else:
             reading = readers.read(data, name, settings.input_format)
             reading = reading.allowing(settings.telling.allow)
-        results = _solved(reading, settings)
+        opens = settings.of_vibration or (settings.of_runs and scenario is not None)
+        results = _solved(reading, settings, opens=opens)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
         found = _located(reading, results, each_gear=each)
@@ -209,8 +213,8 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
     return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run)
 
 
-def _solved(reading: Reading, settings: CaseOptions) -> Results:
-    """The results of a case.
+def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
+    """The results of a case, converters without a speed ratio open in it if that is asked.
 
     Raises
     ------
@@ -218,7 +222,8 @@ def _solved(reading: Reading, settings: CaseOptions) -> Results:
         If a law of it gives no torque that can be, with its place.
     """
     try:
-        return solve(reading.case, coast=settings.coast, idle=settings.idle)
+        case = with_needed_ratios(reading.case) if opens else reading.case
+        return solve(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
 

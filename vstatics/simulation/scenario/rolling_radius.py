@@ -1,0 +1,108 @@
+"""A wheel whose rolling radius falls with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
+
+M is what the road takes at a steady speed, by rolling, ascent and air: M = X r with the force X(v)
+of the road, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r = v (1 + lambda X(v))/r_0.
+That has one v for each w, as X is known. In reverse the radius is that of the same speed forward.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats
+
+MOST_STEPS = 60
+"""Of Newton's method; from the end of a piece it takes less than ten."""
+
+
+class LoadedWheel(NamedTuple):
+    """A wheel on a road.
+
+    Parameters
+    ----------
+    free : float
+        Radius without torque. [m]
+    by_torque : float
+        What the radius loses by a torque. [m/(N*m)]
+    steady : float
+        Force of the ascent. [N]
+    rolling : sequence of (float, float)
+        Force of rolling resistance over speeds that rise, straight between, constant outside.
+        [m/s, N]
+    air : float
+        Force of the air over the square of the speed. [N*s^2/m^2]
+
+    Examples
+    --------
+    At 1 kN a wheel of .5 m rolls with .5/(1 + 1e-4*1000) m.
+
+    >>> wheel = LoadedWheel(0.5, 1e-4, 0.0, ((0.0, 1000.0),), 0.0)
+    >>> wheel.velocity(np.array([-11.0, 11.0])).round(12).tolist(), wheel.torque(-11.0).round(9)
+    ([-5.0, 5.0], 454.545454545)
+    """
+
+    free: float
+    by_torque: float
+    steady: float
+    rolling: tuple[tuple[float, float], ...]
+    air: float
+
+    def rolls(self, velocity: Any) -> Floats:
+        """Force of rolling resistance at velocities of any sign [N]."""
+        speeds, forces = zip(*self.rolling, strict=True)
+        made: Floats = np.interp(np.abs(velocity), speeds, forces)
+        return made
+
+    def load(self, velocity: Any) -> Floats:
+        """1 + lambda X: the free radius over the rolling one [-]."""
+        speed = np.abs(velocity)
+        force = self.rolls(speed) + self.steady + self.air * speed**2
+        loaded: Floats = 1.0 + self.by_torque * force
+        return loaded
+
+    def turning(self, velocity: Any) -> Floats:
+        """The speed of the wheel at velocities of the vehicle [rad/s]."""
+        turns: Floats = velocity * self.load(velocity) / self.free
+        return turns
+
+    def turning_slopes(self, velocity: Any) -> tuple[Floats, Floats]:
+        """First and second derivative of `turning` by the velocity [1/m, s/m^2]."""
+        speed = np.abs(velocity)
+        rise = self._rise(speed)
+        first = self.load(speed) + self.by_torque * speed * (rise + 2 * self.air * speed)
+        second = self.by_torque * np.sign(velocity) * (2 * rise + 6 * self.air * speed)
+        return first / self.free, second / self.free
+
+    def velocity(self, turning: Any) -> Floats:
+        """The velocity of the vehicle at speeds of the wheel [m/s], by Newton's method."""
+        wanted = np.abs(np.asarray(turning, dtype=float))
+        corners = np.array([0.0, *(speed for speed, _ in self.rolling if speed > 0), np.inf])
+        reached = np.append(self.turning(corners[:-1]), np.inf)
+        piece = np.searchsorted(reached, wanted, side="right") - 1
+        low, high = corners[piece], corners[piece + 1]
+        speed = low
+        for _ in range(MOST_STEPS):
+            inside = np.nextafter(speed, high)  # a corner belongs to the piece above it
+            slope, _ = self.turning_slopes(inside)
+            before = speed
+            speed = np.clip(speed + (wanted - self.turning(speed)) / slope, low, high)
+            if np.all(np.abs(speed - before) <= 2e-16 * speed):
+                break
+        found: Floats = np.copysign(speed, turning)
+        return found
+
+    def torque(self, turning: Any) -> Floats:
+        """Of the road on the wheel at speeds of it; at rest that of the ascent [N*m]."""
+        velocity = self.velocity(turning)
+        forces = self.steady + np.sign(velocity) * (self.rolls(velocity) + self.air * velocity**2)
+        torque: Floats = -self.free / self.load(velocity) * forces
+        return torque
+
+    def _rise(self, speed: Floats) -> Floats:
+        """Slope of the rolling resistance over the speed [N*s/m]."""
+        speeds, forces = (np.array(one) for one in zip(*self.rolling, strict=True))
+        slopes = np.concatenate([[0.0], np.diff(forces) / np.diff(speeds), [0.0]])
+        rise: Floats = slopes[np.searchsorted(speeds, speed, side="right")]
+        return rise
