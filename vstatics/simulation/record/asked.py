@@ -15,9 +15,10 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
-from vstatics.simulation.record.rows import Kind, friction_areas, road_radii, rows_of_kind
+from vstatics.simulation.record.rows import Kind, friction_areas, roads_of, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
 
@@ -76,9 +77,29 @@ def _of_links(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[s
 
 
 def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
-    radii = road_radii(at.system.scenario)
-    own = [radii[at.system.names.index(name) + 1] for name in rows]
-    return np.array(own)[:, None] * _of_links(values, at, rows)
+    roads = roads_of(at.system.scenario)
+    own = [roads[at.system.names.index(name) + 1] for name in rows]
+    made = np.array([road.radius for road in own])[:, None] * _of_links(values, at, rows)
+    for row, road in enumerate(own):
+        if road.wheel:
+            made[row] = _on_loaded_wheel(road.wheel, values, at, rows[row])
+    return made
+
+
+def _on_loaded_wheel(
+    wheel: LoadedWheel, values: Callable[[Moments], Floats], at: Moments, name: str
+) -> Floats:
+    """Speed, acceleration or jerk of a vehicle whose wheel turns with w(v)."""
+    [turning] = _of_links(attrgetter("speeds"), at, [name])
+    velocity = wheel.velocity(turning)
+    if values not in (Moments.accelerations, Moments.jerks):
+        return velocity
+    first, second = wheel.turning_slopes(velocity)
+    acceleration: Floats = _of_links(Moments.accelerations, at, [name])[0] / first
+    if values is Moments.accelerations:
+        return acceleration
+    jerk: Floats = (_of_links(Moments.jerks, at, [name])[0] - second * acceleration**2) / first
+    return jerk
 
 
 def _heat(at: Moments, rows: Sequence[str]) -> Floats:

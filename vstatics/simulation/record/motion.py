@@ -72,7 +72,7 @@ class Reached(NamedTuple):
     angle: float
     """Through which it had turned. [rad]"""
     distance: float
-    """On a road; NaN without one. [m]"""
+    """On a road; NaN without one, or where the radius of the wheels changes. [m]"""
 
 
 class Motion(NamedTuple):

@@ -20,7 +20,7 @@ from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
 from vstatics.simulation.record.pieces import Piece, peaks
-from vstatics.simulation.record.rows import road_radii
+from vstatics.simulation.record.rows import roads_of
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import cut_note
 from vstatics.simulation.system.equations import Equations
@@ -287,7 +287,8 @@ class Record:
         self.messages.append(Message("N602", text))
 
     def _reached(self) -> list[Reached]:
-        radii = road_radii(self.system.scenario)
+        roads = roads_of(self.system.scenario).items()
+        radii = {link: law.radius for link, law in roads if not law.wheel}
         made = []
         for link, speed in self.targets:
             time, angle = self.reached.get((link, speed), (math.nan, math.nan))

@@ -36,9 +36,9 @@ def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
     return tuple(_ROWS[kind](scenario))
 
 
-def road_radii(scenario: Scenario) -> dict[int, float]:
-    """Number of each link with a road -> by what its speed is that of the vehicle [m]."""
-    return {link: law.radius for link, law in scenario.torques if isinstance(law, Road)}
+def roads_of(scenario: Scenario) -> dict[int, Road]:
+    """Number of each link with a road -> this."""
+    return {link: law for link, law in scenario.torques if isinstance(law, Road)}
 
 
 def friction_areas(case: Transmission) -> dict[str, float]:
@@ -121,7 +121,7 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "link or spring": _links_and_springs,
     "element with a heat_capacity": _of_formulas("temperature"),
     "state": lambda scenario: [state.name for state in scenario.states],
-    "link with a road": lambda scenario: _named(scenario, road_radii(scenario)),
+    "link with a road": lambda scenario: _named(scenario, roads_of(scenario)),
     "step": _steps,
     "target": _targets,
     "device with fatigue": lambda scenario: scenario.case.fatigue,

@@ -295,14 +295,26 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
         case Resistance():
             yield from _of_range(law.torque, "a torque", (*path, "resistance"))
         case Road():
-            road = (*path, "road")
-            yield from _of_range(law.mass, "a mass", (*road, "mass"), above_0=True)
-            yield from _of_range(law.radius, "a radius", (*road, "radius"), above_0=True)
-            yield from _of_rolling(law.rolling, (*road, "rolling"))
-            yield from _of_range(law.drag_area, "an area", (*road, "drag_area"))
-            if not -1 <= law.slope <= 1:
-                expected = "expected the sine of an angle, from -1 to 1"
-                yield Problem("E645", f"read {law.slope:g}, {expected}", (*road, "slope"))
+            yield from _of_road(law, (*path, "road"))
+
+
+def _of_road(law: Road, path: Path) -> Iterator[Problem]:
+    """Sizes that can be; and a speed of the wheels has one velocity."""
+    problems = [
+        *_of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
+        *_of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
+        *_of_range(law.by_torque, "a number", (*path, "radius", "by_torque")),
+        *_of_rolling(law.rolling, (*path, "rolling")),
+        *_of_range(law.drag_area, "an area", (*path, "drag_area")),
+    ]
+    if not -1 <= law.slope <= 1:
+        message = f"read {law.slope:g}, expected the sine of an angle, from -1 to 1"
+        problems.append(Problem("E645", message, (*path, "slope")))
+    yield from problems
+    if not problems and law.wheel and not law.wheel.is_single:
+        message = f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no single "
+        place = (*path, "radius", "by_torque")
+        yield Problem("E722", f"{message}velocity: expected less", place)
 
 
 def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:

@@ -45,7 +45,7 @@ from vstatics.simulation.scenario.given import (
     torque_curve,
     value_curve,
 )
-from vstatics.simulation.scenario.laws import Road
+from vstatics.simulation.scenario.laws import Road, WheelRadius
 
 _TIME, _TORQUE = Leaf("time"), Leaf("si_torque", straight=True)
 _NOT_BELOW_0 = {"minimum": 0}
@@ -124,13 +124,28 @@ _ROLLING = Either(
         lambda points, over="speed": points if over else (),
     ),
 )
+_RADIUS = Either(
+    Leaf("length"),
+    "free",
+    ByKey(
+        "Rolling radius",
+        "It falls by the torque that the road takes at a steady speed.",
+        (
+            KeyShape(
+                "free", Leaf("length"), "Without torque, in m.", required=True, limits=_ABOVE_0
+            ),
+            KeyShape("by_torque", NUMBER, "What it loses by a torque, in m/(N*m).", default=0),
+        ),
+        WheelRadius,
+    ),
+)
 ROAD = ByKey(
     "Road",
     "What a road does to a vehicle, on a link that turns as its wheels; g is 9.81 m/s^2, the "
     "density of air 1.2 kg/m^3.",
     (
         KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=_ABOVE_0),
-        KeyShape("radius", Leaf("length"), "Of the wheels, in m.", required=True, limits=_ABOVE_0),
+        KeyShape("radius", _RADIUS, "Of the wheels, in m; or how it falls.", required=True),
         KeyShape(
             "rolling",
             _ROLLING,

@@ -5,8 +5,11 @@ from __future__ import annotations
 from bisect import bisect_right
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+import numpy as np
+
 from vstatics.model.vehicle import AIR, GRAVITY
 from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 
 Over = Literal["time", "speed", "angle"]
 """What stands along the abscissa: s, rad/s, rad."""
@@ -82,19 +85,51 @@ SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
 """Speeds of 0 or more that rise, each with a number; constant outside."""
 
 
+class WheelRadius(NamedTuple):
+    """The radius on which a wheel rolls, which falls with the torque that the road takes."""
+
+    free: float
+    """Without torque. [m]"""
+    by_torque: float = 0.0
+    """What it loses by a torque. [m/(N*m)]"""
+
+
 class Road(NamedTuple):
     """What a road does to a vehicle, on a link that turns as its wheels."""
 
     mass: float
     """[kg]"""
     radius: float
-    """Of the wheels. [m]"""
+    """Of the wheels, without torque. [m]"""
     rolling: float | SpeedPoints = 0.0
     """Coefficient of the rolling resistance; or points, from the speed of the vehicle. [m/s, -]"""
     drag_area: float = 0.0
     """Coefficient of air drag by frontal area. [m^2]"""
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
+    by_torque: float = 0.0
+    """What the radius loses by a torque, as of `LoadedWheel`. [m/(N*m)]"""
+
+    @property
+    def wheel(self) -> LoadedWheel | None:
+        """The wheel, if its radius changes."""
+        if not self.by_torque or not self.radius:
+            return None
+        weight = self.mass * GRAVITY
+        points = self.rolling if isinstance(self.rolling, tuple) else ((0.0, self.rolling),)
+        forces = tuple((speed, weight * part) for speed, part in points)
+        air = AIR * self.drag_area / 2
+        return LoadedWheel(self.radius, self.by_torque, weight * self.slope, forces, air)
+
+    def turning(self, velocity: float) -> float:
+        """The speed of the wheels at a velocity of the vehicle [rad/s].
+
+        >>> Road(1000.0, 0.5).turning(10.0)
+        20.0
+        """
+        return (
+            float(self.wheel.turning(velocity)) if self.wheel else velocity / (self.radius or 1.0)
+        )
 
     @property
     def weight_torque(self) -> float:
@@ -105,7 +140,7 @@ class Road(NamedTuple):
     def rolling_torque(self) -> float:
         """Dry friction: it acts against the speed, and holds at rest up to this [N*m]."""
         at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
-        return self.weight_torque * at_rest
+        return self.weight_torque * at_rest / (float(self.wheel.load(0.0)) if self.wheel else 1.0)
 
     @property
     def rolling_growth(self) -> Points | None:
@@ -116,7 +151,7 @@ class Road(NamedTuple):
         >>> Road(1000 / GRAVITY, 0.5, rolling=((0.0, 0.01), (20.0, 0.03))).rolling_growth
         Points(x=(-40.0, 0.0, 40.0), y=(10.0, 0.0, -10.0), over='speed')
         """
-        if not isinstance(self.rolling, tuple):
+        if self.by_torque or not isinstance(self.rolling, tuple):
             return None
         speeds = [speed / self.radius for speed, _ in self.rolling]
         torques = [self.weight_torque * part - self.rolling_torque for _, part in self.rolling]
@@ -131,13 +166,18 @@ class Road(NamedTuple):
         return self.weight_torque * self.slope
 
     def torque(self, speed: Any) -> Any:
-        """By ascent and air, at a speed of the wheels or an array of them [N*m].
+        """At a speed of the wheels or an array of them, without dry friction [N*m].
+
+        By ascent and air; where the radius changes also by which rolling resistance is another one
+        in motion than at rest.
 
         Examples
         --------
         >>> Road(1000.0, 0.5, drag_area=0.8, slope=0.1).torque(10.0)
         -496.5
         """
+        if self.wheel:
+            return self.wheel.torque(speed) + np.sign(speed) * self.rolling_torque
         air = self.radius**3 * AIR * self.drag_area / 2
         return -self.climbing_torque - air * speed * abs(speed)
 

@@ -39,8 +39,10 @@ class LoadedWheel(NamedTuple):
     At 1 kN a wheel of .5 m rolls with .5/(1 + 1e-4*1000) m.
 
     >>> wheel = LoadedWheel(0.5, 1e-4, 0.0, ((0.0, 1000.0),), 0.0)
-    >>> wheel.velocity(np.array([-11.0, 11.0])).round(12).tolist(), wheel.torque(-11.0).round(9)
-    ([-5.0, 5.0], 454.545454545)
+    >>> wheel.velocity(np.array([-11.0, 11.0])).round(12).tolist()
+    [-5.0, 5.0]
+    >>> float(wheel.torque(-11.0).round(9))
+    454.545454545
     """
 
     free: float
@@ -48,6 +50,18 @@ class LoadedWheel(NamedTuple):
     steady: float
     rolling: tuple[tuple[float, float], ...]
     air: float
+
+    @property
+    def is_single(self) -> bool:
+        """Whether each speed of the wheel has one velocity: it rises with that all over."""
+        speeds, _ = zip(*self.rolling, strict=True)
+        corners = np.array([0.0, *speeds, np.inf])
+        above = np.nextafter(corners[:-1], np.inf)
+        least = above  # of the slope in a piece, unless air resistance outgrows a falling one
+        if self.air:
+            least = np.clip(-self._rise(above) / (3 * self.air), above, corners[1:])
+        inside = np.concatenate([above, least, np.nextafter(corners[1:-1], 0.0)])
+        return bool(np.all(self.turning_slopes(inside)[0] > 0))
 
     def rolls(self, velocity: Any) -> Floats:
         """Force of rolling resistance at velocities of any sign [N]."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import Path, quoted
@@ -23,6 +23,7 @@ from vstatics.simulation.scenario.laws import (
     Resistance,
     Road,
     TorqueLaw,
+    WheelRadius,
     constant,
 )
 from vstatics.simulation.scenario.parts import (
@@ -38,6 +39,8 @@ from vstatics.simulation.scenario.parts import (
 )
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
+Turning = Callable[[float], float]
+"""The speed of a link at a velocity of its vehicle. [m/s, rad/s]"""
 _STRAIGHT = ", since the link moves straight"
 
 
@@ -58,13 +61,13 @@ class ScenarioValues:
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
         """The scenario of a document's values."""
         torques = tuple(self._torques(values.get("torques", {})))
-        radii = dict.fromkeys(self.case.masses, 1.0)
-        radii |= {link: law.radius for link, law in torques if isinstance(law, Road)}
+        turning: dict[int, Turning] = dict.fromkeys(self.case.masses, float)
+        turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
         return Scenario(
             self.case,
             float(values["duration"]),
-            self._start(values["start"], radii),
+            self._start(values["start"], turning),
             None if controls is None else dict(self._controls(controls)),
             torques,
             converters_of(values.get("converters", {})) or tuple(self.case.converters),
@@ -72,14 +75,14 @@ class ScenarioValues:
             if shifts is None
             else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),
             {
-                link: tuple(self._speeds(given, ("targets", link), radii.get(link)))
+                link: tuple(self._speeds(given, ("targets", link), turning.get(link)))
                 for link, given in values.get("targets", {}).items()
             },
             settings={name: float(one) for name, one in values.get("set", {}).items()},
             states=tuple(self._states(values.get("states", {}))),
             sequences=tuple(self._sequences(values.get("sequences", {}))),
             speeds={
-                link: self._given_speed(one, ("speeds", link), radii.get(link))
+                link: self._given_speed(one, ("speeds", link), turning.get(link))
                 for link, one in values.get("speeds", {}).items()
             },
             limits={
@@ -153,28 +156,28 @@ class ScenarioValues:
         given: Mapping[str, Distribution] = values.get("samples", {})
         return {path: Distribution(*map(_plain, one)) for path, one in given.items()}
 
-    def _start(self, values: Mapping[str, Any], radii: Mapping[int, float]) -> Start:
+    def _start(self, values: Mapping[str, Any], turning: Mapping[int, Turning]) -> Start:
         path, speeds = ("start", "speeds"), values.get("speeds", {})
         [speed] = self._speeds([values.get("speed", 0.0)], ("start", "speed"), None)
         return Start(
             values.get("gear"),
             speed,
             {
-                link: next(self._speeds([one], (*path, link), radii.get(link)))
+                link: next(self._speeds([one], (*path, link), turning.get(link)))
                 for link, one in speeds.items()
             },
             tuple(values.get("engaged", ())),
             values.get("settled", False),
         )
 
-    def _speeds(self, given: Any, path: Path, radius: float | None) -> Iterator[float]:
-        """Speeds of a link [rad/s]; velocities by the radius of the wheels on it."""
+    def _speeds(self, given: Any, path: Path, turning: Turning | None) -> Iterator[float]:
+        """Speeds of a link [rad/s]; velocities by how the wheels on it turn."""
         straight = path[-1] in self.case.masses
         for number, one in enumerate(given if isinstance(given, list) else [given], 1):
             place = (*path, number) if isinstance(given, list) else path
             if getattr(one, "measure", None) == "velocity":
-                if radius:
-                    yield float(one) / radius
+                if turning:
+                    yield turning(float(one))
                     continue
                 message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
                 self.spots.tell(place, f"{message}to a link with a `road`")
@@ -182,14 +185,14 @@ class ScenarioValues:
                 self._check_unit(one, "velocity", place, _STRAIGHT)
             yield float(one)
 
-    def _given_speed(self, given: Any, path: Path, radius: float | None) -> Curve:
-        """A speed over time [rad/s]; velocities by the radius of the wheels on its link."""
+    def _given_speed(self, given: Any, path: Path, turning: Turning | None) -> Curve:
+        """A speed over time [rad/s]; velocities by how the wheels on it turns link."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(next(self._speeds([given or 0.0], path, radius)))
+            return constant(next(self._speeds([given or 0.0], path, turning)))
         times, speeds = zip(*given, strict=True) if given else ((), ())
-        return Points(_floats(times), tuple(self._speeds(list(speeds), path, radius)))
+        return Points(_floats(times), tuple(self._speeds(list(speeds), path, turning)))
 
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
         for number, one in given.items():
@@ -253,17 +256,23 @@ class ScenarioValues:
             self._check_unit(given.resistance, measure, (*path, "resistance"), why)
             return Resistance(float(given.resistance))
         if given.road is not None:
-            return Road(*map(_road_number, given.road))
+            return _road(given.road)
         along: Any = given.over or "time"
         key = "formula" if given.points is None else "points"
         return self._curve(getattr(given, key), measure, (*path, key), why, along)
 
 
-def _road_number(given: Any) -> Any:
-    """A number, or points over the speed."""
-    if isinstance(given, Sequence):
-        return tuple((float(speed), float(part)) for speed, part in given)
-    return float(given)
+def _road(given: Road) -> Road:
+    """In plain numbers: a radius or how it falls, a coefficient or points over the speed."""
+    radius: Any = given.radius
+    wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
+    rolling: Any = given.rolling
+    if isinstance(rolling, Sequence):
+        rolling = tuple((float(speed), float(part)) for speed, part in rolling)
+    else:
+        rolling = float(rolling)
+    others = float(given.drag_area), float(given.slope), wheel.by_torque
+    return Road(float(given.mass), wheel.free, rolling, *others)
 
 
 def _as_curve(given: Any) -> Curve:

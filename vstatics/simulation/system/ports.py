@@ -265,7 +265,7 @@ class Ports:
         self, port: int, law: Points | Formula | Road, piece: int, place: int, time: float
     ) -> None:
         if isinstance(law, Road):
-            if law.drag_area:
+            if law.drag_area or law.by_torque:
                 self.roads.append((port, law.torque))
                 self.senses_rate[port] = True
             else:
