@@ -121,7 +121,7 @@ def made(random: Random, lossy: bool) -> Transmission:
         springs.append(
             Spring(
                 twist, stiffness=10 ** random.uniform(1, 2.5), name=f"c{n}",
-                damping=Damping(viscous=viscous * (not loss), loss_factor=loss),
+                damping=Damping(viscous=viscous, loss_factor=loss),
             )
         )  # fmt: skip
     inertias = {n: 10 ** random.uniform(-1, 0.5) for n in range(1, links + 1)}
@@ -151,7 +151,7 @@ def answers(case: Transmission, at: int, by_motion: bool, omegas: Array) -> Arra
 
 
 def by_quadrature(
-    case: Transmission, at: int, by_motion: bool, spectrum: Spectrum, order: int
+    case: Transmission, at: int, by_motion: bool, spectrum: Spectrum, order: float
 ) -> Array:
     """2 int S |w^order H|^2 of every twist, by Gauss's rule in many pieces of log w."""
     twists = np.array(
@@ -191,6 +191,13 @@ def test_random_systems_by_quadrature(spectrum: Spectrum, lossy: bool) -> None:
         found = [devices[n].twist_rate_rms ** 2 for n in known]
         assert found == pytest.approx(rate[known].tolist(), rel=1e-5)
         assert len(known) == len(devices) or 2 not in case.inertias
+        half = by_quadrature(case, at, by_motion, spectrum, 0.5)
+        for n in known:  # |k + i k loss + i c omega|^2 of the twist
+            k, damping = case.springs[n].rate, case.springs[n].damping
+            assert isinstance(damping, Damping)
+            c, lost = damping.viscous, damping.loss_factor * k
+            square = (k**2 + lost**2) * twist[n] + c**2 * rate[n] + 2 * c * lost * half[n]
+            assert devices[n].torque_rms ** 2 == pytest.approx(square, rel=1e-5)
 
 
 def test_a_converter_stills_what_would_drift() -> None:

@@ -162,9 +162,11 @@ def _devices(
     made = {}
     for number, one in enumerate(elastic):
         twist, rate = (math.sqrt(part[number]) for part in found[:2])
-        # twist and rate are not correlated; a material loses a part of its own torque
-        spring = one.rate * math.hypot(1.0, one.damping.loss_factor) * twist
-        torque = math.hypot(spring, one.damping.viscous * rate if one.damping.viscous else 0.0)
+        viscous, lost = one.damping.viscous, one.rate * one.damping.loss_factor
+        # twist and rate are not correlated; |k + i lost + i viscous omega|^2 by its parts
+        torque = math.hypot(one.rate * twist, lost * twist, viscous * rate if viscous else 0.0)
+        if viscous and lost and found.between is not None:
+            torque = math.sqrt(torque**2 + 2 * viscous * lost * float(found.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
         strength = strengths.get(one.name)
         life = strength and _life(strength, one.rate * twist, crossings)
@@ -188,7 +190,7 @@ def _links(
 ) -> dict[str, RandomLink]:
     own = excited.free.own
     loose = coordinates(excited.free).undetermined[:own]
-    parts = np.array(found)[:, first:]
+    parts = np.array(found[:3])[:, first:]
     parts[:, loose] = np.nan
     return {
         name: RandomLink(*np.sqrt(part).tolist())

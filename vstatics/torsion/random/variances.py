@@ -117,6 +117,9 @@ class FormVariances(NamedTuple):
     angles: Floats
     rates: Floats
     accelerations: Floats
+    between: Floats | None = None
+    """``2 int |omega| S`` of the angles, where there are loss factors: what a material loses goes
+    with the rate, but has the size of the angle."""
 
 
 def form_variances(gear: ExcitedGear, spectrum: Spectrum, forms: Floats) -> FormVariances:
@@ -223,8 +226,9 @@ def _integrated(
     edges: Sequence[float],
     exists: Booleans,
 ) -> Floats:
-    """``2 int S |H|^2`` of angles, rates, accelerations, shape (3, forms), NaN of none."""
-    orders = np.arange(0, 6, 2)[:, None]
+    """``2 int S |H|^2`` of angles, rates, accelerations and between, shape (4, forms)."""
+    orders = np.array([0, 2, 4, 1])[:, None]
+    exists = np.vstack([exists, exists[0] & exists[1]])
 
     def density(omega: float) -> Floats:
         answer = np.abs(gear.answers(forms, omega)) ** 2
