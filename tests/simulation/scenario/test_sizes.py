@@ -79,6 +79,14 @@ def test_a_torque_that_is_no_number(tmp_path: Path, law: str) -> None:
     assert ", expected a number" in said.err
 
 
+def test_check_tells_a_constant_that_is_no_number(tmp_path: Path) -> None:
+    (tmp_path / "case.yaml").write_text(CASE)
+    (tmp_path / "scenario.yaml").write_text(SCENARIO.replace("in: 15", 'in: "15/(1 - 1)"'))
+    said = vstatics("check", tmp_path / "scenario.yaml")
+    assert said.status == 1
+    assert "scenario.yaml:5:11: error: torques.in: read `15/(1 - 1)`, which is inf" in said.err
+
+
 @pytest.mark.parametrize("law", ["10^20*(t > .5)", "exp(100*t)", "1/(.5 - t)^9"])
 def test_a_torque_that_becomes_larger_than_any(tmp_path: Path, law: str) -> None:
     (tmp_path / "case.yaml").write_text(CASE)

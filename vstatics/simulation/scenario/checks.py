@@ -382,13 +382,15 @@ def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
 def of_formula(
     law: object, names: Sequence[str], path: Path, words: Vocabulary
 ) -> Iterator[Problem]:
-    """One that can be read, with known names alone."""
+    """One that can be read, with known names alone, and is a number where it is a constant."""
     if not isinstance(law, Formula):
         return
-    if law.tree is not None:  # read with its names, which it no longer has
-        return
     try:
-        formula_tree(Excerpt(law.text, "formula"), names, words)
+        if law.tree is None:  # else read with its names, which it no longer has
+            formula_tree(Excerpt(law.text, "formula"), names, words)
+        if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
+            message = f"read {quoted(law.text)}, which is {value:g}, expected a number"
+            yield Problem("E723", message, path)
     except ReadError as error:
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
 
