@@ -38,9 +38,17 @@ class TableCell(NamedTuple):
 class TableRow(NamedTuple):
     """A mode in the gears in which it is alike."""
 
+    mode: str
+    """Its number."""
     cells: Sequence[TableCell]
+    """What stands behind it."""
     begins: bool
     """Whether it is the first of its mode."""
+
+    @property
+    def told(self) -> list[TableCell]:
+        """All cells."""
+        return [TableCell(self.mode), *self.cells]
 
     @property
     def high(self) -> float:
@@ -64,7 +72,7 @@ class ResonanceTable(NamedTuple):
 
     @property
     def _widths(self) -> list[float]:
-        columns = zip(*(row.cells for row in self.rows), strict=True)
+        columns = zip(*(row.told for row in self.rows), strict=True)
         return [
             max(
                 width(heading, bold=fires),
@@ -86,11 +94,13 @@ class ResonanceTable(NamedTuple):
             pen.text(end, y, heading, ha="right", va="bottom", color=colour, bold=fires)
         y -= 2
         for row in rows:
-            if row.begins or row is rows[0]:
+            begins = row.begins or row is rows[0]
+            if begins:
                 rule: Look = {"color": style.faint, "width": LEADER_WIDTH}
                 pen.line((left, y), (ends[-1], y), **rule)
             base = y - 0.95 * SIZE
-            for end, cell in zip(ends, row.cells, strict=True):
+            cells = [*zip(ends, row.told, strict=True)]
+            for end, cell in cells if begins else cells[1:]:
                 for step, line in enumerate(cell.text.split("\n")):
                     at = base - step * height("")
                     pen.text(end, at, line, ha="right", va="baseline", bold=cell.bold)
@@ -149,7 +159,7 @@ def resonance_tables(
     >>> some = shared_modes([GearMode("low", 0, 1, 20.0, 1.0, 0.0)])
     >>> orders = [Order(0.1, False), Order(2.0, True)]
     >>> [made] = resonance_tables(some, orders, ([], 6000.0), 400.0, Style())
-    >>> [cell.text for cell in made.rows[0].cells]
+    >>> [cell.text for cell in made.rows[0].told]
     ['1', '20.00', '1', '', '600']
     >>> len(resonance_tables(some, orders[1:] * 8, ([], 6000.0), 300.0, Style()))
     2
@@ -181,8 +191,8 @@ def _table(
         for mode in own:
             met = [_speed(mode, order, *speeds) for order in orders]
             if any(cell.text for cell in met):
-                first = _cells(mode, every, style, begins=begins, is_damped=is_damped)
-                rows.append(TableRow([*first, *met], begins))
+                first = _cells(mode, every, style, is_damped=is_damped)
+                rows.append(TableRow(str(mode.number), [*first, *met], begins))
                 begins = False
     if not rows:
         return None
@@ -199,10 +209,9 @@ def _table(
 
 
 def _cells(
-    mode: SharedMode, every: Sequence[str], style: Style, *, begins: bool, is_damped: bool
+    mode: SharedMode, every: Sequence[str], style: Style, *, is_damped: bool
 ) -> Iterator[TableCell]:
-    """What a row tells before its speeds; its number where it begins a mode."""
-    yield TableCell(str(mode.number) * begins)
+    """What a row tells between its mode and its speeds."""
     if len(every) > 1:
         yield TableCell(wrapped(gear_run(mode.gears, every, style), GEARS_WIDTH))
     yield TableCell(number(mode.frequency))

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, listed
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.head import Meaning, headed
-from vstatics.pictures.sheet.labels import height, ticks, wrapped
+from vstatics.pictures.sheet.head import Meaning, SheetHead, sheet_head
+from vstatics.pictures.sheet.labels import height, ticks, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen
 from vstatics.pictures.sheet.style import MARGIN, Style, number
@@ -33,8 +33,8 @@ from vstatics.pictures.vibration.orders.running import draw_running, running_sig
 from vstatics.statics.results import Results
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
-RESPONSE_HEIGHT = 118.0
-"""Of a panel beside others. [pt]"""
+RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
+"""Of a panel beside others; where the page would be too low for them. [pt]"""
 LONE_RESPONSE_HEIGHT = 230.0
 """Of one that stands alone. [pt]"""
 AMPLITUDE_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 40.0, 40.0
@@ -97,16 +97,38 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
     decades = _decades(lines, asked.fastest)
     sheet = _ResponseSheet(panels, asked.orders, running, asked.fastest, decades, style)
     columns = min(2, len(panels))
-    rows = math.ceil(len(panels) / columns)
-    on_page = rows
-    if math.isfinite(style.height):
-        room = style.height - 90.0 - SPEED_SCALE_HEIGHT
-        on_page = max(1, int(room / (PANEL_HEAD + RESPONSE_HEIGHT + BETWEEN_PANELS)))
-    starts = range(0, len(panels), on_page * columns)
+    high, on_page = _rows(results, sheet, math.ceil(len(panels) / columns))
+    parts = range(0, len(panels), on_page * columns)
     return [
-        _figure(results, sheet, panels[start : start + on_page * columns], columns)
-        for start in starts
+        _figure(results, sheet, panels[start : start + on_page * columns], (columns, high))
+        for start in parts
     ]
+
+
+def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, int]:
+    """The height of panels [pt], and how many rows of them a page has."""
+    if len(sheet.panels) == 1:
+        return LONE_RESPONSE_HEIGHT, 1
+    if math.isinf(sheet.style.height):
+        return RESPONSE_HEIGHT, rows
+    room = sheet.style.height - _head(results, sheet).high - MARGIN - SPEED_SCALE_HEIGHT
+    high = room / rows - PANEL_HEAD - BETWEEN_PANELS
+    if high >= LEAST_RESPONSE_HEIGHT:
+        return min(high, RESPONSE_HEIGHT), rows
+    return RESPONSE_HEIGHT, max(1, int(room / (PANEL_HEAD + RESPONSE_HEIGHT + BETWEEN_PANELS)))
+
+
+def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
+    """Title and key."""
+    style = sheet.style
+    link = sheet.link or style.text("the input", "входа")
+    subject = style.text(
+        f"amplitude of {link} by a torque of 1 N·m on it",
+        f"амплитуда {link} от момента 1 Н·м на нём",
+    )
+    signs: list[Meaning] = [(True, *_order_words(one), sheet.look(one)) for one in sheet.orders]
+    signs += running_sign(sheet.running, style)
+    return sheet_head(title(results.case, subject), "", signs, style.width - 2 * MARGIN, style)
 
 
 def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
@@ -127,21 +149,17 @@ def _logs(amplitudes: Floats) -> Floats:
 
 
 def _figure(
-    results: Results, sheet: _ResponseSheet, panels: Sequence[ResponsePanel], columns: int
+    results: Results,
+    sheet: _ResponseSheet,
+    panels: Sequence[ResponsePanel],
+    size: tuple[int, float],
 ) -> Figure:
-    """Panels beside and below one another."""
-    style, rows = sheet.style, math.ceil(len(panels) / columns)
-    link = sheet.link or style.text("the input", "входа")
-    subject = style.text(
-        f"amplitude of {link} by a torque of 1 N·m on it",
-        f"амплитуда {link} от момента 1 Н·м на нём",
-    )
-    signs: list[Meaning] = [(True, *_order_words(one), sheet.look(one)) for one in sheet.orders]
-    signs += running_sign(sheet.running, style)
-    high = LONE_RESPONSE_HEIGHT if len(panels) == 1 else RESPONSE_HEIGHT
+    """Panels beside and below one another, in so many columns, of a height [pt]."""
+    style, (columns, high) = sheet.style, size
+    rows = math.ceil(len(panels) / columns)
     pitch = PANEL_HEAD + high + BETWEEN_PANELS
-    size = style.width, rows * pitch + SPEED_SCALE_HEIGHT
-    pen = headed(title(results.case, subject), "", signs, size, style)
+    whole = style.width, rows * pitch + SPEED_SCALE_HEIGHT
+    pen = _head(results, sheet).over(whole, MARGIN, style)
     left = MARGIN + 14.0
     across = (style.width - left - MARGIN) / columns
     wide = across - AMPLITUDE_SCALE_WIDTH
@@ -210,9 +228,10 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     pen.frame()
     if is_lowest:
         rpm = style.text("rpm", "об/мин")
-        link = wrapped(sheet.link, wide / 2) if sheet.link else ""
-        said = style.text(f"speed of {link or 'the input'}", f"скорость {link or 'входа'}")
-        pen.name("bottom", f"{said}, {rpm}".split("\n")[0], 12.0 + 1.5 * height(""))
+        said = style.text(f"speed of {sheet.link}, {rpm}", f"скорость {sheet.link}, {rpm}")
+        if not sheet.link or width(said) > wide:  # gears have links of their own, or a long name
+            said = style.text(f"speed, {rpm}", f"скорость, {rpm}")
+        pen.name("bottom", said, 12.0 + 1.5 * height(""))
 
 
 def _power(exponent: int) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from matplotlib.figure import Figure
 
 from vstatics.pictures.sheet.head import BELOW, sheet_head
-from vstatics.pictures.sheet.labels import height, width, wrapped
+from vstatics.pictures.sheet.labels import height, widest, width, wrapped
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import MARGIN, Style, number
 from vstatics.pictures.sheet.words import gear_title, title
@@ -188,7 +188,8 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     """Bars beside one another if links have room besides, else below one another."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
-    whole = max(map(whole_width, links), default=0.0)
+    said = widest(row.said for row in rows) - AMPLITUDE_SCALE_WIDTH
+    whole = max([said, *map(whole_width, links)])
     least = max(map(least_width, links), default=0.0)
     count = max((len(one.names) for one in links), default=1)
     elastic, kinetic = (
