@@ -326,3 +326,17 @@ def test_orders_are_wrong_use_elsewhere(tmp_path: Path) -> None:
         result = vstatics("plot", CASES / "moskvich412.yaml", *options, "-o", tmp_path / "a.svg")
         assert (result.status, why in result.err) == (2, True), result.err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_orders_and_links_are_asked_for_in_python_too() -> None:
+    from vstatics.pictures.plotting import plot
+
+    results = solve(load(CASES / "moskvich-start.yaml"))
+    svg = plot(results, "campbell", orders=[3, 1.5])._repr_svg_().encode()
+    assert [one.data["order"] for one in marks(svg, "order")] == ["1.5", "3"]
+    svg = plot(results, "response", orders=[2], at="wheels")._repr_svg_().encode()
+    assert "amplitude of wheels" in "".join(tree(svg).itertext())
+    with pytest.raises(ValueError, match=r"read orders \[0\], expected numbers above 0"):
+        plot(results, "campbell", orders=[0])
+    with pytest.raises(ValueError, match="no link 'wheel'"):
+        plot(results, "response", at="wheel")
