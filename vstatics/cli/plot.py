@@ -23,8 +23,8 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import FORMATS, OF_RUNS, OF_VIBRATION, PICTURES, Format, render
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures import FORMATS, OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, Format, render
+from vstatics.pictures.sheet.style import Excitation, Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES
 from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.statics.results import Language, Results
@@ -76,6 +76,13 @@ _WITHOUT_GEARS = {
     "--by", metavar="COLUMN", default="", help="Of a sweep: a map or line for each value, or gear."
 )
 @click.option("--out", metavar="LIST", default="", help="Of a shift: more columns, as of simulate.")
+@click.option(
+    "--orders",
+    metavar="N,...",
+    callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
+    help="Of campbell and response: orders of the speed; else those of the engine.",
+)
+@click.option("--at", metavar="LINK", default="", help="Of a response: the link; else the input.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
@@ -92,6 +99,8 @@ def plot(
     z: str,
     by: str,
     out: str,
+    orders: list[float] | None,
+    at: str,
     dark: bool,
     settings: CaseOptions,
     lang: Language,
@@ -109,8 +118,11 @@ def plot(
     efficiency   efficiency by gear, with the losses of each mechanism
     modes        natural modes of a gear, the first unless --gear says which:
                  shapes over the links, shares of the energy
-    campbell     natural frequencies of each gear over the input speed, and
+    campbell     natural frequencies of all gears over the input speed, and
                  where its orders meet them
+    response     amplitude of the input over its speed under 1 N*m, a line for
+                 each order, gear by gear
+    dump         the largest torque when the clutch is dumped, by gear
     shift        the run of a scenario: speeds, slips, torques and heat over
                  time, with its events
     boxes        what `synth box -f json` found, in place of a case: mean loss
@@ -133,8 +145,9 @@ def plot(
       vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
-    Needs matplotlib: pip install "vstatics[plot]"; modes and campbell need
-    scipy too: "vstatics[plot,torsion]"; scenarios, too: "vstatics[plot,simulation]".
+    Needs matplotlib: pip install "vstatics[plot]"; modes, campbell,
+    response and dump need scipy too: "vstatics[plot,torsion]"; scenarios, too:
+    "vstatics[plot,simulation]".
 
     \b
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
@@ -147,6 +160,8 @@ def plot(
         (wheels and kind != "stick", "--wheels: only stick diagrams name them"),
         (ratios and kind != "plan", "--ratios: only a plan follows from ratios alone"),
         (out and kind != "shift", "--out: only shift has columns of a run"),
+        (orders and kind not in OF_ORDERS, "--orders: only campbell and response have orders"),
+        (at and kind != "response", "--at: only a response is that of a link"),
         (gears and kind in _WITHOUT_GEARS, f"--gear: {_WITHOUT_GEARS.get(kind)}"),
         (cases and ratios is not None, "--ratios: without a case"),
         (not cases and ratios is None, "Missing argument 'CASE...'."),
@@ -170,7 +185,12 @@ def plot(
         form=to.form,
         gears=gears,
         out=out,
-        style=Style(lang, dark, wheels=wheels, merged=merge),
+        style=Style(
+            *(lang, dark),
+            wheels=wheels,
+            merged=merge,
+            excited=Excitation(tuple(orders or ()), at),
+        ),
     )
     options = settings._replace(
         scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
@@ -225,6 +245,25 @@ def _plot_ratios(
     return DONE
 
 
+def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
+    """A style with the speeds that a scenario tells.
+
+    Raises
+    ------
+    BadParameter
+        If there is no such link.
+    """
+    excited = style.excited
+    if excited.at:
+        with wrong_value("--at"):
+            results.case.link_number(excited.at)
+    if outcome.scenario is not None:
+        from vstatics.pictures.vibration.orders.excited import scenario_speeds
+
+        excited = excited._replace(speeds=scenario_speeds(outcome.scenario.scenario))
+    return style._replace(excited=excited)
+
+
 def _refuse_without_suffix(output: str) -> None:
     if not (is_stream(output) or output.endswith("/") or os.path.isdir(output)):  # noqa: PTH112
         expected = " ".join(known(FORMATS))
@@ -245,6 +284,8 @@ def _shown(
     """A picture of a case."""
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
     motion = run_of(outcome, out) if kind in OF_RUNS else None
+    if kind in OF_ORDERS:
+        style = _excited(outcome, results, style)
     try:
         drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.errors import Problem, spoken, why_not_allowed
-from vstatics.model.fields import TransmissionFields
+from vstatics.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.model.part_checks import (
     called,
     doubtful,
@@ -54,6 +54,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_dump(case)
         yield from of_fatigue(case)
     yield from of_vehicle(case.vehicle)
+    yield from _cylinders(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)
@@ -67,6 +68,13 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E299", why, ("allow", number))
     if case.idle not in ("exact", "published"):
         yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
+    number = case.cylinders
+    if number is not None and not (number == int(number) and 1 <= number <= MOST_CYLINDERS):
+        message = f"read {number:g} cylinders, expected a whole number from 1 to {MOST_CYLINDERS}"
+        yield Problem("E740", message, ("cylinders",))
 
 
 def _laws(case: TransmissionFields) -> Iterator[Problem]:

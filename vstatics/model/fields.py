@@ -33,6 +33,10 @@ IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
 
 
+MOST_CYLINDERS = 48
+"""Of an engine; orders of its speed go as far."""
+
+
 class AnyDrawing(Protocol):
     """What a case was drawn as, as far as the model knows: the room `elements` has the rest."""
 
@@ -82,6 +86,7 @@ class TransmissionFields:
     fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
+    cylinders: int | None = None
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 

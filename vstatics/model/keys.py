@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from vstatics.model.fatigue_keys import FATIGUE
+from vstatics.model.fields import MOST_CYLINDERS
 from vstatics.model.parts import (
     DIRECTIONS,
     ELEMENT_KINDS,
@@ -472,6 +473,14 @@ CASE = ByKey(
             "Gears in order, each under its name: what is engaged, or a mapping.",
             required=True,
             examples=({"low": ["C1", "B1"]},),
+        ),
+        KeyShape(
+            "cylinders",
+            COUNT,
+            "Cylinders of the four-stroke engine at the input, for pictures of vibration: half as "
+            "many fire in a revolution.",
+            limits={"minimum": 1, "maximum": MOST_CYLINDERS},
+            examples=(4,),
         ),
         KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
         KeyShape(

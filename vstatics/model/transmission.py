@@ -79,6 +79,8 @@ class Transmission(TransmissionFields):
         By names of devices: what they bear.
     masses : mapping of int to float
         Of links that move straight; what is told of the others in rad is in m. [kg]
+    cylinders : int, optional
+        Of the engine at the input, of four strokes: half of them fire in a revolution.
 
     Raises
     ------

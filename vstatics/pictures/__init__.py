@@ -47,15 +47,19 @@ PICTURES = {
     "structure": "vstatics.pictures.schemes.structure",
     "stick": "vstatics.pictures.schemes.stick",
     "efficiency": "vstatics.pictures.flow.efficiency",
-    "modes": "vstatics.pictures.vibration.modes",
-    "campbell": "vstatics.pictures.vibration.campbell",
+    "modes": "vstatics.pictures.vibration.shapes.modes",
+    "campbell": "vstatics.pictures.vibration.orders.campbell",
+    "response": "vstatics.pictures.vibration.orders.response",
+    "dump": "vstatics.pictures.vibration.dump",
     "shift": "vstatics.pictures.run.shift",
 }
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")
 """Kinds that show a run: ``draw(results, style, gears, motion)``."""
-OF_VIBRATION = ("modes", "campbell")
+OF_VIBRATION = ("modes", "campbell", "response", "dump")
 """Kinds that show vibration: a converter may be open."""
+OF_ORDERS = ("campbell", "response")
+"""Kinds that are over orders of a speed: `Style.excited` tells which."""
 
 DPI = 200
 """Of PNG. [1/inch]"""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 from vstatics.errors import nearest
 from vstatics.extras import require
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import Excitation, Style
 from vstatics.statics.results import Language, Results, expect_results
 from vstatics.tables.suffixes import format_of, known
 
@@ -76,6 +77,8 @@ def plot(  # noqa: PLR0913 - all but the first by name
     motion: Motion | None = None,
     wheels: bool = False,
     merge: bool = False,
+    orders: Sequence[float] = (),
+    at: int | str = "",
     dark: bool = False,
     lang: Language = "en",
 ) -> Picture:
@@ -87,7 +90,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Of one case.
     kind : str
         What is drawn, as of ``vstatics plot --kind``: plan, lever, flow, structure, stick,
-        efficiency, modes, campbell, shift.
+        efficiency, modes, campbell, response, dump, shift.
     gear : int or str, optional
         Number from 1, or name, of the only gear that is shown.
     motion : Motion, optional
@@ -96,6 +99,10 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Stick diagrams with names and teeth of wheels.
     merge : bool, optional
         Two sets with two common links are one lever.
+    orders : sequence of float, optional
+        Of the speed, for the kinds `campbell` and `response`; else those of the engine.
+    at : int or str, optional
+        Number or name of the link of a `response`; else the input.
     dark : bool, optional
         Light on dark.
     lang : {"en", "ru"}, optional
@@ -111,7 +118,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     ValueError
-        If there is no such kind or gear.
+        If there is no such kind, gear or link, or an order is not above 0.
 
     Examples
     --------
@@ -126,4 +133,9 @@ def plot(  # noqa: PLR0913 - all but the first by name
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
     gears = () if gear is None else (results.case.gear_number(gear),)
-    return Picture(results, kind, Style(lang, dark, wheels=wheels, merged=merge), gears, motion)
+    if not all(0 < order < math.inf for order in orders):
+        raise ValueError(f"read orders {[*orders]}, expected numbers above 0")
+    link = str(results.case.link_number(at)) if at else ""
+    excited = Excitation(tuple(map(float, orders)), link)
+    style = Style(lang, dark, wheels=wheels, merged=merge, excited=excited)
+    return Picture(results, kind, style, gears, motion)

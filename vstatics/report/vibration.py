@@ -28,8 +28,8 @@ class Vibration(NamedTuple):
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
     """Of each gear; nothing where there are no pictures."""
-    campbell: Sequence[Drawn] = ()
-    """The same."""
+    campbell: Drawn | None = None
+    """Of all gears."""
     without: str = ""
     """Why all this is left out, else nothing."""
 
@@ -70,11 +70,8 @@ def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
     found = modes(case)
     if not has_pictures or not any(gear.modes for gear in found):
         return Vibration(found)
-    shapes, campbell = (
-        [picture_of(results, kind, number) for number in range(1, len(found) + 1)]
-        for kind in ("modes", "campbell")
-    )
-    return Vibration(found, shapes, campbell)
+    shapes = [picture_of(results, "modes", number) for number in range(1, len(found) + 1)]
+    return Vibration(found, shapes, picture_of(results, "campbell"))
 
 
 OF_GEAR = ("frequencies", "energy")
@@ -91,8 +88,10 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
         yield tag("ul", *(tag("li", text) for text in said), class_="messages")
     grid = frequencies(found.gears).with_digits(digits)
     yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
+    if found.campbell:
+        yield from figures(found.campbell, NAMES[found.campbell.kind])
     for number, gear in enumerate(found.gears):
-        drawn = [one[number] for one in (found.campbell, found.shapes) if one]
+        drawn = found.shapes[number] if found.shapes else None
         yield of_gear("modes", gear.name, list(_gear(gear, drawn, digits)))
 
 
@@ -118,14 +117,14 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
     return grid_of(title, ["gear", Column("rigid modes"), *modes, "note"], rows, optional=["note"])
 
 
-def _gear(gear: GearModes, pictures: Sequence[Drawn], digits: int | None) -> Iterator[Markup]:
+def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[Markup]:
     """The modes of a gear, below its name."""
     from vstatics.torsion.vibration.grids import modes_grids
 
     if not gear.modes:
         yield tag("p", gear.error or "no natural frequency")
         return
-    for drawn in pictures:
+    if drawn:
         yield from figures(drawn, NAMES[drawn.kind])
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
     for_one = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)

@@ -74,6 +74,8 @@ def _of_case(case: Transmission) -> Iterator[str]:
         yield "that power enters at the output"
     if case.vehicle is not None:
         yield "the vehicle"
+    if case.cylinders is not None:
+        yield "the cylinders"
     if case.dump is not None:
         yield "the clutch that is dumped"
     if case.fatigue:

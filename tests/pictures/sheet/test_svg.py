@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from tests.commands import CASES
 from vstatics import load, solve
-from vstatics.pictures import PICTURES, render, settings_of
+from vstatics.pictures import OF_VIBRATION, PICTURES, render, settings_of
 from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.svg import halo, told, written_as_svg
@@ -70,8 +70,8 @@ def test_a_halo_stays_for_pictures_of_dots() -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> None:
     style = Style(dark=dark)
-    results = SPRINGS if kind in ("modes", "campbell") else SET
-    gears = (2,) if kind in ("modes", "campbell") else ()
+    results = SPRINGS if kind in OF_VIBRATION else SET
+    gears = (2,) if kind in OF_VIBRATION else ()
     root = parsed(render(results, kind, "svg", style, gears))
     readable = {style.ink, style.soft, style.engaged, style.lost, style.circulating}
     texts = [*root.iter(f"{SVG}text")]
@@ -81,8 +81,8 @@ def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> None:
-    results = SPRINGS if kind in ("modes", "campbell") else SET
-    gears = (2,) if kind in ("modes", "campbell") else ()
+    results = SPRINGS if kind in OF_VIBRATION else SET
+    gears = (2,) if kind in OF_VIBRATION else ()
     root = parsed(render(results, kind, "svg", STYLE, gears))
     assert len(root.findall(f".//{SVG}title")) > 4
     for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):

@@ -60,6 +60,17 @@ LARGE_NUMBER = 1e6
 """From here on numbers are written with a power of ten."""
 
 
+class Excitation(NamedTuple):
+    """What excites a case that vibrates, where a picture is asked for other than its own."""
+
+    orders: tuple[float, ...] = ()
+    """Of the speed of a link; those of the engine when not given. [-]"""
+    at: str = ""
+    """Name or number of the link; the input when not given."""
+    speeds: tuple[float, ...] = ()
+    """At which the input runs, besides those that the case tells. [rpm]"""
+
+
 class Style(NamedTuple):
     """How a picture looks.
 
@@ -77,6 +88,8 @@ class Style(NamedTuple):
         Two sets with two common links are one lever.
     width, height : float
         That no page exceeds; an endless height is one page. [pt]
+    excited : Excitation
+        What pictures of vibration are excited by.
     """
 
     language: Language = "en"
@@ -86,6 +99,7 @@ class Style(NamedTuple):
     merged: bool = False
     width: float = PAGE_WIDTH
     height: float = math.inf
+    excited: Excitation = Excitation()
 
     def text(self, english: str, russian: str) -> str:
         """A text in the language of the picture.

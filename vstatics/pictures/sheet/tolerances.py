@@ -26,3 +26,5 @@ SAME_RUN_SPEED = 1e-6
 """Speeds are the same, and a torque is none, to this part of the largest."""
 SAME_CURVE = 1e-9
 """Curves whose values differ by no more than this part of the largest are one."""
+SAME_FREQUENCY = 0.005
+"""Frequencies of gears that differ by less than this part are drawn as one."""

@@ -15,6 +15,8 @@ KINDS = {
     "plan": ("Kinematic plan", "Кинематический план"),
     "modes": ("Natural modes", "Собственные формы"),
     "campbell": ("Campbell diagram", "Диаграмма Кэмпбелла"),
+    "response": ("Response", "Отклик"),
+    "dump": ("Dumped clutch", "Резкое включение сцепления"),
     "shift": ("Run over time", "Ход во времени"),
 }
 """What a kind of picture is called, where it stands by itself."""

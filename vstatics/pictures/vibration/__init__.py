@@ -1,6 +1,6 @@
-"""Natural modes and frequencies.
+"""Natural modes and frequencies, and what excites them.
 
-`shown_modes` takes the modes of a gear or tells why there are none. `links` puts links and devices
-in a row, which `link_row` draws with a shape over it; `modes` is the picture of these with bars of
-energy, `campbell` that of frequencies over the speed of the input.
+`shown_modes` takes the modes of a gear or tells why there are none. `shapes` draws them over the
+links, `orders` where orders of a speed meet their frequencies, and the response. `dump` is the
+picture of a clutch that is dumped.
 """

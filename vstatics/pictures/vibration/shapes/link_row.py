@@ -11,17 +11,26 @@ from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, Point, height, spr
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, zigzag
 from vstatics.pictures.sheet.style import LONG_NAME, SMALL_NUMBER, number
-from vstatics.pictures.vibration.links import ModeDevice, ModeLinks
+from vstatics.pictures.vibration.shapes.links import ModeDevice, ModeLinks
 
 LINK_PITCH = 26.0
 """From link to link. [pt]"""
-LEAST_ROW_WIDTH, MOST_ROW_WIDTH = 130.0, 1600.0
-"""Width of all links. [pt]"""
+LEAST_ROW_WIDTH = 130.0
+"""Width of all links, of however few. [pt]"""
+NEAREST_LINKS = 13.0
+"""From link to link, so that each has its name. [pt]"""
+BEYOND_ROW = 12.0
+"""So far names may stand beyond the row, on both sides. [pt]"""
 LEVEL_PITCH = 19.0
 """From level to level of devices. [pt]"""
 GROUND_HEIGHT = 24.0
 """From a link up to the housing. [pt]"""
-ROOMY_PITCH = 18.0
+LEGEND_SIGN = 22.0
+"""From the left of a sign to its meaning. [pt]"""
+_ELASTIC = ("rigid", "жёсткая связь"), ("elastic, by number", "упругая, с номером")
+_HEAVY = ("without inertia", "без инерции"), ("with inertia", "с инерцией")
+"""What signs mean, from below."""
+ROOMY_PITCH = 12.0
 """With less from link to link there are no numbers of springs. [pt]"""
 
 
@@ -39,9 +48,14 @@ class Axis(NamedTuple):
         return self.left + (place + 0.5) * self.pitch
 
 
-def breadth(count: int) -> float:
-    """Width of so many links [pt]."""
-    return min(max(count * LINK_PITCH, LEAST_ROW_WIDTH), max(MOST_ROW_WIDTH, 2.0 * count))
+def whole_width(links: ModeLinks) -> float:
+    """Width of all links where there is room [pt]."""
+    return max(len(links.names) * LINK_PITCH, LEAST_ROW_WIDTH)
+
+
+def least_width(links: ModeLinks) -> float:
+    """Width of all links where each has its name [pt]."""
+    return max(len(links.names) * NEAREST_LINKS, LEAST_ROW_WIDTH)
 
 
 def springs(links: ModeLinks) -> list[str]:
@@ -52,8 +66,8 @@ def springs(links: ModeLinks) -> list[str]:
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
     """Places and names; of many links only some, so that they have room."""
     names = [wrapped(name, LONG_NAME) for name in links.names]
-    highest = max(map(height, names), default=0.0) + LABEL_GAP
-    every = math.ceil(highest / pitch) if len(names) * pitch >= MOST_ROW_WIDTH else 1
+    needed = sum(height(name) + LABEL_GAP for name in names)
+    every = math.ceil(needed / (len(names) * pitch + 2 * BEYOND_ROW)) if names else 1
     return [(place, name) for place, name in enumerate(names) if place % every == 0]
 
 
@@ -90,7 +104,8 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
     """Upright, each with a line to its link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
-    places = spread(wanted, sizes, 0.0, axis.pen.size[0])
+    row = axis.left, axis.left + sum(sizes)
+    places = spread(wanted, sizes, min(row[0], wanted[0]) - BEYOND_ROW, axis.pen.size[0])
     both = zip(wanted, places, strict=True)
     pieces = [((at, low), (place, low + 0.6 * LEADER)) for at, place in both]
     axis.pen.lines(pieces, color=axis.pen.style.ink, width=0.5)
@@ -139,14 +154,12 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look
         pen.text(x + 6, y + 11, mark, va="center", size=SMALL_NUMBER)
 
 
-def draw_legend(pen: Pen, left: float, low: float, *, elastic: bool) -> None:
-    """What the marks of the row mean, two lines above an ordinate [pt]."""
+def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
+    """What the marks of the row mean, two lines above an ordinate, up to an abscissa [pt]."""
     style = pen.style
-    for row, (english, russian) in enumerate(
-        (("rigid", "жёсткая связь"), ("elastic, by number", "упругая, с номером"))
-        if elastic
-        else (("without inertia", "без инерции"), ("with inertia", "с инерцией"))
-    ):
+    texts = [style.text(*said) for said in (_ELASTIC if elastic else _HEAVY)]
+    left = right - LEGEND_SIGN - widest(texts)
+    for row, text in enumerate(texts):
         y = low + row * height("")
         if not elastic:
             _draw_dot(pen, (left + 8, y), style.ink, heavy=bool(row))
@@ -154,7 +167,7 @@ def draw_legend(pen: Pen, left: float, low: float, *, elastic: bool) -> None:
             pen.line(*zigzag(left + 8, y, 8.0, 3.5), color=style.ink, width=1.2)
         else:
             pen.line((left, y), (left + 16, y), color=style.faint, width=0.9)
-        pen.text(left + 22, y, style.text(english, russian), va="center", color=style.soft)
+        pen.text(left + LEGEND_SIGN, y, text, va="center", color=style.soft)
 
 
 def _draw_dot(pen: Pen, at: Point, colour: str, *, heavy: bool) -> None:
