@@ -69,11 +69,14 @@ _WITHOUT_GEARS = {
     "--y",
     metavar="COLUMN",
     multiple=True,
-    help="Of a map what is upward; of curves the columns that are drawn.",
+    help="Of a map what is upward; of curves and histograms the columns that are drawn.",
 )
 @click.option("--z", metavar="COLUMN", default="", help="Of a map: the column that has contours.")
 @click.option(
-    "--by", metavar="COLUMN", default="", help="Of a sweep: a map or line for each value, or gear."
+    "--by",
+    metavar="COLUMN",
+    default="",
+    help="Of a sweep: a map, line or histogram for each value, or gear.",
 )
 @click.option("--out", metavar="LIST", default="", help="Of a shift: more columns, as of simulate.")
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
@@ -113,12 +116,19 @@ def plot(
                  where its orders meet them
     shift        the run of a scenario: speeds, slips, torques and heat over
                  time, with its events
+    traction     force at the wheels of the `vehicle` over its speed, gear by
+                 gear with all losses; resistance on slopes of 0 to 30 %
+    sawtooth     engine speed over road speed, gear by gear
+    steps        forward gears on a logarithmic line of ratios, beside
+                 geometric and progressive steps
     boxes        what `synth box -f json` found, in place of a case: mean loss
                  over the largest torque, families, stick diagrams
     map          what `sweep -o` wrote, in place of a case: contours of a
                  column over two varied numbers, and where operation ends
     curves       of the same: columns over one varied number, a line for each
                  gear, or for each value of another one
+    histogram    of the same, and of what `simulate --samples -o` wrote: how
+                 often numbers of a column fall into parts of its range
 
     \b
     Of a scenario plan shows its run, too; other kinds show its case.
@@ -130,6 +140,7 @@ def plot(
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
       vstatics plot upshift.yaml --kind shift -o upshift.png
       vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
+      vstatics plot car.yaml --kind traction -o forces.svg
       vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
@@ -152,8 +163,9 @@ def plot(
         (not cases and ratios is None, "Missing argument 'CASE...'."),
         (
             not of_sweeps and asked != DrawnColumns(),
-            "--x, --y, --z, --by: only map and curves are of columns",
+            "--x, --y, --z, --by: only map, curves and histogram are of columns",
         ),
+        (kind == "histogram" and (x or z), "--x, --z: histograms are of the columns of --y"),
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)

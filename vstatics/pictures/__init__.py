@@ -10,9 +10,10 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `boxes` and
-`sweeps` have the kinds of pictures. A kind is a function ``draw(results, style, gears)``
-in a module of its own, which is imported when its picture is asked for: matplotlib is an extra.
+`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `vehicle`,
+`boxes` and `sweeps` have the kinds of pictures. A kind is a function
+``draw(results, style, gears)`` in a module of its own, which is imported when its picture is
+asked for: matplotlib is an extra.
 It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
 Where gears have something in common it is ``each(results, style, shown)``, which makes this once
 for the pages of several lists of gears.
@@ -50,6 +51,9 @@ PICTURES = {
     "modes": "vstatics.pictures.vibration.modes",
     "campbell": "vstatics.pictures.vibration.campbell",
     "shift": "vstatics.pictures.run.shift",
+    "traction": "vstatics.pictures.vehicle.traction",
+    "sawtooth": "vstatics.pictures.vehicle.sawtooth",
+    "steps": "vstatics.pictures.vehicle.steps",
 }
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")

@@ -16,6 +16,9 @@ KINDS = {
     "modes": ("Natural modes", "Собственные формы"),
     "campbell": ("Campbell diagram", "Диаграмма Кэмпбелла"),
     "shift": ("Run over time", "Ход во времени"),
+    "traction": ("Wheel force", "Сила тяги"),
+    "sawtooth": ("Engine speed over road speed", "Частота вращения двигателя по скорости"),
+    "steps": ("Steps between gears", "Шаги между передачами"),
 }
 """What a kind of picture is called, where it stands by itself."""
 ELEMENTS = {
