@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import NamedTuple
-
-import numpy as np
-
-from vstatics.numerics.arrays import Floats
 
 
 class StepLaw(NamedTuple):
@@ -28,7 +24,7 @@ class StepLaw(NamedTuple):
 def geometric(ratios: Sequence[float]) -> StepLaw:
     """Equal steps.
 
-    >>> geometric([4.0, 3.0, 1.0]).ratios
+    >>> [round(one, 9) for one in geometric([4.0, 3.0, 1.0]).ratios]
     [4.0, 2.0, 1.0]
     """
     return _law(ratios, 0.0)
@@ -44,15 +40,17 @@ def progressive(ratios: Sequence[float]) -> StepLaw:
     >>> [round(one, 9) for one in made.ratios], round(made.growth, 9)
     ([6.0, 2.0, 1.0], 1.5)
     """
-    logs = np.log([one / other for one, other in pairwise(ratios)])
-    places = np.arange(len(logs)) - (len(logs) - 1) / 2
-    return _law(ratios, float(places @ logs / max(places @ places, 1e-9)))
+    logs = [math.log(one / other) for one, other in pairwise(ratios)]
+    places = [place - (len(logs) - 1) / 2 for place in range(len(logs))]
+    squares = sum(place**2 for place in places)
+    slope = sum(place * log for place, log in zip(places, logs, strict=True)) / (squares or 1.0)
+    return _law(ratios, slope)
 
 
 def _law(ratios: Sequence[float], slope: float) -> StepLaw:
     """Ratios whose steps have logarithms of a slope."""
     count = len(ratios) - 1
     mean = math.log(ratios[0] / ratios[-1]) / count
-    steps = [math.exp(mean + slope * (place - (count - 1) / 2)) for place in range(count)]
-    made: Floats = ratios[0] / np.cumprod([1.0, *steps[:-1]])
-    return StepLaw([*made.tolist(), ratios[-1]], math.exp(-slope))
+    logs = [mean + slope * (place - (count - 1) / 2) for place in range(count)]
+    made = [ratios[0], *(ratios[0] / math.exp(log) for log in accumulate(logs[:-1]))]
+    return StepLaw([*made, ratios[-1]], math.exp(-slope))
