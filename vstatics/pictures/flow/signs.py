@@ -29,6 +29,8 @@ CURVE_PIECES = 6
 """Straight pieces of a curve of a thin band."""
 HATCH = "////"
 """Of what a convention divides, and of what may not be in the metal."""
+MILD_HATCH = "...."
+"""Of what divides power by its ratio, but for friction."""
 
 
 class FlowView(NamedTuple):
@@ -81,7 +83,10 @@ class FlowView(NamedTuple):
             self.pen.area(*shape, color=style.circulating)
 
     def _port(self, stub: Stub) -> None:
-        """A port: the tail of an arrow before its link, or the head of one behind it."""
+        """A port: the tail of an arrow before its link, or the head of one behind it.
+
+        Where a band is cut, dots stand in place of a name.
+        """
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
         notch = min(half, PORT - 4)
@@ -93,6 +98,9 @@ class FlowView(NamedTuple):
             shape += [(x + PORT - notch, y - half), (x, y - half)]
         said = self.titles.port(stub.link, stub.port)
         self.pen.area(*shape, color=self.pen.style.power, title=said)
+        if stub.port.cut is not None:
+            way, ha = (-1, "right") if stub.port.enters else (1, "left")
+            self.pen.text(x + way * (PORT + 2), y, "…", ha=ha, va="center_baseline")
 
     def _loss(self, box: Box) -> None:
         middle, low = self._at((box.middle, box.bottom))
@@ -112,11 +120,12 @@ class FlowView(NamedTuple):
                 look = hatched_look(loop_colour(style), style)
                 self.pen.area(*self._corners(left, right, box), **look)
         for node, left, right in signs:
-            divided = node in self.titles.texts.flow.by_convention
+            divided = self.titles.is_open(node)
+            hatch = MILD_HATCH if self.titles.is_mild(node) else HATCH
             face = style.ink if node.kind == "link" and not divided else style.paper
             said = self.titles.node(node, graph.through(node), graph.losses.get(node, 0.0))
             look = {"facecolor": face, "edgecolor": style.ink, "joinstyle": "round", "zorder": 3}
-            look["hatch"] = HATCH if divided else None
+            look["hatch"] = hatch if divided else None
             self.pen.area(*self._corners(left, right, box), width=0.9, title=said, **look)
         x, y = self._at((box.middle, box.top))
         self.pen.text(x, y + 2, cell.text, ha="center", va="bottom")
