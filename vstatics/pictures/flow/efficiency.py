@@ -141,7 +141,11 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
     wide = EFFICIENCY_SCALE_WIDTH + MARGIN + max(most * step, LEAST_OF_HEAD)
     wide = min(wide, style.width)
     head = sheet_head(name, note, losses.key, wide - 2 * MARGIN, style).high
-    on_page = max(int((style.height - head) / high), 1) if math.isfinite(style.height) else panels
+    on_page = (
+        max(int((style.height - head - MARGIN) / high), 1)
+        if math.isfinite(style.height)
+        else panels
+    )
     for at in range(0, panels, on_page):
         page = parts[at : at + on_page]
         pen = headed(name, note, losses.key, (wide, len(page) * high), style)

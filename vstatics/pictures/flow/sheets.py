@@ -86,7 +86,7 @@ def sheets(
     room = style.width - 2 * WIDE_MARGIN
     blocks = _blocks(gears, room, style)
     tallest = sheet_head(name, "", key(gears, style), room, style).high
-    left_over = style.height - tallest - BELOW_TEXT - WIDE_MARGIN
+    left_over = style.height - tallest - BELOW_TEXT - 2 * WIDE_MARGIN
     for page in _pages(_shelves(blocks, room), left_over):
         shown = [block.gear for shelf in page for block in shelf if block.gear]
         head = sheet_head(name, "", key(shown, style), room, style)

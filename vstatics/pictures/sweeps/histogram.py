@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.head import headed, sheet_head
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
@@ -70,14 +70,17 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     if not every:
         raise CaseError("E433", "no column of the sweep has different numbers to draw")
     shown = every if asked.y else every[:MOST_HISTOGRAMS]
-    across = max(1, int((style.width - 2 * MARGIN) // HISTOGRAM_SIZE[0]))
+    words = widest(word for one in shown for word in one.name.split(" "))
+    least = max(HISTOGRAM_SIZE[0], words) + HISTOGRAM_GAP
+    across = max(1, int((style.width - 2 * MARGIN + HISTOGRAM_GAP) // least))
     rows = [shown[at : at + across] for at in range(0, len(shown), across)]
     said = style.text("Histograms", "Гистограммы")
     note = f"{len(set(sweep.variants))} {style.text('variants', 'вариантов')}"
     if len(shown) < len(every):
         note += f"; {style.text('columns', 'столбцов')}: {len(shown)} / {len(every)}"
     figures, wide = [], (style.width - 2 * MARGIN + HISTOGRAM_GAP) / across
-    for page in _pages(rows, wide, style):
+    head = sheet_head(said, note, _key(style), style.width - 2 * MARGIN, style).high
+    for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
         highs = [_high(row, wide) for row in page]
         pen = headed(said, note, _key(style), (style.width, sum(highs) + MARGIN / 2), style)
         top = sum(highs) + MARGIN / 2
@@ -128,10 +131,9 @@ def _high(row: Sequence[Histogram], wide: float) -> float:
 
 
 def _pages(
-    rows: Sequence[Sequence[Histogram]], wide: float, style: Style
+    rows: Sequence[Sequence[Histogram]], wide: float, room: float
 ) -> Iterator[list[Sequence[Histogram]]]:
-    """Rows that have room on a page."""
-    room = style.height - 5 * LINE_HEIGHT * SIZE
+    """Rows that have room on a page [pt]."""
     page: list[Sequence[Histogram]] = []
     taken = 0.0
     for row in rows:
