@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from typing import cast
 
@@ -12,9 +12,9 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.documents import is_a
-from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
@@ -52,8 +52,8 @@ _WITHOUT_GEARS = {
     help="What is drawn, one of the above.",
 )
 @arguments.required_output(
-    "SVG, PNG or PDF by the suffix; - is standard output, for SVG; several cases go to a "
-    "directory, as SVG."
+    "SVG, PNG or PDF by the suffix; - is standard output, for SVG; two cases go to one sheet, "
+    "several to a directory, as SVG."
 )
 @arguments.some_gears
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
@@ -132,12 +132,15 @@ def plot(
 
     \b
     Of a scenario plan shows its run, too; other kinds show its case.
+    Two cases to one FILE are on one sheet, over one another, or beside each
+    other where there is room: panels A and B.
 
     \b
     Examples:
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
+      vstatics plot old.yaml new.yaml --kind efficiency -o compared.svg
       vstatics plot upshift.yaml --kind shift -o upshift.png
       vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
       vstatics plot car.yaml --kind traction -o forces.svg
@@ -169,13 +172,19 @@ def plot(
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
-    to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    to = formats.each_by_itself(output, cases, FORMATS, "a picture", most=2)
     if ratios is not None:
         return _plot_ratios(ratios, gears, to, Style(lang, dark))
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
     if of_sweeps:
         return _plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
+    options = settings._replace(
+        scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
+    )
+    if len(cases) > 1 and not to.is_folder:
+        drawn_style = Style(lang, dark, wheels=wheels, merged=merge)
+        return _plot_two(calculate(cases, options), kind, to, gears, out, drawn_style)
     picture = partial(
         _shown,
         kind=kind,
@@ -183,9 +192,6 @@ def plot(
         gears=gears,
         out=out,
         style=Style(lang, dark, wheels=wheels, merged=merge),
-    )
-    options = settings._replace(
-        scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
     )
     return carry_out(Job("plot", options, to, picture), cases)
 
@@ -235,6 +241,32 @@ def _plot_ratios(
     drawn = render(solve(case), "plan", cast("Format", to.form), style, chosen)
     files.write_data(drawn, to.output)
     return DONE
+
+
+def _plot_two(
+    outcomes: Iterable[CalculatedCase],
+    kind: str,
+    to: formats.Destination,
+    gears: tuple[str, ...],
+    out: str,
+    style: Style,
+) -> int:
+    """Draw two cases on one sheet; the exit status."""
+    from vstatics.pictures.pair import PairedCase, pair_pages
+
+    both, failed = [], False
+    for outcome in outcomes:
+        failed |= outcome.failed
+        if outcome.results is not None:
+            case = outcome.results.case
+            chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
+            motion = run_of(outcome, out) if kind in OF_RUNS else None
+            name = os.path.basename(outcome.file)  # noqa: PTH119
+            both.append(PairedCase(name, outcome.results, chosen, motion))
+    if len(both) == 2:
+        [drawn] = pair_pages(both, kind, cast("Format", to.form), style)
+        files.write_data(drawn, to.output)
+    return FAILED if failed else DONE
 
 
 def _refuse_without_suffix(output: str) -> None:

@@ -114,9 +114,8 @@ def _laws(own: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
 def _draw_gears(pen: Pen, own: ForwardGears) -> None:
     """A cell from each gear to the next, with names above and ratios below."""
     style = pen.style
-    for name, ratio, step, ends in zip(
-        own.names, own.ratios, own.steps, [*pairwise(own.ratios), None], strict=True
-    ):
+    following = [*own.ratios[1:], None]
+    for name, ratio, step, other in zip(own.names, own.ratios, own.steps, following, strict=True):
         data = {"gear": name, "ratio": f"{ratio:.9g}"}
         said = f"{gear_title(name, style)}: {number(ratio)}"
         if math.isfinite(step):
@@ -124,13 +123,15 @@ def _draw_gears(pen: Pen, own: ForwardGears) -> None:
             said += f", {style.text('step', 'шаг')} {number(step)}"
         cell = pen.within("step", **data)
         x = pen.across(ratio)
-        if ends:
+        if other:
             face = mixed(style.power, style.paper, 0.45)
-            wide = pen.across(ends[1]) - x
+            wide = pen.across(other) - x
             cell.box((x, 0.0), (wide, pen.size[1]), facecolor=face, title=said)
-            _name_cell(cell, x, wide, ends[0] / ends[1])
+            _name_cell(cell, x, wide, ratio / other)
         cell.line((x, 0.0), (x, pen.size[1]), color=style.ink, width=FRAME_WIDTH, title=said)
-    pen.frame("top", "bottom")
+    ends = pen.across(own.ratios[0]), pen.across(own.ratios[-1])
+    level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
+    pen.lines(level, color=style.ink, width=FRAME_WIDTH)
     left, low = pen.corner
     beyond = pen.panel((left - MARGIN, low), (pen.size[0] + 2 * MARGIN, pen.size[1]))
     places = [MARGIN + pen.across(ratio) for ratio in own.ratios]
