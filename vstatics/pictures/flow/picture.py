@@ -13,11 +13,18 @@ from vstatics.pictures.flow.graph import Graph, graph
 from vstatics.pictures.flow.layout import layout
 from vstatics.pictures.flow.places import FlowLayout
 from vstatics.pictures.flow.rows import rows
-from vstatics.pictures.flow.sheets import BELOW_TEXT, FlowGear, sheets
+from vstatics.pictures.flow.sheets import (
+    FlowBlock,
+    FlowGear,
+    gear_blocks,
+    nothing,
+    row_blocks,
+    sheets,
+)
 from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.head import Meaning
 from vstatics.pictures.sheet.labels import title_width
 from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
@@ -61,11 +68,9 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
             for number in own
             for flow in [every[number - 1]]
         ]
-        if len(gears) == 1:
-            yield [_alone(results, gears[0], style)]
-        else:
-            subject = style.text("power flow", "поток мощности")
-            yield list(sheets(gears, title(results.case, subject), key, style))
+        yield list(
+            _alone(results, gears[0], style) if len(gears) == 1 else _all(results, gears, style)
+        )
 
 
 def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> FlowTitles | None:
@@ -103,18 +108,22 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
     return min(cut, key=lambda own: (max(one.width for one in own) > room, len(own)))
 
 
-def _alone(results: Results, gear: FlowGear, style: Style) -> Figure:
+def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
+    """Several gears with their names."""
+    name = title(results.case, style.text("power flow", "поток мощности"))
+    room = style.width - 2 * WIDE_MARGIN
+    yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
+
+
+def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
     """A gear by itself, whose name is in the title."""
     subject = style.text("power flow", "поток мощности")
     name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")
     room = style.width - 2 * WIDE_MARGIN
     of_name = min(title_width(name), TITLE_WIDTH, room) if style.titled else 0.0
     wide = max(min(LEAST_FLOW_WIDTH, room), of_name, gear.wide)
-    head = sheet_head(name, heading(gear.flow, wide, style), key([gear], style), wide, style)
-    high = gear.high + BELOW_TEXT + WIDE_MARGIN
-    pen = head.over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
-    gear.draw(pen, WIDE_MARGIN, high - BELOW_TEXT)
-    return pen.figure
+    blocks = row_blocks(gear, wide) or [FlowBlock([], wide, 0.0, 0.0, nothing)]
+    yield from sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style)
 
 
 def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import pairwise, starmap
 from typing import NamedTuple
 
@@ -15,7 +16,7 @@ from vstatics.pictures.flow.places import FlowLayout
 from vstatics.pictures.flow.signs import FlowView
 from vstatics.pictures.flow.texts import heading
 from vstatics.pictures.flow.titles import FlowTitles
-from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.sheet.labels import height, width
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
@@ -29,8 +30,6 @@ LINE_START = 10.0
 """From the name of a gear to its line. [pt]"""
 LEAST_BLOCK_WIDTH = 190.0
 """Of a gear beside others, for the line below its name. [pt]"""
-ROW_GAP = 10.0
-"""Rows of a gear. [pt]"""
 BELOW_TEXT = 8.0
 """Between a text of the whole figure and what follows. [pt]"""
 
@@ -48,25 +47,12 @@ class FlowGear(NamedTuple):
         """[pt]."""
         return max((row.width for row in self.rows), default=0.0)
 
-    @property
-    def high(self) -> float:
-        """[pt]."""
-        gaps = ROW_GAP * max(len(self.rows) - 1, 0)
-        return sum(row.height for row in self.rows) + gaps
-
-    def draw(self, pen: Pen, left: float, top: float) -> None:
-        """From an upper left corner on [pt]."""
-        for row in self.rows:
-            assert self.titles is not None  # noqa: S101 - it has power, then
-            FlowView(pen, left, top, self.titles).draw(row)
-            top -= row.height + ROW_GAP
-
 
 class FlowBlock(NamedTuple):
-    """A gear among others, with what stands over it."""
+    """A gear among others with what stands over it, or one of its rows."""
 
-    gear: FlowGear | None
-    """None of one that is a line of text."""
+    shown: Sequence[FlowGear]
+    """Of what is drawn as bands: for the key."""
     wide: float
     """[pt]"""
     high: float
@@ -76,24 +62,26 @@ class FlowBlock(NamedTuple):
     """From an upper left corner on."""
 
 
-def sheets(
-    gears: Sequence[FlowGear],
+def sheets(  # noqa: PLR0913 PLR0917 - a page has these
+    blocks: Sequence[FlowBlock],
     name: str,
+    note: str,
     key: Callable[[Sequence[FlowGear], Style], Iterable[Meaning]],
+    room: float,
     style: Style,
 ) -> Iterator[Figure]:
-    """Pages with a title and a key of what is on them."""
-    room = style.width - 2 * WIDE_MARGIN
-    blocks = _blocks(gears, room, style)
-    tallest = sheet_head(name, "", key(gears, style), room, style).high
-    left_over = style.height - tallest - BELOW_TEXT - 2 * WIDE_MARGIN
+    """Pages with a title, a note and a key of what is on them, in a width without margins [pt]."""
+
+    def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
+        shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
+        return sheet_head(name, note, key(shown, style), room, style)
+
+    left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
     for page in _pages(_shelves(blocks, room), left_over):
-        shown = [block.gear for shelf in page for block in shelf if block.gear]
-        head = sheet_head(name, "", key(shown, style), room, style)
         wide = max(room, *(block.wide for shelf in page for block in shelf))
         gaps = sum(starmap(_gap, pairwise(page)))
         high = sum(map(_high, page)) + gaps + BELOW_TEXT + WIDE_MARGIN
-        pen = head.over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
+        pen = head_of(page).over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
         top = high - BELOW_TEXT
         for shelf, following in zip(page, [*page[1:], page[-1]], strict=True):
             left = WIDE_MARGIN
@@ -139,7 +127,8 @@ def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[lis
     yield page
 
 
-def _blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
+def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
+    """Several gears, each with its name."""
     names = [gear_title(gear.flow.gear, style) for gear in gears]
     start = LINE_START + max(width(name, bold=True) for name in names)
     for gear, name in zip(gears, names, strict=True):
@@ -148,7 +137,49 @@ def _blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[Fl
         if drawn is not None and gear.titles is not None and is_chain(gear.flow, drawn):
             yield _line_block(chain_line(drawn, gear.titles, room - start), name, start, room)
         else:
-            yield _band_block(gear, name, style)
+            least = LEAST_BLOCK_WIDTH if len(gear.rows) < 2 else room
+            wide = max(least, gear.wide)
+            text = heading(gear.flow, wide, style)
+            head = _head_block(name, text, wide)
+            first, *others = row_blocks(gear, wide) or [head._replace(high=0.0, draw=nothing)]
+            yield _over(head, first, gear)
+            yield from others
+
+
+def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
+    """The rows of a gear."""
+    return [
+        FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, row))
+        for row in gear.rows
+    ]
+
+
+def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float) -> None:
+    assert gear.titles is not None  # noqa: S101 - it has power, then
+    FlowView(pen, left, top, gear.titles).draw(row)
+
+
+def nothing(_pen: Pen, _left: float, _top: float) -> None:
+    """Draw nothing."""
+
+
+def _head_block(name: str, text: str, wide: float) -> FlowBlock:
+    def draw(pen: Pen, left: float, top: float) -> None:
+        pen.text(left, top, name, va="top", bold=True)
+        pen.text(left, top - height(name), text, va="top", color=pen.style.soft)
+
+    return FlowBlock([], wide, height(name) + height(text), FLOW_GEAR_GAP, draw)
+
+
+def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
+    """A row below the name of its gear."""
+    below = head.high + BELOW_TEXT * bool(row.high)
+
+    def draw(pen: Pen, left: float, top: float) -> None:
+        head.draw(pen, left, top)
+        row.draw(pen, left, top - below)
+
+    return FlowBlock([gear], head.wide, below + row.high, FLOW_GEAR_GAP, draw)
 
 
 def _line_block(line: ChainLine, name: str, start: float, room: float) -> FlowBlock:
@@ -156,18 +187,4 @@ def _line_block(line: ChainLine, name: str, start: float, room: float) -> FlowBl
         pen.text(left, top, name, va="top", bold=True)
         line.draw(pen, left + start, top)
 
-    return FlowBlock(None, room, line.high, CHAIN_GAP, draw)
-
-
-def _band_block(gear: FlowGear, name: str, style: Style) -> FlowBlock:
-    wide = max(LEAST_BLOCK_WIDTH, gear.wide)
-    text = heading(gear.flow, wide, style)
-    head = height(name) + height(text)
-    body = (BELOW_TEXT + gear.high) * bool(gear.rows)
-
-    def draw(pen: Pen, left: float, top: float) -> None:
-        pen.text(left, top, name, va="top", bold=True)
-        pen.text(left, top - height(name), text, va="top", color=pen.style.soft)
-        gear.draw(pen, left, top - head - BELOW_TEXT)
-
-    return FlowBlock(gear, wide, head + body, FLOW_GEAR_GAP, draw)
+    return FlowBlock([], room, line.high, CHAIN_GAP, draw)

@@ -17,7 +17,7 @@ from vstatics.pictures.flow.titles import FlowTitles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look, mixed
 from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import SIZE, Style
 
 LEAST_BAND_WIDTH = 0.6
 """Width of a band of hardly any power. [pt]"""
@@ -50,6 +50,7 @@ class FlowView(NamedTuple):
             self._line(line)
         for stub in layout.stubs:
             self._port(stub)
+        self._dots([stub for stub in layout.stubs if stub.port.cut is not None])
         for box in layout.boxes:
             if box.cell.lost:
                 self._loss(box)
@@ -83,10 +84,7 @@ class FlowView(NamedTuple):
             self.pen.area(*shape, color=style.circulating)
 
     def _port(self, stub: Stub) -> None:
-        """A port: the tail of an arrow before its link, or the head of one behind it.
-
-        Where a band is cut, dots stand in place of a name.
-        """
+        """A port: the tail of an arrow before its link, or the head of one behind it."""
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
         notch = min(half, PORT - 4)
@@ -98,9 +96,16 @@ class FlowView(NamedTuple):
             shape += [(x + PORT - notch, y - half), (x, y - half)]
         said = self.titles.port(stub.link, stub.port)
         self.pen.area(*shape, color=self.pen.style.power, title=said)
-        if stub.port.cut is not None:
+
+    def _dots(self, stubs: Sequence[Stub]) -> None:
+        """Where bands are cut, once for those that are near to one another."""
+        dotted: list[Point] = []
+        for stub in stubs:
             way, ha = (-1, "right") if stub.port.enters else (1, "left")
-            self.pen.text(x + way * (PORT + 2), y, "…", ha=ha, va="center_baseline")
+            x, y = self._at((stub.x + way * (PORT + 2), stub.y))
+            if not any(abs(x - left) < 2 * SIZE and abs(y - low) < SIZE for left, low in dotted):
+                dotted.append((x, y))
+                self.pen.text(x, y, "…", ha=ha, va="center_baseline")
 
     def _loss(self, box: Box) -> None:
         middle, low = self._at((box.middle, box.bottom))

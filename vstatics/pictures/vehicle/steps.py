@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.pictures.sheet.ends import along
 from vstatics.pictures.sheet.head import headed
-from vstatics.pictures.sheet.labels import LEADER, LINE_HEIGHT, Label, widest, width
+from vstatics.pictures.sheet.labels import LEADER, LINE_HEIGHT, Label, across_size, widest, width
 from vstatics.pictures.sheet.line_styles import Look, mixed
 from vstatics.pictures.sheet.pen import AxisScale, Pen
 from vstatics.pictures.sheet.style import FRAME_WIDTH, MARGIN, SIZE, Style, number
@@ -62,15 +62,17 @@ def draw(
     names = [style.text("gears", "передачи"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
-    ends = LEADER + LINE_HEIGHT * SIZE
+    numbers = [number(ratio) for ratio in own.ratios]
+    upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
+    ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
     low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + BETWEEN_LAWS) + ends
     said = style.text("steps between gears", "шаги между передачами")
     spread = style.text("spread", "диапазон")
     note = f"{spread} {number(own.ratios[0] / own.ratios[-1])}"
-    high = low + STEP_ROW_HEIGHT + ends
+    high = low + STEP_ROW_HEIGHT + LEADER + LINE_HEIGHT * SIZE
     pen = headed(title(results.case, said), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
-    _draw_gears(row, own)
+    _draw_gears(row, own, upright=upright)
     _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
         below = low - ends - place * STEP_ROW_HEIGHT - (place - 1) * BETWEEN_LAWS
@@ -111,8 +113,8 @@ def _laws(own: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
     return found
 
 
-def _draw_gears(pen: Pen, own: ForwardGears) -> None:
-    """A cell from each gear to the next, with names above and ratios below."""
+def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
+    """A cell from each gear to the next, with names above and ratios, perhaps upright, below."""
     style = pen.style
     following = [*own.ratios[1:], None]
     for name, ratio, step, other in zip(own.names, own.ratios, own.steps, following, strict=True):
@@ -140,7 +142,7 @@ def _draw_gears(pen: Pen, own: ForwardGears) -> None:
         for texts in (own.names, map(number, own.ratios))
     )
     along(beyond, "top", names, upright=False)
-    along(beyond, "bottom", ratios, upright=False)
+    along(beyond, "bottom", ratios, upright=upright)
 
 
 def _draw_law(pen: Pen, law: StepLaw) -> None:
