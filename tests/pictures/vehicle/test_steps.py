@@ -28,6 +28,12 @@ def test_a_step_is_a_ratio_over_the_next_one() -> None:
     assert "step" not in cells[-1]
 
 
+def test_a_final_drive_that_turns_the_sign_keeps_it_in_ratios_and_not_in_steps() -> None:
+    cells = marks(box([-3.0, -2.0, -1.0, 2.5], vehicle=None), "steps", "step")
+    assert [float(one["ratio"]) for one in cells] == [-3, -2, -1]
+    assert [float(one["step"]) for one in cells[:2]] == [1.5, 2]
+
+
 def test_steps_are_those_of_a_sweep_and_of_the_summary() -> None:
     case = CASES / "ford-10r80.yaml"
     cells = marks(solve(load(case)), "steps", "step")

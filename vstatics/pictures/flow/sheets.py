@@ -60,6 +60,8 @@ class FlowBlock(NamedTuple):
     """Between it and another one at least [pt]."""
     draw: Callable[[Pen, float, float], None]
     """From an upper left corner on."""
+    is_rest: bool = False
+    """Whether it is a further row of a gear."""
 
 
 def sheets(  # noqa: PLR0913 PLR0917 - a page has these
@@ -79,8 +81,7 @@ def sheets(  # noqa: PLR0913 PLR0917 - a page has these
     left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
     for page in _pages(_shelves(blocks, room), left_over):
         wide = max(room, *(block.wide for shelf in page for block in shelf))
-        gaps = sum(starmap(_gap, pairwise(page)))
-        high = sum(map(_high, page)) + gaps + BELOW_TEXT + WIDE_MARGIN
+        high = _all_high(page) + BELOW_TEXT + WIDE_MARGIN
         pen = head_of(page).over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
         top = high - BELOW_TEXT
         for shelf, following in zip(page, [*page[1:], page[-1]], strict=True):
@@ -114,17 +115,34 @@ def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
 
 
 def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
-    """As many below one another as there is room for."""
+    """As many below one another as there is room for; the rows of a gear are on one page."""
     page: list[list[FlowBlock]] = []
-    taken = 0.0
-    for shelf in shelves:
-        gap = _gap(page[-1], shelf) if page else 0.0
-        if page and taken + gap + _high(shelf) > room:
+    for own in _together(shelves):
+        if page and _all_high([*page, *own]) > room:
             yield page
-            page, taken, gap = [], 0.0, 0.0
-        page.append(shelf)
-        taken += gap + _high(shelf)
+            page = []
+        for shelf in own:
+            if page and _all_high([*page, shelf]) > room:
+                yield page
+                page = []
+            page.append(shelf)
     yield page
+
+
+def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
+    """Each shelf with the further rows of its gear."""
+    found: list[list[list[FlowBlock]]] = []
+    for shelf in shelves:
+        if found and shelf[0].is_rest:
+            found[-1].append(shelf)
+        else:
+            found.append([shelf])
+    yield from found
+
+
+def _all_high(page: Sequence[Sequence[FlowBlock]]) -> float:
+    """Shelves with the gaps between them [pt]."""
+    return sum(map(_high, page)) + sum(starmap(_gap, pairwise(page)))
 
 
 def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
@@ -143,7 +161,7 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
             head = _head_block(name, text, wide)
             first, *others = row_blocks(gear, wide) or [head._replace(high=0.0, draw=nothing)]
             yield _over(head, first, gear)
-            yield from others
+            yield from (row._replace(is_rest=True) for row in others)
 
 
 def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:

@@ -34,8 +34,8 @@ class ForwardGears(NamedTuple):
     names: Sequence[str]
     ratios: Sequence[float]
     """Without sign. [-]"""
-    steps: Sequence[float]
-    """Over the next gear; NaN of the last. [-]"""
+    sign: float
+    """Of all ratios: 1, or -1 where a final drive turns it."""
 
 
 def draw(
@@ -62,7 +62,7 @@ def draw(
     names = [style.text("gears", "передачи"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
-    numbers = [number(ratio) for ratio in own.ratios]
+    numbers = [number(own.sign * ratio) for ratio in own.ratios]
     upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
     ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
     low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + BETWEEN_LAWS) + ends
@@ -98,7 +98,9 @@ def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
         message = "a picture of steps needs forward gears of two different ratios, or more"
         raise CaseError("E444", message)
     return ForwardGears(
-        [line.gear for line in own], [abs(line.ratio) for line in own], [line.step for line in own]
+        [line.gear for line in own],
+        [abs(line.ratio) for line in own],
+        math.copysign(1.0, own[0].ratio),
     )
 
 
@@ -117,12 +119,12 @@ def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
     """A cell from each gear to the next, with names above and ratios, perhaps upright, below."""
     style = pen.style
     following = [*own.ratios[1:], None]
-    for name, ratio, step, other in zip(own.names, own.ratios, own.steps, following, strict=True):
-        data = {"gear": name, "ratio": f"{ratio:.9g}"}
-        said = f"{gear_title(name, style)}: {number(ratio)}"
-        if math.isfinite(step):
-            data["step"] = f"{step:.9g}"
-            said += f", {style.text('step', 'шаг')} {number(step)}"
+    for name, ratio, other in zip(own.names, own.ratios, following, strict=True):
+        data = {"gear": name, "ratio": f"{own.sign * ratio:.9g}"}
+        said = f"{gear_title(name, style)}: {number(own.sign * ratio)}"
+        if other:
+            data["step"] = f"{ratio / other:.9g}"
+            said += f", {style.text('step', 'шаг')} {number(ratio / other)}"
         cell = pen.within("step", **data)
         x = pen.across(ratio)
         if other:
@@ -139,7 +141,7 @@ def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
     places = [MARGIN + pen.across(ratio) for ratio in own.ratios]
     names, ratios = (
         [Label(x, text, style.ink) for x, text in zip(places, texts, strict=True)]
-        for texts in (own.names, map(number, own.ratios))
+        for texts in (own.names, [number(own.sign * ratio) for ratio in own.ratios])
     )
     along(beyond, "top", names, upright=False)
     along(beyond, "bottom", ratios, upright=upright)
