@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from typing import cast
 
@@ -12,9 +12,9 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.documents import is_a
-from vstatics.cli.frame.exit_status import DONE
+from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
@@ -52,8 +52,8 @@ _WITHOUT_GEARS = {
     help="What is drawn, one of the above.",
 )
 @arguments.required_output(
-    "SVG, PNG or PDF by the suffix; - is standard output, for SVG; several cases go to a "
-    "directory, as SVG."
+    "SVG, PNG or PDF by the suffix; - is standard output, for SVG; two cases go to one sheet, "
+    "several to a directory, as SVG."
 )
 @arguments.some_gears
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
@@ -69,11 +69,14 @@ _WITHOUT_GEARS = {
     "--y",
     metavar="COLUMN",
     multiple=True,
-    help="Of a map what is upward; of curves the columns that are drawn.",
+    help="Of a map what is upward; of curves and histograms the columns that are drawn.",
 )
 @click.option("--z", metavar="COLUMN", default="", help="Of a map: the column that has contours.")
 @click.option(
-    "--by", metavar="COLUMN", default="", help="Of a sweep: a map or line for each value, or gear."
+    "--by",
+    metavar="COLUMN",
+    default="",
+    help="Of a sweep: a map, line or histogram for each value, or gear.",
 )
 @click.option("--out", metavar="LIST", default="", help="Of a shift: more columns, as of simulate.")
 @click.option(
@@ -125,23 +128,34 @@ def plot(
     dump         the largest torque when the clutch is dumped, by gear
     shift        the run of a scenario: speeds, slips, torques and heat over
                  time, with its events
+    traction     force at the wheels of the `vehicle` over its speed, gear by
+                 gear with all losses; resistance on slopes of 0 to 30 %
+    sawtooth     engine speed over road speed, gear by gear
+    steps        forward gears on a logarithmic line of ratios, beside
+                 geometric and progressive steps
     boxes        what `synth box -f json` found, in place of a case: mean loss
                  over the largest torque, families, stick diagrams
     map          what `sweep -o` wrote, in place of a case: contours of a
                  column over two varied numbers, and where operation ends
     curves       of the same: columns over one varied number, a line for each
                  gear, or for each value of another one
+    histogram    of the same, and of what `simulate --samples -o` wrote: how
+                 often numbers of a column fall into parts of its range
 
     \b
     Of a scenario plan shows its run, too; other kinds show its case.
+    Two cases to one FILE are on one sheet, over one another, or beside each
+    other where there is room: panels A and B.
 
     \b
     Examples:
       vstatics plot gearbox.yaml --kind plan -o plan.svg
       vstatics plot --kind plan --ratios 2.6,1.7,1,-4 -o wanted.svg
       vstatics plot gearbox.yaml --kind lever --gear 2 -o second.pdf
+      vstatics plot old.yaml new.yaml --kind efficiency -o compared.svg
       vstatics plot upshift.yaml --kind shift -o upshift.png
       vstatics plot upshift.yaml --kind shift --out 'vehicle_jerk, heat' -o up.png
+      vstatics plot car.yaml --kind traction -o forces.svg
       vstatics plot loads.csv --kind map --z 'efficiency[low]' -o map.svg
       cat gearbox.dat | vstatics plot - --kind efficiency -o losses.png --dark
 
@@ -167,34 +181,27 @@ def plot(
         (not cases and ratios is None, "Missing argument 'CASE...'."),
         (
             not of_sweeps and asked != DrawnColumns(),
-            "--x, --y, --z, --by: only map and curves are of columns",
+            "--x, --y, --z, --by: only map, curves and histogram are of columns",
         ),
+        (kind == "histogram" and (x or z), "--x, --z: histograms are of the columns of --y"),
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
-    to = formats.each_by_itself(output, cases, FORMATS, "a picture")
+    to = formats.each_by_itself(output, cases, FORMATS, "a picture", most=2)
     if ratios is not None:
         return _plot_ratios(ratios, gears, to, Style(lang, dark))
     if kind == BOXES:
         return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
     if of_sweeps:
         return _plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
-    picture = partial(
-        _shown,
-        kind=kind,
-        form=to.form,
-        gears=gears,
-        out=out,
-        style=Style(
-            *(lang, dark),
-            wheels=wheels,
-            merged=merge,
-            excited=Excitation(tuple(orders or ()), at),
-        ),
-    )
     options = settings._replace(
         scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
     )
+    excited = Excitation(tuple(orders or ()), at)
+    style = Style(lang, dark, wheels=wheels, merged=merge, excited=excited)
+    if len(cases) > 1 and not to.is_folder:
+        return _plot_two(calculate(cases, options), kind, to, gears, out, style)
+    picture = partial(_shown, kind=kind, form=to.form, gears=gears, out=out, style=style)
     return carry_out(Job("plot", options, to, picture), cases)
 
 
@@ -262,6 +269,33 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
 
         excited = excited._replace(speeds=scenario_speeds(outcome.scenario.scenario))
     return style._replace(excited=excited)
+
+
+def _plot_two(
+    outcomes: Iterable[CalculatedCase],
+    kind: str,
+    to: formats.Destination,
+    gears: tuple[str, ...],
+    out: str,
+    style: Style,
+) -> int:
+    """Draw two cases on one sheet; the exit status."""
+    from vstatics.pictures.pair import PairedCase, pair_pages
+
+    both, failed = [], False
+    for outcome in outcomes:
+        failed |= outcome.failed
+        if outcome.results is not None:
+            case = outcome.results.case
+            style = _excited(outcome, outcome.results, style)
+            chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
+            motion = run_of(outcome, out) if kind in OF_RUNS else None
+            name = os.path.basename(outcome.file)  # noqa: PTH119
+            both.append(PairedCase(name, outcome.results, chosen, motion))
+    if len(both) == 2:
+        [drawn] = pair_pages(both, kind, cast("Format", to.form), style)
+        files.write_data(drawn, to.output)
+    return FAILED if failed else DONE
 
 
 def _refuse_without_suffix(output: str) -> None:

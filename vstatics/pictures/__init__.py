@@ -10,9 +10,10 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `boxes` and
-`sweeps` have the kinds of pictures. A kind is a function ``draw(results, style, gears)``
-in a module of its own, which is imported when its picture is asked for: matplotlib is an extra.
+`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `vehicle`,
+`boxes` and `sweeps` have the kinds of pictures. A kind is a function
+``draw(results, style, gears)`` in a module of its own, which is imported when its picture is
+asked for: matplotlib is an extra. `pair` puts two cases on one sheet.
 It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
 Where gears have something in common it is ``each(results, style, shown)``, which makes this once
 for the pages of several lists of gears.
@@ -52,6 +53,9 @@ PICTURES = {
     "response": "vstatics.pictures.vibration.orders.response",
     "dump": "vstatics.pictures.vibration.dump",
     "shift": "vstatics.pictures.run.shift",
+    "traction": "vstatics.pictures.vehicle.traction",
+    "sawtooth": "vstatics.pictures.vehicle.sawtooth",
+    "steps": "vstatics.pictures.vehicle.steps",
 }
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")
@@ -95,11 +99,11 @@ def picture(
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     """
-    [[one]] = _drawn(results, kind, style._replace(height=math.inf), [gears], motion)
+    [[one]] = drawn_pages(results, kind, style._replace(height=math.inf), [gears], motion)
     return one
 
 
-def _drawn(
+def drawn_pages(
     results: Results,
     kind: str,
     style: Style,
@@ -139,7 +143,7 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     motion: Motion | None = None,
 ) -> list[bytes]:
     """A picture of a result in files of a page each; parameters and errors as of `picture`."""
-    [figures] = _drawn(results, kind, style, [gears], motion)
+    [figures] = drawn_pages(results, kind, style, [gears], motion)
     title = _alternative(results, kind, style, gears)
     return [written(figure, form, style, title) for figure in figures]
 
@@ -153,7 +157,7 @@ def of_each_gear(results: Results, kind: str, style: Style) -> list[list[bytes]]
     titles = (_alternative(results, kind, style, gears) for gears in shown)
     return [
         [written(figure, "svg", style, title) for figure in figures]
-        for title, figures in zip(titles, _drawn(results, kind, style, shown), strict=True)
+        for title, figures in zip(titles, drawn_pages(results, kind, style, shown), strict=True)
     ]
 
 

@@ -90,7 +90,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Of one case.
     kind : str
         What is drawn, as of ``vstatics plot --kind``: plan, lever, flow, structure, stick,
-        efficiency, modes, campbell, response, dump, shift.
+        efficiency, modes, campbell, response, dump, shift, traction, sawtooth, steps.
     gear : int or str, optional
         Number from 1, or name, of the only gear that is shown.
     motion : Motion, optional

@@ -77,7 +77,7 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
             "new.txt: no format has this suffix here: expected .html",
         ),
         (("report", MZKT, ZF, "-o", "new.html"), "a page is of one case: expected a directory"),
-        (("plot", MZKT, ZF, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
+        (("plot", MZKT, ZF, MZKT, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
         (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected .svg .png .pdf"),
         (("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"), "can't tell the format"),
         (("convert", MZKT, "new.txt"), "can't tell the format of new.txt"),

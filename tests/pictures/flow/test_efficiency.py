@@ -6,10 +6,11 @@ import numpy as np
 
 from tests.commands import CASES
 from tests.pictures.drawn import texts, titled
+from tests.pictures.test_pictures import overlaps
 from vstatics import Gear, Mechanism, Transmission, load, solve
-from vstatics.pictures import picture
-from vstatics.pictures.flow.efficiency import loss_shares
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures import picture, settings_of
+from vstatics.pictures.flow.efficiency import draw, loss_shares
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 
 def test_shares_of_losses_make_up_what_the_efficiency_lacks() -> None:
@@ -36,3 +37,21 @@ def test_a_part_of_the_loss_has_its_name_and_says_what_it_takes() -> None:
     assert "0.720" in texts(figure)
     colours = {one.get_facecolor() for said, one in titled(figure) if said in parts}
     assert len(colours) == 2
+
+
+def test_many_gears_stand_in_panels_below_one_another_on_pages_of_paper() -> None:
+    """Forty gears: each name and number once, numbers 30 pt apart at least."""
+    pairs = [Mechanism(1, 2, 0, ratio=2.0, efficiency=0.96)]
+    gears = [Gear(name=f"g{number}") for number in range(40)]
+    results = solve(Transmission(2, [], pairs, gears))
+    paper = Style(height=PAGE_HEIGHT)
+    with settings_of(paper):
+        pages = draw(results, paper)
+    said = [text for page in pages for text in texts(page)]
+    assert [said.count(gear.name) for gear in gears] == [1] * 40
+    assert said.count("0.960") >= 40
+    for page in pages:
+        wide, high = page.get_size_inches() * 72
+        assert wide <= PAGE_WIDTH + 1e-6
+        assert high <= PAGE_HEIGHT + 1e-6
+    assert overlaps(results, "efficiency", Style()) == []

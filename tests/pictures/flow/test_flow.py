@@ -38,6 +38,8 @@ EACH = [
     pytest.param(path, id=path.name, marks=() if path.name in SOME else pytest.mark.slow)
     for path in SHIPPED
 ]
+WIDE = Style(width=2000.0)
+"""Every gear has one row."""
 DRAWN = [
     pytest.param(path, id=path.name, marks=() if path.name in SOME[3:] else pytest.mark.slow)
     for path in SHIPPED
@@ -56,8 +58,9 @@ def layouts(results: Results) -> list[tuple[PowerFlow, FlowLayout]]:
     found = flows(results)
     return [
         (side, made)
-        for side, made in zip(map(shown, found), placed(found, Style()), strict=True)
-        if side is not None and made is not None
+        for side, rows in zip(map(shown, found), placed(found, WIDE), strict=True)
+        for made in rows
+        if side is not None
     ]
 
 
@@ -117,29 +120,42 @@ def titles(results: Results, gear: int, style: Style | None = None) -> dict[str,
     return {text.partition(":")[0]: text.partition(": ")[2] for text in said}
 
 
+def in_rows(results: Results, style: Style) -> list[tuple[PowerFlow, list[FlowLayout]]]:
+    """Gears that have a flow, each in its rows."""
+    found = flows(results)
+    drawn = zip(map(shown, found), placed(found, style), strict=True)
+    return [(side, rows) for side, rows in drawn if side is not None and rows]
+
+
+@pytest.mark.parametrize("style", [WIDE, Style()], ids=["one row", "170 mm"])
 @pytest.mark.parametrize("path", EACH)
-def test_every_edge_and_every_loop_is_a_band_as_wide_as_its_power(path: Path) -> None:
+def test_every_edge_and_every_loop_is_a_band_as_wide_as_its_power(path: Path, style: Style) -> None:
     """The powers are those of `vstatics flow`; the scale is one for all gears."""
     scales: set[float] = set()
-    for side, made in layouts(solve(load(path))):
+    for side, rows in in_rows(solve(load(path)), style):
+        every_line = [line for row in rows for line in row.lines]
         transmitted: dict[tuple[Node, Node], Line | Stub] = {
             (line.band.source, line.band.target): line
-            for line in made.lines
+            for line in every_line
             if line.band.loop is None
         }
-        for stub in made.stubs:
+        for stub in (stub for row in rows for stub in row.stubs):
             ends = stub.port.node, stub.link
-            transmitted[ends if stub.port.enters else ends[::-1]] = stub
+            ends = ends if stub.port.enters else ends[::-1]
+            if stub.port.cut is not None:
+                ends = stub.port.cut[:2]
+            transmitted[ends] = stub
         wanted = {(e.source, e.target): e.power for e in side.forward if e.target.kind != "drag"}
         assert transmitted.keys() == wanted.keys()
         scales.update(round(line.width / wanted[pair], 6) for pair, line in transmitted.items())
         for number, loop in enumerate(side.loops):
-            lines = [line for line in made.lines if line.band.loop == number]
+            lines = [line for line in every_line if line.band.loop == number]
             pairs = Counter(pair for line in lines for pair in line.band.pairs)
             assert pairs == Counter(pairwise([*loop.nodes, loop.nodes[0]]))
             scales.update(round(line.width / loop.power, 6) for line in lines)
             assert any(line.band.back for line in lines)
-        losses = {box.cell.run[0]: box.cell.loss for box in made.boxes if box.cell.lost}
+        every_box = [box for row in rows for box in row.boxes]
+        losses = {box.cell.run[0]: box.cell.loss for box in every_box if box.cell.lost}
         scales.update(round(losses[n] / p, 6) for n, p in side.losses.items() if p > 1e-6)
     assert len(scales) == 1
 

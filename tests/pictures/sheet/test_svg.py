@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from tests.commands import CASES
 from vstatics import load, solve
+from vstatics.model.vehicle import Vehicle
 from vstatics.pictures import OF_VIBRATION, PICTURES, render, settings_of
 from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import Style
@@ -17,7 +18,8 @@ from vstatics.pictures.sheet.svg import halo, told, written_as_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
-SET = solve(load(CASES / "ravigneaux-gf4a.yaml"))
+VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])
+SET = solve(load(CASES / "ravigneaux-gf4a.yaml").replace(vehicle=VAN))
 SPRINGS = solve(load(CASES / "moskvich412.yaml"))
 KINDS = [kind for kind in PICTURES if kind != "shift"]
 

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 
-from tests.commands import vstatics
+from tests.chance import generator
+from tests.commands import CASES, vstatics
 from tests.pictures.drawn import texts, titled
 from vstatics.errors import CaseError
 from vstatics.pictures import settings_of
 from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sweeps import curves, map  # noqa: A004
+from vstatics.pictures.sweeps import curves, histogram, map  # noqa: A004
 from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.readers import sweep_tables
 from vstatics.tables.written_results import WrittenSweep
@@ -150,5 +152,58 @@ def test_wrong_use(tmp_path: Path) -> None:
     ran = vstatics("plot", case, "-k", "map", "-o", to)
     assert (ran.status, "no table of variants" in ran.err) == (1, True)
     ran = vstatics("plot", case, "-k", "plan", "--x", "a", "-o", to)
-    assert (ran.status, "only map and curves" in ran.err) == (2, True)
+    assert (ran.status, "only map, curves and histogram" in ran.err) == (2, True)
     assert not Path(to).exists()
+
+
+def test_histograms_count_the_numbers_of_the_file(tmp_path: Path) -> None:
+    """Bars have the counts of NumPy over the same edges; all numbers fall into one."""
+    chance = generator(7)
+    drawn_numbers = {"u": chance.normal(3, 0.5, 400), "heat[C1]": chance.exponential(2, 400)}
+    missing = chance.random(400) < 0.1
+    columns = [one.tolist() for one in drawn_numbers.values()]
+    table = zip(*columns, missing.tolist(), strict=True)
+    rows = [
+        f"{n},{u!r},{'stopped' if gone else 'ok'},{'' if gone else repr(heat)}"
+        for n, (u, heat, gone) in enumerate(table)
+    ]
+    file, to = tmp_path / "runs.csv", tmp_path / "runs.svg"
+    file.write_text("\n".join(["variant,u,status,heat[C1]", *rows, ""]))
+    assert vstatics("plot", str(file), "-k", "histogram", "-o", str(to)).status == 0
+    panels = [one for one in ET.parse(to).iter() if one.get("class") == "panel"]  # noqa: S314 - our own
+    assert [one.get("data-name") for one in panels] == ["heat[C1]", "u"]
+    for panel in panels:
+        values = drawn_numbers[str(panel.get("data-name"))]
+        values = values[~missing] if panel.get("data-name") != "u" else values
+        bars = [one.attrib for one in panel.iter() if one.get("class") == "bar"]
+        edges = [float(one["data-from"]) for one in bars] + [float(bars[-1]["data-to"])]
+        np.testing.assert_allclose([edges[0], edges[-1]], [values.min(), values.max()], rtol=1e-8)
+        edges[0], edges[-1] = -np.inf, np.inf
+        counts, _ = np.histogram(values, edges)
+        assert [int(one["data-count"]) for one in bars] == counts.tolist()
+
+
+def test_a_histogram_is_as_high_as_its_count() -> None:
+    columns = {"x": [0.0] * 6 + [1.0] * 3}
+    figure = drawn(histogram, WrittenSweep([*range(9)], ["ok"] * 9, columns, ("x",)))
+    bars = [
+        one.get_path().get_extents()
+        for one in figure.artists  # type: ignore[attr-defined]
+        if '"bar"' in str(one.get_gid())
+    ]
+    heights = [one.height for one in bars]
+    assert heights[0] == pytest.approx(2 * heights[-1])
+
+
+def test_samples_become_histograms_of_what_differs(tmp_path: Path) -> None:
+    scenario = CASES / "scenarios/moskvich-samples.yaml"
+    runs, to = tmp_path / "runs.npz", tmp_path / "runs.svg"
+    made = vstatics("simulate", str(scenario), "--samples", "4", "-q", "-o", str(runs))
+    assert made.status == 0
+    assert vstatics("plot", str(runs), "-k", "histogram", "-o", str(to)).status == 0
+    read = sweep_tables.read(runs.read_bytes(), "runs.npz")
+    names = [one.get("data-name") for one in ET.parse(to).iter() if one.get("class") == "panel"]  # noqa: S314 - our own
+    assert set(read.varied) <= set(names)
+    assert "work" not in names  # 0 in all runs
+    ran = vstatics("plot", str(runs), "-k", "histogram", "--x", "work", "-o", str(to))
+    assert (ran.status, "columns of --y" in ran.err) == (2, True)

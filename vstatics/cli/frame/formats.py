@@ -136,9 +136,14 @@ class OutputOptions(NamedTuple):
 
 
 def each_by_itself(
-    output: str, cases: Sequence[str], formats: Sequence[str], what: str
+    output: str, cases: Sequence[str], formats: Sequence[str], what: str, *, most: int = 1
 ) -> Destination:
     """Where one text or picture of each case goes: several of them need a directory.
+
+    Parameters
+    ----------
+    most : int
+        So many may be on one.
 
     Raises
     ------
@@ -146,9 +151,10 @@ def each_by_itself(
     """
     several = len(cases) > 1
     to = OutputOptions(formats, None, output, TextStyle()).destination(cases, several=several)
-    if several and not to.is_folder:
+    if len(cases) > most and not to.is_folder:
         folder = os.path.splitext(output)[0]  # noqa: PTH122
-        message = f"{what} is of one case: expected a directory for several ({folder}/)"
+        number = "one case" if most == 1 else "one case or two"
+        message = f"{what} is of {number}: expected a directory for several ({folder}/)"
         raise click.UsageError(message)
     return to
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet.ends import along
-from vstatics.pictures.sheet.head import KeySign, headed
-from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width, wrapped
+from vstatics.pictures.sheet.head import Meaning, headed, sheet_head
+from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width
 from vstatics.pictures.sheet.line_styles import loss_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
@@ -24,18 +24,20 @@ from vstatics.statics.status import DRAGGED, LOCKED
 from vstatics.tables.numbers import typeset
 from vstatics.tables.values import tables
 
-AXES_HEIGHT = 230.0
-"""Of the axes. [pt]"""
-STEP = 42.0
-"""Between gears. [pt]"""
+AXES_HEIGHT = 200.0
+"""Of a panel. [pt]"""
+STEP, LEAST_STEP = 42.0, 30.0
+"""Between gears, and at least, so that numbers stand beside each other. [pt]"""
 LEAST_AXIS_WIDTH = 200.0
-"""Width of the axes at least. [pt]"""
+"""Width of a panel at least. [pt]"""
 BAR_WIDTH = 0.66
 """Width of a bar over the step."""
 EFFICIENCY_SCALE_WIDTH, GEARS_NAME_HEIGHT = 58.0, 24.0
 """For the scale, and for what the gears are called together. [pt]"""
-MECHANISM_NAME_WIDTH = 120.0
-"""Names of mechanisms are wrapped to this width. [pt]"""
+LEAST_OF_HEAD = 330.0
+"""Room for the title. [pt]"""
+PANEL_ROW_GAP = 12.0
+"""Between panels below one another. [pt]"""
 
 
 class _Losses(NamedTuple):
@@ -52,23 +54,38 @@ class _Losses(NamedTuple):
     style: Style
 
     @property
-    def key(self) -> list[KeySign]:
-        """The areas of the names, which are wrapped."""
-        return [
-            KeySign(wrapped(name, MECHANISM_NAME_WIDTH), loss_look(row, self.style))
-            for row, name in enumerate(self.names)
-        ]
+    def key(self) -> list[Meaning]:
+        """The areas of the names."""
+        return [(True, name, name, loss_look(row, self.style)) for row, name in self._drawn()]
 
-    @property
-    def foot(self) -> tuple[bool, float]:
+    def _drawn(self) -> list[tuple[int, str]]:
+        seen = [np.abs(own).max(initial=0.0) > NO_LOSS_SHARE for own in self.shares]
+        return [(row, name) for row, name in enumerate(self.names) if seen[row]]
+
+    def part(self, places: Sequence[int]) -> _Losses:
+        """The same of some gears."""
+        missing = {new: self.missing[old] for new, old in enumerate(places) if old in self.missing}
+        gears = [self.gears[place] for place in places]
+        shares = self.shares[:, list(places)]
+        return self._replace(
+            gears=gears, efficiency=self.efficiency[list(places)], shares=shares, missing=missing
+        )
+
+    def foot(self, step: float) -> tuple[bool, float]:
         """Whether the names of gears run upwards, as they do not fit else; their height [pt]."""
-        step = max(STEP, LEAST_AXIS_WIDTH / len(self.gears))
         upright = any(map(step.__lt__, map(across_size, self.gears)))
         return upright, max(map(width if upright else height, self.gears))
 
 
-def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+def draw(
+    results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
+) -> list[Figure]:
     """Draw the efficiency of all gears, or of some.
+
+    Parameters
+    ----------
+    alike : sequence of Results
+        Of further cases, with which the scale is common.
 
     Raises
     ------
@@ -77,13 +94,25 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
     """
     case = results.case
     chosen = [gear - 1 for gear in gears] or list(range(len(case.gears)))
-    efficiency = results.efficiency[chosen]
-    if np.isnan(efficiency).all():
+    if np.isnan(results.efficiency[chosen]).all():
         asked = ", ".join(case.gears[place].name for place in chosen)
         which = f"gear {asked}" if gears else "the case"
         raise CaseError("E402", f"{which} has no efficiency that could be drawn")
+    losses = _losses(results, chosen, style)
+    known = np.concatenate([losses.efficiency, *(one.efficiency for one in alike)])
+    lowest = min(float(np.nanmin(known)), 0.99)
+    scale = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
+    what = style.text("efficiency, and what each mechanism takes", "КПД и доли потерь в механизмах")
+    if all(case.coasts(case.gears[place]) for place in chosen):
+        what += style.text(" (coasting)", " (торможение двигателем)")
+    return list(_pages(title(case, what), losses, scale, style))
+
+
+def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
+    """What some gears lose, by their indices."""
+    efficiency, gears = results.efficiency[list(chosen)], results.case.gears
     names, shares = loss_shares(results, style)
-    shares = np.nan_to_num(shares[:, chosen])
+    shares = np.nan_to_num(shares[:, list(chosen)])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
     undetermined = style.text("not determined", "не определён")
     missing = {
@@ -92,49 +121,59 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
         if math.isnan(efficiency[place])
         for known in [results.gear(gear + 1).statuses]
     }
-    shown = [case.gears[place].name for place in chosen]
-    losses = _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)
-    what = style.text("efficiency, and what each mechanism takes", "КПД и доли потерь в механизмах")
-    if all(case.coasts(case.gears[place]) for place in chosen):
-        what += style.text(" (coasting)", " (торможение двигателем)")
-    pen = _panel(title(case, what), losses)
-    _bars(pen, losses)
-    for place, why in missing.items():
-        where = pen.across(place), pen.size[1] - 6
-        pen.text(*where, why, ha="center", va="top", rotation=90)
-    y = pen.size[1]
-    for sign in losses.key:
-        high = height(sign.text) + 6
-        sign.draw(pen, pen.size[0] + MARGIN / 2, y - high / 2)
-        y -= high
-    return [pen.figure]
+    shown = [gears[place].name for place in chosen]
+    return _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)
 
 
-def _panel(name: str, losses: _Losses) -> Pen:
-    """Scales from 1 down to a little below the lowest bar, and of the gears; with all names."""
-    style, (upright, foot) = losses.style, losses.foot
-    wide = max(len(losses.gears) * STEP, LEAST_AXIS_WIDTH)
-    high = max(AXES_HEIGHT, sum(height(sign.text) + 6 for sign in losses.key))
-    beside = max((sign.wide for sign in losses.key), default=0.0)
-    across = EFFICIENCY_SCALE_WIDTH + wide + 2 * MARGIN + beside
+def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterator[Figure]:
+    """Panels below one another, each as wide as the page at most."""
+    room = style.width - EFFICIENCY_SCALE_WIDTH - MARGIN
+    count = len(losses.gears)
+    panels = -(-count // max(int(room / LEAST_STEP), 1))
+    parts = [losses.part(own.tolist()) for own in np.array_split(np.arange(count), panels)]
+    most = max(len(part.gears) for part in parts)
+    step = min(max(STEP, LEAST_AXIS_WIDTH / most), room / most)
+    foot = max(part.foot(step)[1] for part in parts)
+    below = LEADER + foot + GEARS_NAME_HEIGHT
+    high = below + AXES_HEIGHT + PANEL_ROW_GAP
     lossless = style.text("nothing is lost", "потерь нет")
     note = "" if losses.names or losses.missing else lossless
-    below = LEADER + foot + GEARS_NAME_HEIGHT
-    lowest = min(float(np.nanmin(losses.efficiency)), 0.99)
-    pen = headed(name, note, [], (across, below + high + SIZE), style).panel(
-        (EFFICIENCY_SCALE_WIDTH, below),
-        (wide, high),
-        AxisScale(-0.6, len(losses.gears) - 0.4),
-        AxisScale(lowest - 0.12 * (1 - lowest), 1.0),
+    wide = EFFICIENCY_SCALE_WIDTH + MARGIN + max(most * step, LEAST_OF_HEAD)
+    wide = min(wide, style.width)
+    head = sheet_head(name, note, losses.key, wide - 2 * MARGIN, style).high
+    on_page = (
+        max(int((style.height - head - MARGIN) / high), 1)
+        if math.isfinite(style.height)
+        else panels
     )
+    for at in range(0, panels, on_page):
+        page = parts[at : at + on_page]
+        pen = headed(name, note, losses.key, (wide, len(page) * high), style)
+        for row, part in enumerate(reversed(page)):
+            own = pen.panel(
+                (EFFICIENCY_SCALE_WIDTH, row * high + below),
+                (len(part.gears) * step, AXES_HEIGHT),
+                AxisScale(-0.5, len(part.gears) - 0.5),
+                scale,
+            )
+            _panel(own, part, part.foot(step)[0], LEADER + foot + SIZE)
+        yield pen.figure
+
+
+def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  # noqa: FBT001
+    """Scales from 1 down to a little below the lowest bar, and of the gears; with all bars."""
+    style = losses.style
     pen.frame("left", "top")
     numbers = ticks(pen.y.low, 1.0, 6)
     pen.scale("left", numbers, tick_texts(numbers, [EFFICIENCY_STEP]), grid=True)
     pen.name("left", term("efficiency", style), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
     at = [Label(pen.across(place), gear, style.ink) for place, gear in enumerate(losses.gears)]
     along(pen, "bottom", at, upright=upright)
-    pen.name("bottom", term("gear", style), LEADER + foot + SIZE)
-    return pen
+    pen.name("bottom", term("gear", style), name_off)
+    _bars(pen, losses)
+    for place, why in losses.missing.items():
+        where = pen.across(place), pen.size[1] - 6
+        pen.text(*where, why, ha="center", va="top", rotation=90)
 
 
 def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:

@@ -43,6 +43,8 @@ class EndPort(NamedTuple):
     power: float
     """[-]"""
     enters: bool
+    cut: Band | None = None
+    """The band that comes from another row here, or goes on in one."""
 
 
 class Graph(NamedTuple):

@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from functools import partial
 
 from matplotlib.figure import Figure
 
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
-from vstatics.pictures.flow.graph import graph
+from vstatics.pictures.flow.graph import Graph, graph
 from vstatics.pictures.flow.layout import layout
 from vstatics.pictures.flow.places import FlowLayout
-from vstatics.pictures.flow.signs import FlowView, hatched_look, loop_colour
+from vstatics.pictures.flow.rows import rows
+from vstatics.pictures.flow.sheets import (
+    FlowBlock,
+    FlowGear,
+    gear_blocks,
+    nothing,
+    row_blocks,
+    sheets,
+)
+from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.sheet.head import Meaning, sheet_head
-from vstatics.pictures.sheet.labels import height, title_width
-from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
+from vstatics.pictures.sheet.head import Meaning
+from vstatics.pictures.sheet.labels import title_width
+from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.statics.results import Results
 
@@ -29,29 +38,17 @@ LEAST_FLOW_WIDTH = 330.0
 """Width of the figure, without its margins. [pt]"""
 TITLE_WIDTH = 450.0
 """A title is not wrapped up to here. [pt]"""
-FLOW_GEAR_GAP = 22.0
-"""Gears. [pt]"""
-BELOW_TEXT = 8.0
-"""Between a text of the whole figure and what follows. [pt]"""
-
-
-class FlowGear(NamedTuple):
-    """What is drawn of a gear."""
-
-    layout: FlowLayout
-    titles: FlowTitles
-
-
-_Chosen = tuple[GearFlow, FlowGear | None]
-"""Nothing of a gear in which no power is drawn."""
+NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
+"""To which names of nodes are wrapped; the less where a gear is wider than the page. [pt]"""
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
-    """The power flow of all gears, one below another, or of some; all figures in one scale.
+    """The power flow of all gears, or of some; all figures in one scale.
 
     Power runs from left to right, widths of bands are power in one scale for all gears.
     Losses leave downwards, power that circulates goes back below. With losses, if the
-    gear has a flow with losses.
+    gear has a flow with losses. Of several gears those in which nothing branches are a line
+    of text.
 
     Examples
     --------
@@ -66,81 +63,93 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     chosen = [every[number - 1] for own in numbers for number in own]
     placings = iter(placed(chosen, style))
     for own in numbers:
-        found: list[_Chosen] = []
-        for number in own:
-            flow, placing, drawn = every[number - 1], next(placings), None
-            if placing is not None and flow.shown is not None:
-                said = titles(FlowTexts(flow, flow.shown, style), results.gear(number))
-                drawn = FlowGear(placing, said)
-            found.append((flow, drawn))
-        yield [_figure(results, found, style)]
+        gears = [
+            FlowGear(flow, next(placings), _titles(results, flow, number, style))
+            for number in own
+            for flow in [every[number - 1]]
+        ]
+        yield list(
+            _alone(results, gears[0], style) if len(gears) == 1 else _all(results, gears, style)
+        )
 
 
-def placed(found: Sequence[GearFlow], style: Style) -> list[FlowLayout | None]:
-    """The layouts of gears in one scale; None of a gear of which nothing is to be drawn."""
+def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> FlowTitles | None:
+    if flow.shown is None:
+        return None
+    return titles(FlowTexts(flow, flow.shown, style), results.gear(number))
+
+
+def placed(found: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
+    """The rows of gears in one scale; none of a gear of which nothing is to be drawn."""
     graphs = [graph(flow.shown) if flow.shown is not None else None for flow in found]
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
     ]
     scale = min(BAND_WIDTH, MOST_NODE_HEIGHT / max(powers, default=1.0))
     return [
-        layout(drawn, scale, FlowTexts(flow, flow.shown, style))
-        if flow.shown and drawn and drawn.runs
-        else None
+        _rows(flow, drawn, scale, style) if flow.shown and drawn and drawn.runs else []
         for flow, drawn in zip(found, graphs, strict=True)
     ]
 
 
-def _figure(results: Results, chosen: Sequence[_Chosen], style: Style) -> Figure:
-    """One gear, or several with headings."""
-    shown = [one for _, one in chosen if one]
-    names = [gear_title(flow.gear, style) for flow, _ in chosen]
-    is_alone = len(chosen) == 1
+def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[FlowLayout]:
+    """A gear as narrow as the page: with names in more lines, or in several rows."""
+    room, side = style.width - 2 * WIDE_MARGIN, flow.shown
+    assert side is not None  # noqa: S101 - who asks knows
+    ways = [
+        partial(layout, scale=scale, texts=FlowTexts(flow, side, style, short))
+        for short in NAME_WIDTHS
+    ]
+    for way in ways:
+        whole = way(drawn)
+        if whole.width <= room:
+            return [whole]
+    cut = (rows(drawn, room, way) for way in ways)
+    return min(cut, key=lambda own: (max(one.width for one in own) > room, len(own)))
+
+
+def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
+    """Several gears with their names."""
+    name = title(results.case, style.text("power flow", "поток мощности"))
+    room = style.width - 2 * WIDE_MARGIN
+    yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
+
+
+def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
+    """A gear by itself, whose name is in the title."""
     subject = style.text("power flow", "поток мощности")
-    name = title(results.case, f"{subject}, {names[0]}" if is_alone else subject)
-    of_name = min(title_width(name), TITLE_WIDTH) if style.titled else 0.0
-    wide = max([LEAST_FLOW_WIDTH, of_name, *(one.layout.width for one in shown)])
-    texts = [heading(flow, wide, style) for flow, _ in chosen]
-    heads = [
-        0.0 if is_alone else height(one) + height(text)
-        for one, text in zip(names, texts, strict=True)
-    ]
-    heights = [
-        over + (BELOW_TEXT + one.layout.height if one else 0.0)
-        for over, (_, one) in zip(heads, chosen, strict=True)
-    ]
-    head = sheet_head(name, texts[0] if is_alone else "", _key(shown, style), wide, style)
-    above = head.high + BELOW_TEXT
-    high = above + sum(heights) + FLOW_GEAR_GAP * (len(chosen) - 1) + WIDE_MARGIN
-    pen = head.over((wide + 2 * WIDE_MARGIN, high - head.high), WIDE_MARGIN, style)
-    top = high - above
-    for place, (_, one) in enumerate(chosen):
-        if not is_alone:
-            pen.text(WIDE_MARGIN, top, names[place], va="top", bold=True)
-            at = WIDE_MARGIN, top - height(names[place])
-            pen.text(*at, texts[place], va="top", color=style.soft)
-        if one:
-            start = top - heights[place] + one.layout.height
-            FlowView(pen, WIDE_MARGIN, start, one.titles).draw(one.layout)
-        top -= heights[place] + FLOW_GEAR_GAP
-    return pen.figure
+    name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")
+    room = style.width - 2 * WIDE_MARGIN
+    of_name = min(title_width(name), TITLE_WIDTH, room) if style.titled else 0.0
+    wide = max(min(LEAST_FLOW_WIDTH, room), of_name, gear.wide)
+    blocks = row_blocks(gear, wide) or [FlowBlock([], wide, 0.0, 0.0, nothing)]
+    yield from sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style)
 
 
-def _key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
+def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
     """What colours mean, of those that the picture has."""
-    pairs = [(one.titles, line.band) for one in shown for line in one.layout.lines]
+    drawn = [(one.titles, row) for one in shown if one.titles for row in one.rows]
+    pairs = [(said, line.band) for said, row in drawn for line in row.lines]
     loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
-    lost = any(box.cell.lost for one in shown for box in one.layout.boxes)
-    divided = any(one.titles.texts.flow.by_convention for one in shown)
+    lost = any(box.cell.lost for _, row in drawn for box in row.boxes)
+    pieces = [
+        said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
+    ]
     loop = loop_colour(style)
     by_convention = (
         "divided by convention, turns as one piece",
         "разделена условно внутри одного целого",
     )
+    mild = (
+        "divided within friction, turns as one piece",
+        "разделена в пределах трения внутри одного целого",
+    )
+    mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
     doubtful = "circulates, may not be in the metal", "циркулирует, в металле может не быть"
     return [
-        (shown, "power", "мощность", {"facecolor": style.power}),
-        (divided, *by_convention, hatched_look(style.power, style)),
+        (drawn, "power", "мощность", {"facecolor": style.power}),
+        (False in pieces, *by_convention, hatched_look(style.power, style)),
+        (True in pieces, *mild, {**mild_look, "width": 0.5}),
         (lost, "lost", "потери", {"facecolor": style.lost}),
         (False in loops, "circulates", "циркулирует", {"facecolor": loop}),
         (True in loops, *doubtful, hatched_look(loop, style)),

@@ -17,7 +17,7 @@ from vstatics.pictures.flow.titles import FlowTitles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look, mixed
 from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import SIZE, Style
 
 LEAST_BAND_WIDTH = 0.6
 """Width of a band of hardly any power. [pt]"""
@@ -29,6 +29,8 @@ CURVE_PIECES = 6
 """Straight pieces of a curve of a thin band."""
 HATCH = "////"
 """Of what a convention divides, and of what may not be in the metal."""
+MILD_HATCH = "...."
+"""Of what divides power by its ratio, but for friction."""
 
 
 class FlowView(NamedTuple):
@@ -48,6 +50,7 @@ class FlowView(NamedTuple):
             self._line(line)
         for stub in layout.stubs:
             self._port(stub)
+        self._dots([stub for stub in layout.stubs if stub.port.cut is not None])
         for box in layout.boxes:
             if box.cell.lost:
                 self._loss(box)
@@ -94,6 +97,16 @@ class FlowView(NamedTuple):
         said = self.titles.port(stub.link, stub.port)
         self.pen.area(*shape, color=self.pen.style.power, title=said)
 
+    def _dots(self, stubs: Sequence[Stub]) -> None:
+        """Where bands are cut, once for those that are near to one another."""
+        dotted: list[Point] = []
+        for stub in stubs:
+            way, ha = (-1, "right") if stub.port.enters else (1, "left")
+            x, y = self._at((stub.x + way * (PORT + 2), stub.y))
+            if not any(abs(x - left) < 2 * SIZE and abs(y - low) < SIZE for left, low in dotted):
+                dotted.append((x, y))
+                self.pen.text(x, y, "…", ha=ha, va="center_baseline")
+
     def _loss(self, box: Box) -> None:
         middle, low = self._at((box.middle, box.bottom))
         tip, lost = low - LOSS_LENGTH - box.cell.loss / 2, self.pen.style.lost
@@ -112,11 +125,12 @@ class FlowView(NamedTuple):
                 look = hatched_look(loop_colour(style), style)
                 self.pen.area(*self._corners(left, right, box), **look)
         for node, left, right in signs:
-            divided = node in self.titles.texts.flow.by_convention
+            divided = self.titles.is_open(node)
+            hatch = MILD_HATCH if self.titles.is_mild(node) else HATCH
             face = style.ink if node.kind == "link" and not divided else style.paper
             said = self.titles.node(node, graph.through(node), graph.losses.get(node, 0.0))
             look = {"facecolor": face, "edgecolor": style.ink, "joinstyle": "round", "zorder": 3}
-            look["hatch"] = HATCH if divided else None
+            look["hatch"] = hatch if divided else None
             self.pen.area(*self._corners(left, right, box), width=0.9, title=said, **look)
         x, y = self._at((box.middle, box.top))
         self.pen.text(x, y + 2, cell.text, ha="center", va="bottom")

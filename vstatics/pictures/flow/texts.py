@@ -26,6 +26,8 @@ class FlowTexts(NamedTuple):
     flow: GearFlow
     side: PowerFlow
     style: Style
+    short: float = SHORT_NAME
+    """Names of single nodes are wrapped to this width. [pt]"""
 
     def power(self, value: float) -> str:
         """Of a loss, and of a band."""
@@ -43,15 +45,15 @@ class FlowTexts(NamedTuple):
     ) -> str:
         """The names of a run of a width, and the power through it; of ports what differs."""
         names = [_named(node, ports, self.style) for node in run]
-        names = [one.replace(" ", UNBROKEN) if width(one) <= SHORT_NAME else one for one in names]
+        names = [one.replace(" ", UNBROKEN) if width(one) <= self.short else one for one in names]
         between = f"{UNBROKEN}{'<' if back else '>'} "
         joined = between.join(reversed(names) if back else names)
-        name = wrapped(joined, SHORT_NAME if len(run) == 1 else max(LONG_NAME, wide)).replace(
-            UNBROKEN, " "
-        )
+        name = wrapped(
+            joined, self.short if len(run) == 1 else max(LONG_NAME - SHORT_NAME + self.short, wide)
+        ).replace(UNBROKEN, " ")
         lines = [name, "?" if {*run} & {*self.side.unknown} else self.power(power)]
         for port in ports:
-            if not math.isclose(port.power, power, rel_tol=SAME_POWER):
+            if port.cut is None and not math.isclose(port.power, power, rel_tol=SAME_POWER):
                 way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
                 lines.append(f"{way} {self.power(port.power)}")
         return "\n".join(lines)
@@ -62,8 +64,7 @@ class FlowTexts(NamedTuple):
         said = f"{text('circulates', 'циркулирует')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
             said += f", {self._kilowatts(loop.power)}"
-        share = loop.power / self.side.entering if self.side.entering else math.nan
-        said += f": {100 * share:.1f}% {text('of the power in', 'входящей мощности')}"
+        said += f": {self._share(loop.power)}"
         if loop.shared:
             own = [
                 f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in loop.shared
@@ -71,6 +72,19 @@ class FlowTexts(NamedTuple):
             russian = f"в металле может не быть: {', '.join(own)}"
             said += f"\n{wrapped(text(loop.note, russian), LOOP_TEXT_WIDTH)}"
         return said
+
+    @property
+    def circulating(self) -> str:
+        """All power that circulates, where there are several loops."""
+        if len(self.side.loops) < 2 or math.isnan(self.side.circulating):
+            return ""
+        total = self.power(self.side.circulating).replace("\n", ", ")
+        said = self.style.text("circulates in all", "всего циркулирует")
+        return f"{said} {total}: {self._share(self.side.circulating)}"
+
+    def _share(self, power: float) -> str:
+        share = power / self.side.entering if self.side.entering else math.nan
+        return f"{100 * share:.1f}% {self.style.text('of the power in', 'входящей мощности')}"
 
     def _kilowatts(self, power: float) -> str:
         """A power to three digits."""
@@ -112,7 +126,8 @@ def heading(flow: GearFlow, wide: float, style: Style) -> str:
     elif side.unknown:
         unknown = ", ".join(dict.fromkeys(port_name(n, style) for n in side.unknown))
         lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
+    lines.append(FlowTexts(flow, side, style).circulating)
     for loop in side.locked_in:
         text = style.text("within one piece, not drawn", "внутри одного целого, не показано")
         lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
-    return "\n".join(wrapped(line, wide) for line in lines)
+    return "\n".join(wrapped(line, wide) for line in lines if line)

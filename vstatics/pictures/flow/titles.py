@@ -28,6 +28,18 @@ class FlowTitles(NamedTuple):
         """Whether the power of a band is divided by convention all the way."""
         return self.divided.issuperset(band.pairs)
 
+    def is_open(self, node: Node) -> bool:
+        """Whether a node turns as one piece, and its power is decided by convention."""
+        return node in self.texts.flow.by_convention
+
+    def is_mild(self, node: Node) -> bool:
+        """Whether the power of a node that turns as one piece is open by no more than friction.
+
+        A differential whose members turn alike divides torque by its ratio; what a convention
+        decides is the little that its teeth may hold.
+        """
+        return self.is_open(node) and not any(node in pair for pair in self.divided)
+
     def is_doubtful(self, band: Band) -> bool:
         """Whether a band is part of a loop that may not be in the metal."""
         return band.loop is not None and bool(self.texts.side.loops[band.loop].shared)
@@ -48,7 +60,9 @@ class FlowTitles(NamedTuple):
         return f"{names}: {', '.join(said)}"
 
     def port(self, link: Node, port: EndPort) -> str:
-        """What is said of a port."""
+        """What is said of a port, and of a band that is cut."""
+        if port.cut is not None:
+            return self.band(port.cut)
         said = [self._power(port.power), *self._turning(port.power, link.name)]
         return f"{port_name(port.node, self.texts.style)}: {', '.join(said)}"
 
@@ -59,7 +73,8 @@ class FlowTitles(NamedTuple):
             said += self._turning(power, node.name)
         if lost:
             said.append(f"{term('lost', self.texts.style)} {self._one_line(lost)}")
-        said += [self._convention] * (node in self.texts.flow.by_convention)
+        if self.is_open(node):
+            said.append(self._within_friction if self.is_mild(node) else self._convention)
         return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
 
     def _members(self, node: Node) -> Iterator[str]:
@@ -83,6 +98,10 @@ class FlowTitles(NamedTuple):
     def _torque(self, torque: float, speed: float) -> list[str]:
         style = self.texts.style
         return [quantity("torque", torque, style), quantity("speed", speed, style)]
+
+    @property
+    def _within_friction(self) -> str:
+        return self._word("within friction", "в пределах трения")
 
     @property
     def _convention(self) -> str:

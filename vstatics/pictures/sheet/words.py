@@ -18,6 +18,9 @@ KINDS = {
     "response": ("Response", "Отклик"),
     "dump": ("Dumped clutch", "Резкое включение сцепления"),
     "shift": ("Run over time", "Ход во времени"),
+    "traction": ("Wheel force", "Сила тяги"),
+    "sawtooth": ("Engine speed over road speed", "Частота вращения двигателя по скорости"),
+    "steps": ("Steps between gears", "Шаги между передачами"),
 }
 """What a kind of picture is called, where it stands by itself."""
 ELEMENTS = {

@@ -1,7 +1,7 @@
-"""Written sweeps as pictures: contours over two varied numbers, lines over one.
+"""Written sweeps as pictures: contours over two varied numbers, lines over one, histograms.
 
 The columns of a sweep and the names of axes go in (`columns` picks what is not named), a figure
-comes out; `map` and `curves` draw one kind each.
+comes out; `map`, `curves` and `histogram` draw one kind each.
 
 >>> from vstatics.pictures.sheet.style import Style
 >>> from vstatics.tables.written_results import WrittenSweep
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 SWEEP_PICTURES = {
     "map": "vstatics.pictures.sweeps.map",
     "curves": "vstatics.pictures.sweeps.curves",
+    "histogram": "vstatics.pictures.sweeps.histogram",
 }
 """Kind of picture of a sweep -> module."""
 
@@ -39,7 +40,7 @@ def render_sweep(
 
     Parameters
     ----------
-    kind : {"map", "curves"}
+    kind : {"map", "curves", "histogram"}
     asked : DrawnColumns
         The columns that are drawn, as far as they are named.
 

@@ -86,7 +86,7 @@ def parts(sweep: WrittenSweep, asked: DrawnColumns, axes: Sequence[str]) -> list
     CaseError
         If several rows of a part have the same place on the axes.
     """
-    found = list(_parts(sweep, asked.by or GEAR * bool(sweep.gears)))
+    found = list(rows_by(sweep, asked))
     places = [sweep.columns[name] for name in axes]
     for part in found:
         at = [tuple(column[row] for column in places) for row in part.rows]
@@ -106,8 +106,14 @@ def said_of(sweep: WrittenSweep, part: DrawnRows) -> str:
     return ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
 
 
-def _parts(sweep: WrittenSweep, by: str) -> Iterator[DrawnRows]:
-    every = range(len(sweep.variants))
+def rows_by(sweep: WrittenSweep, asked: DrawnColumns) -> Iterator[DrawnRows]:
+    """The rows by gear, or by the values of the column that is named; else all of them.
+
+    >>> sweep = WrittenSweep([0, 0], ["ok", "ok"], {"u": [1.0, 2.0]}, ("u",), ["low", "high"])
+    >>> [(part.name, *part.rows) for part in rows_by(sweep, DrawnColumns())]
+    [('low', 0), ('high', 1)]
+    """
+    every, by = range(len(sweep.variants)), asked.by or GEAR * bool(sweep.gears)
     if not by:
         yield DrawnRows("", every)
         return

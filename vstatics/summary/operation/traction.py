@@ -74,7 +74,7 @@ def performance(case: Transmission) -> Performance:
     (180.0, 27.777778, 0.101937)
     """
     assert case.vehicle is not None and case.vehicle.engine  # noqa: PT018, S101 - who asks knows
-    pull = _Traction(bare(case), case.vehicle)
+    pull = Traction(bare(case), case.vehicle)
     gears = {
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
         for number, gear in enumerate(case.gears)
@@ -83,10 +83,18 @@ def performance(case: Transmission) -> Performance:
     return Performance(gears, max(known, default=math.nan), pull.time_to(HUNDRED))
 
 
-class _Traction:
-    """Force and resistance over the speed of the vehicle."""
+class Traction:
+    """Force and resistance over the speed of the vehicle.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
+    >>> pull = Traction(bare(Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()])), car)
+    >>> pull.largest_force(0), pull.largest_power, pull.largest_speed(0)
+    (1000.0, 50000.0, 50.0)
+    """
 
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
+        """A case without loads of its own, `bare`, in a vehicle with its engine."""
         self.case = case
         self.vehicle = vehicle
         self.first, self.last = vehicle.engine[0][0], vehicle.engine[-1][0]
@@ -150,11 +158,25 @@ class _Traction:
             low, high = speeds[last], speeds[last + 1]
         return float(ratio * (low + high) / 2)
 
+    def largest_force(self, gear: int) -> float:
+        """At the wheels in a gear; NaN without any [N]."""
+        return _largest(lambda speeds: self.forces(gear, speeds), self.first, self.last)
+
+    @property
+    def largest_power(self) -> float:
+        """Of the engine [W]."""
+        return _largest(
+            lambda speeds: self.vehicle.full_torque(speeds) * speeds, self.first, self.last
+        )
+
+    def largest_speed(self, gear: int) -> float:
+        """Of the vehicle in a gear, where the engine ends [m/s]."""
+        return float(self.per_engine[gear] * self.last)
+
     def slope(self, gear: int) -> float:
         """The largest ``(F - R at 0)/(m g)``."""
         weight = self.vehicle.mass * GRAVITY
-        best = _largest(lambda speeds: self.forces(gear, speeds), self.first, self.last)
-        return float((best - self.vehicle.resistance(0.0)) / weight)
+        return float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight)
 
     def accelerations(self, speeds: Floats) -> Floats:
         """The largest of all gears ahead at speeds of the vehicle; NaN beyond all [m/s^2]."""

@@ -1,0 +1,125 @@
+"""Flows on paper: rows, lines of plain chains, pages; sums that are told."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, SHIPPED, vstatics
+from tests.pictures.drawn import texts, titled
+from tests.pictures.flow.test_flow import in_rows
+from vstatics import Results, load, loads, solve
+from vstatics.pictures import pages, picture
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, WIDE_MARGIN, Style
+
+DRIVELINE = CASES / "driveline-8hp70.yaml"
+CHAIN = """
+links: [in, a, b, out]
+output: out
+shift_elements: {A: [in, a], B: [in, b]}
+mechanisms:
+  p1: {first: a, second: out, ratio: -3, efficiency: .97}
+  p2: {first: b, second: out, ratio: 2, efficiency: .98}
+gears: {low: [A], high: [B]}
+drag: {out: 0.01}
+"""
+AXLES = """
+links: [prop, front, rear, FL, FR, RL, RR]
+outputs: [RR, FL, FR, RL]
+mechanisms:
+  centre: {first: front, second: rear, third: prop, ratio: -2, efficiency: 0.99}
+  front axle: {first: FL, second: FR, third: front, ratio: -1, efficiency: 0.98}
+  rear axle: {first: RL, second: RR, third: rear, ratio: -1, efficiency: 0.98}
+gears: {straight: {speeds: {FL: 1*FR, FR: 1*RL, RL: 1*RR}}}
+"""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=() if path == DRIVELINE else pytest.mark.slow, id=path.name)
+        for path in SHIPPED
+    ],
+)
+def test_every_gear_is_as_narrow_as_the_paper(path: Path) -> None:
+    for _, rows in in_rows(solve(load(path)), Style()):
+        assert max(row.width for row in rows) <= PAGE_WIDTH - 2 * WIDE_MARGIN
+
+
+def test_a_band_that_is_cut_goes_on_as_wide_in_another_row() -> None:
+    found = 0
+    for _, rows in in_rows(solve(load(DRIVELINE)), Style()):
+        cut = [stub for row in rows for stub in row.stubs if stub.port.cut]
+        leaving = {stub.port.cut: stub.width for stub in cut if not stub.port.enters}
+        assert leaving == {stub.port.cut: stub.width for stub in cut if stub.port.enters}
+        assert bool(cut) == (len(rows) > 1)
+        found += len(cut)
+    assert found
+
+
+def test_pages_are_no_larger_than_the_paper() -> None:
+    """All gears are on one of them, by their names."""
+    results = solve(load(DRIVELINE))
+    made = pages(results, "flow", "svg", Style(height=PAGE_HEIGHT))
+    assert len(made) > 1
+    for svg in made:
+        size = [float(one) for one in re.findall(rb'(?:width|height)="([\d.]+)pt"', svg)[:2]]
+        assert size[0] <= PAGE_WIDTH + 0.01
+        assert size[1] <= PAGE_HEIGHT + 0.01
+    assert all("gear" in re.findall(r">(\w+) \w+</text>", svg.decode())[0] for svg in made)
+    heads = re.findall(r">gear (\w+)</text>", b"".join(made).decode())
+    assert heads == [gear.name for gear in results.case.gears]
+
+
+def chain_texts(results: Results, **style: bool) -> list[str]:
+    return texts(picture(results, "flow", Style(**style)))  # type: ignore[arg-type]
+
+
+def test_a_gear_without_branches_is_a_line_whose_losses_make_up_the_difference() -> None:
+    """What enters less all losses is what leaves; nodes stand in the order of the power."""
+    said = chain_texts(solve(loads(CHAIN)))
+    at = said.index("gear high")
+    for name, device, words in (("low", "p1", said[:at]), ("high", "p2", said[at:])):
+        order = [words.index(one) for one in (f"gear {name}", "in", device, "out")]
+        assert order == sorted(order)
+        numbers = [float(one.replace("−", "-")) for one in words if re.fullmatch(r"−?\d\.\d+", one)]
+        entering, *losses, leaving = numbers
+        assert entering + sum(losses) == pytest.approx(leaving, abs=1.6e-3)
+        assert min(losses) < 0
+
+
+def test_a_gear_by_itself_is_drawn() -> None:
+    alone = picture(solve(loads(CHAIN)), "flow", Style(), [1])
+    assert any("→" in said for said, _ in titled(alone))
+    assert not any("→" in said for said, _ in titled(picture(solve(loads(CHAIN)), "flow", Style())))
+
+
+def test_the_sum_of_what_circulates_is_told_where_there_are_several_loops() -> None:
+    case = CASES / "mercedes-9g.yaml"
+    answer = json.loads(vstatics("flow", case, "-f", "json").out)
+    told = {gear["gear"]: gear["lossy"] for gear in answer["gears"]}
+    results = solve(load(case))
+    for number, gear in enumerate(results.case.gears, 1):
+        said = "\n".join(texts(picture(results, "flow", Style(), [number])))
+        sums = re.findall(r"circulates in all ([\d.]+): ([\d.]+)%", said)
+        flow = told[gear.name]
+        if len(flow["loops"]) < 2:
+            assert not sums
+            continue
+        [(power, share)] = sums
+        assert float(power) == pytest.approx(flow["circulating"], abs=5e-4)
+        assert float(share) == pytest.approx(100 * flow["circulating_share"], abs=0.05)
+
+
+def test_differentials_whose_wheels_turn_alike_divide_by_their_ratio() -> None:
+    """Only friction is open there; what a clutch closes is by convention still."""
+    figure = picture(solve(loads(AXLES)), "flow", Style())
+    said = "\n".join(one for one, _ in titled(figure))
+    assert "within friction" in said
+    assert "convention" not in said
+    assert "divided within friction, turns as one piece" in texts(figure)
+    direct = picture(solve(load(CASES / "ravigneaux-aod.yaml")), "flow", Style(), [3])
+    assert "divided by convention, turns as one piece" in texts(direct)

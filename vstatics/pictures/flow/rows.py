@@ -1,0 +1,139 @@
+"""A gear that is wider than the page in rows below one another: cut where few bands cross."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.flow.circulation import Node
+from vstatics.pictures.flow.columns import PORT, SPACE
+from vstatics.pictures.flow.graph import Band, EndPort, Graph
+from vstatics.pictures.flow.places import FlowLayout
+from vstatics.pictures.sheet.labels import Span
+
+ELSEWHERE = Node("port", -1, "…")
+"""Where a band goes on in another row."""
+COST_OF_CROSSING = 0.4
+"""Of each further band that is cut, where a row costs 1."""
+COST_OF_RAGGED = 0.1
+"""Of rows as different as can be in their widths."""
+NARROWER = 0.93
+"""The room is taken for so much less where a row became wider than it was thought to be."""
+TRIES_OF_ROWS = 6
+"""So often."""
+
+
+class RowsCost(NamedTuple):
+    """Rows from the first layer on."""
+
+    cost: float
+    ends: tuple[int, ...]
+    """The last layer of each row."""
+
+
+def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> list[FlowLayout]:
+    """The rows of a graph, each no wider than the room, as far as it can be cut.
+
+    Power that goes round is never cut.
+    """
+    whole = lay_out(drawn)
+    found, wanted = [whole], room
+    cuts = {layer: len(own) for layer, own in _cuts(drawn).items()}
+    for _ in range(TRIES_OF_ROWS if whole.width > room and cuts else 0):
+        ends = _best(_columns(whole), cuts, wanted)
+        found = [lay_out(part) for part in parts(drawn, ends)]
+        if max(one.width for one in found) <= room:
+            break
+        wanted *= NARROWER
+    return found
+
+
+def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
+    """A graph cut behind some layers, of which the last is its last one.
+
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.flow.power import flows
+    >>> from vstatics.pictures.flow.graph import graph
+    >>> pairs = [Mechanism(1, 2, 0, -2.0, 0.9, name="one"), Mechanism(2, 3, 0, 4.0, name="other")]
+    >>> [gear] = flows(solve(Transmission(3, [], pairs, [Gear()], output=3)))
+    >>> [len(part.runs) for part in parts(graph(gear.lossy), [0, 2])]
+    [1, 2]
+    """
+    row_of = {
+        node: sum(drawn.layers[place] > end for end in ends) for node, place in drawn.place.items()
+    }
+    cut = [band for band in drawn.bands if row_of[band.source] != row_of[band.target]]
+    stubs = [
+        (at, EndPort(ELSEWHERE, band.power, enters, band))
+        for band in cut
+        for at, enters in ((band.source, False), (band.target, True))
+    ]
+    return [
+        _part(drawn, {node for node, row in row_of.items() if row == own}, stubs)
+        for own in range(len(ends))
+    ]
+
+
+def _cuts(drawn: Graph) -> dict[int, list[Band]]:
+    """The bands that cross behind each layer where no power goes round."""
+    found = {}
+    for layer in range(max(drawn.layers)):
+        behind = [place > layer for place in drawn.layers]
+        crossing = [
+            band
+            for band in drawn.bands
+            if behind[drawn.place[band.source]] != behind[drawn.place[band.target]]
+        ]
+        if not any(band.back or band.loop is not None for band in crossing):
+            found[layer] = crossing
+    return found
+
+
+def _columns(whole: FlowLayout) -> list[Span]:
+    """From where to where each layer has something [pt]."""
+    own = [box for box in whole.boxes if box.cell.number >= 0]
+    sides: list[Span] = []
+    for layer in range(1 + max(whole.graph.layers)):
+        boxes = [box for box in own if whole.graph.layers[box.cell.number] == layer]
+        before = sides[-1][1] if sides else 0.0  # nothing but bands may pass a layer
+        left = min((box.middle - box.cell.wide / 2 for box in boxes), default=before)
+        right = max((box.middle + box.cell.wide / 2 for box in boxes), default=before)
+        sides.append((left, right))
+    return sides
+
+
+def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tuple[int, ...]:
+    """The last layer of each row: few rows, few bands cut, rows alike in width."""
+    last = len(columns) - 1
+    best = {-1: RowsCost(0.0, ())}
+    for end in (*sorted(cuts), last):
+        for start, before in list(best.items()):
+            wide = columns[end][1] - columns[start + 1][0] + 2 * (PORT + SPACE) * (start >= 0)
+            over = max(wide / room - 1, 0.0)  # what cannot be cut is wider
+            cost = before.cost + 1 + 1000 * over + COST_OF_RAGGED * (wide / room) ** 2
+            cost += COST_OF_CROSSING * (cuts[end] - 1) if end != last else 0.0
+            if start < end and (end not in best or cost < best[end].cost):
+                best[end] = RowsCost(cost, (*before.ends, end))
+    return best[last].ends
+
+
+def _part(drawn: Graph, nodes: set[Node], stubs: Sequence[tuple[Node, EndPort]]) -> Graph:
+    """The runs of some nodes, with ports where their bands are cut."""
+    kept = [place for place, run in enumerate(drawn.runs) if run[0] in nodes]
+    first = min(drawn.layers[place] for place in kept)
+    numbers = [n for n, band in enumerate(drawn.bands) if {band.source, band.target} <= nodes]
+    ports = {node: own for node, own in drawn.ports.items() if node in nodes}
+    for node, port in stubs:
+        if node in nodes:
+            ports[node] = *ports.get(node, ()), port
+    own = nodes.union(*(drawn.bands[number].between for number in numbers))
+    runs = tuple(drawn.runs[place] for place in kept)
+    return Graph(
+        runs,
+        tuple(drawn.layers[place] - first for place in kept),
+        {node: number for number, run in enumerate(runs) for node in run},
+        tuple(drawn.bands[number] for number in numbers),
+        ports,
+        {node: lost for node, lost in drawn.losses.items() if node in own},
+        frozenset(at for at, number in enumerate(numbers) if number in drawn.numbered),
+    )

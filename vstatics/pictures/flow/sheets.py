@@ -1,0 +1,208 @@
+"""Pages of several gears: beside each other where there is room; plain chains as lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from itertools import pairwise, starmap
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
+
+from vstatics.flow.power_flow import GearFlow
+from vstatics.pictures.flow.chain import ChainLine, chain_line, is_chain
+from vstatics.pictures.flow.graph import graph
+from vstatics.pictures.flow.places import FlowLayout
+from vstatics.pictures.flow.signs import FlowView
+from vstatics.pictures.flow.texts import heading
+from vstatics.pictures.flow.titles import FlowTitles
+from vstatics.pictures.sheet.head import Meaning, SheetHead, sheet_head
+from vstatics.pictures.sheet.labels import height, width
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
+from vstatics.pictures.sheet.words import gear_title
+
+FLOW_GEAR_GAP = 20.0
+"""Gears. [pt]"""
+CHAIN_GAP = 6.0
+"""Gears that are lines of text. [pt]"""
+LINE_START = 10.0
+"""From the name of a gear to its line. [pt]"""
+LEAST_BLOCK_WIDTH = 190.0
+"""Of a gear beside others, for the line below its name. [pt]"""
+BELOW_TEXT = 8.0
+"""Between a text of the whole figure and what follows. [pt]"""
+
+
+class FlowGear(NamedTuple):
+    """What is drawn of a gear."""
+
+    flow: GearFlow
+    rows: Sequence[FlowLayout]
+    """Below one another; none where no power is drawn."""
+    titles: FlowTitles | None
+
+    @property
+    def wide(self) -> float:
+        """[pt]."""
+        return max((row.width for row in self.rows), default=0.0)
+
+
+class FlowBlock(NamedTuple):
+    """A gear among others with what stands over it, or one of its rows."""
+
+    shown: Sequence[FlowGear]
+    """Of what is drawn as bands: for the key."""
+    wide: float
+    """[pt]"""
+    high: float
+    gap: float
+    """Between it and another one at least [pt]."""
+    draw: Callable[[Pen, float, float], None]
+    """From an upper left corner on."""
+    is_rest: bool = False
+    """Whether it is a further row of a gear."""
+
+
+def sheets(  # noqa: PLR0913 PLR0917 - a page has these
+    blocks: Sequence[FlowBlock],
+    name: str,
+    note: str,
+    key: Callable[[Sequence[FlowGear], Style], Iterable[Meaning]],
+    room: float,
+    style: Style,
+) -> Iterator[Figure]:
+    """Pages with a title, a note and a key of what is on them, in a width without margins [pt]."""
+
+    def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
+        shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
+        return sheet_head(name, note, key(shown, style), room, style)
+
+    left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
+    for page in _pages(_shelves(blocks, room), left_over):
+        wide = max(room, *(block.wide for shelf in page for block in shelf))
+        high = _all_high(page) + BELOW_TEXT + WIDE_MARGIN
+        pen = head_of(page).over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
+        top = high - BELOW_TEXT
+        for shelf, following in zip(page, [*page[1:], page[-1]], strict=True):
+            left = WIDE_MARGIN
+            for block in shelf:
+                block.draw(pen, left, top)
+                left += block.wide + FLOW_GEAR_GAP
+            top -= _high(shelf) + _gap(shelf, following)
+        yield pen.figure
+
+
+def _high(shelf: Sequence[FlowBlock]) -> float:
+    return max(block.high for block in shelf)
+
+
+def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
+    return max(block.gap for block in (*shelf, *following))
+
+
+def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
+    """Gears beside each other as far as there is room."""
+    found: list[list[FlowBlock]] = []
+    taken = room
+    for block in blocks:
+        if taken + FLOW_GEAR_GAP + block.wide > room:
+            found.append([])
+            taken = -FLOW_GEAR_GAP
+        found[-1].append(block)
+        taken += FLOW_GEAR_GAP + block.wide
+    return found
+
+
+def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
+    """As many below one another as there is room for; the rows of a gear are on one page."""
+    page: list[list[FlowBlock]] = []
+    for own in _together(shelves):
+        if page and _all_high([*page, *own]) > room:
+            yield page
+            page = []
+        for shelf in own:
+            if page and _all_high([*page, shelf]) > room:
+                yield page
+                page = []
+            page.append(shelf)
+    yield page
+
+
+def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
+    """Each shelf with the further rows of its gear."""
+    found: list[list[list[FlowBlock]]] = []
+    for shelf in shelves:
+        if found and shelf[0].is_rest:
+            found[-1].append(shelf)
+        else:
+            found.append([shelf])
+    yield from found
+
+
+def _all_high(page: Sequence[Sequence[FlowBlock]]) -> float:
+    """Shelves with the gaps between them [pt]."""
+    return sum(map(_high, page)) + sum(starmap(_gap, pairwise(page)))
+
+
+def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
+    """Several gears, each with its name."""
+    names = [gear_title(gear.flow.gear, style) for gear in gears]
+    start = LINE_START + max(width(name, bold=True) for name in names)
+    for gear, name in zip(gears, names, strict=True):
+        side = gear.flow.shown
+        drawn = graph(side) if side is not None and gear.rows else None
+        if drawn is not None and gear.titles is not None and is_chain(gear.flow, drawn):
+            yield _line_block(chain_line(drawn, gear.titles, room - start), name, start, room)
+        else:
+            least = LEAST_BLOCK_WIDTH if len(gear.rows) < 2 else room
+            wide = max(least, gear.wide)
+            text = heading(gear.flow, wide, style)
+            head = _head_block(name, text, wide)
+            first, *others = row_blocks(gear, wide) or [head._replace(high=0.0, draw=nothing)]
+            yield _over(head, first, gear)
+            yield from (row._replace(is_rest=True) for row in others)
+
+
+def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
+    """The rows of a gear."""
+    return [
+        FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, row))
+        for row in gear.rows
+    ]
+
+
+def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float) -> None:
+    assert gear.titles is not None  # noqa: S101 - it has power, then
+    FlowView(pen, left, top, gear.titles).draw(row)
+
+
+def nothing(_pen: Pen, _left: float, _top: float) -> None:
+    """Draw nothing."""
+
+
+def _head_block(name: str, text: str, wide: float) -> FlowBlock:
+    def draw(pen: Pen, left: float, top: float) -> None:
+        pen.text(left, top, name, va="top", bold=True)
+        pen.text(left, top - height(name), text, va="top", color=pen.style.soft)
+
+    return FlowBlock([], wide, height(name) + height(text), FLOW_GEAR_GAP, draw)
+
+
+def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
+    """A row below the name of its gear."""
+    below = head.high + BELOW_TEXT * bool(row.high)
+
+    def draw(pen: Pen, left: float, top: float) -> None:
+        head.draw(pen, left, top)
+        row.draw(pen, left, top - below)
+
+    return FlowBlock([gear], head.wide, below + row.high, FLOW_GEAR_GAP, draw)
+
+
+def _line_block(line: ChainLine, name: str, start: float, room: float) -> FlowBlock:
+    def draw(pen: Pen, left: float, top: float) -> None:
+        pen.text(left, top, name, va="top", bold=True)
+        line.draw(pen, left + start, top)
+
+    return FlowBlock([], room, line.high, CHAIN_GAP, draw)

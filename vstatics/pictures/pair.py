@@ -1,0 +1,118 @@
+"""Two cases on one sheet: their pictures of a kind over one another, or beside each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from importlib import import_module
+from itertools import zip_longest
+from typing import TYPE_CHECKING, NamedTuple
+
+from vstatics.errors import CaseError, ReadError
+from vstatics.extras import require
+from vstatics.pictures import PICTURES, Format, drawn_pages, settings_of, written
+from vstatics.statics.results import Results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from vstatics.pictures.sheet.style import Style
+    from vstatics.simulation.record.motion import Motion
+
+LETTERS = "AB"
+ON_COMMON_SCALES = ("efficiency", "traction", "sawtooth", "steps")
+"""Kinds that are drawn ``alike``: with the scales of the other case, too."""
+BESIDE = ("efficiency",)
+"""Kinds that stand beside each other where both are as high in half the width."""
+AS_HIGH = 1.1
+"""By so much higher they may be then."""
+
+
+class PairedCase(NamedTuple):
+    """One of two cases."""
+
+    name: str
+    """Of its file."""
+    results: Results
+    gears: Sequence[int] = ()
+    motion: Motion | None = None
+
+
+def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style) -> list[bytes]:
+    """A picture of two cases as files of a page each.
+
+    Raises
+    ------
+    ReadError
+        If matplotlib is not installed, or one has nothing that could be drawn.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.pictures.sheet.style import Style
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5, 0.98)], [Gear()])
+    >>> both = [PairedCase(name, solve(case)) for name in ("one.yaml", "other.yaml")]
+    >>> [drawn] = pair_pages(both, "efficiency", "svg", Style())
+    >>> drawn.count(b'class="panel"')
+    2
+    """
+    require("plot", "a picture")
+    from vstatics.pictures.sheet.words import KINDS
+
+    said = f"{style.text(*KINDS[kind])}: {', '.join(one.name for one in both)}"
+    with settings_of(style):
+        figures = list(_sheets(both, kind, style))
+    return [written(figure, form, style, said) for figure in figures]
+
+
+def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:
+    from vstatics.pictures.sheet.join import LetteredFigure, joined
+
+    def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
+        own = style._replace(width=width, height=height)
+        drawn = [_drawn(both, place, kind, own) for place in range(len(both))]
+        return [
+            [LetteredFigure(letter, case.name, figure) for figure in figures]
+            for letter, case, figures in zip(LETTERS, both, drawn, strict=True)
+        ]
+
+    if kind in BESIDE:
+        halves = lettered(style.width / 2, math.inf)
+        whole = [one for own in lettered(style.width, math.inf) for one in own]
+        high = AS_HIGH * max(one.size[1] for one in whole)
+        if all(len(own) == 1 and own[0].size[1] <= high for own in halves):
+            yield joined([one for own in halves for one in own], style, beside=True)
+            return
+    for pages in zip_longest(*lettered(style.width, _half(style.height))):
+        there = [page for page in pages if page]
+        if sum(page.size[1] for page in there) <= style.height:
+            yield joined(there, style)
+        else:
+            yield from (joined([page], style) for page in there)
+
+
+def _half(height: float) -> float:
+    """Room for a picture where two stand on a page, each with a line over it [pt]."""
+    from vstatics.pictures.sheet.join import LETTER_HEIGHT
+
+    return height / 2 - LETTER_HEIGHT
+
+
+def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Figure]:
+    """The pages of one of the cases.
+
+    Raises
+    ------
+    ReadError
+        If it has nothing that could be drawn.
+    """
+    own, others = both[place], [one.results for at, one in enumerate(both) if at != place]
+    try:
+        if kind in ON_COMMON_SCALES:
+            module = import_module(PICTURES[kind])
+            found: list[Figure] = module.draw(own.results, style, own.gears, others)
+            return found
+        [pages] = drawn_pages(own.results, kind, style, [own.gears], own.motion)
+    except CaseError as error:
+        raise ReadError([one.in_file(own.name) for one in error.problems]) from None
+    return pages

@@ -1,0 +1,173 @@
+"""Forward gears on a logarithmic line of ratios, against geometric and progressive steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
+
+from vstatics.errors import CaseError
+from vstatics.pictures.sheet.ends import along
+from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.labels import LEADER, LINE_HEIGHT, Label, across_size, widest, width
+from vstatics.pictures.sheet.line_styles import Look, mixed
+from vstatics.pictures.sheet.pen import AxisScale, Pen
+from vstatics.pictures.sheet.style import FRAME_WIDTH, MARGIN, SIZE, Style, number
+from vstatics.pictures.sheet.words import gear_title, title
+from vstatics.pictures.vehicle.laws import StepLaw, geometric, progressive
+from vstatics.statics.results import Results
+from vstatics.summary.design_table import Design, design
+
+STEP_ROW_HEIGHT = 24.0
+"""[pt]"""
+BETWEEN_LAWS = 8.0
+"""Rows of laws. [pt]"""
+UPRIGHT_IN_CELL: Look = {"rotation": 90, "ha": "center", "va": "center"}
+
+
+class ForwardGears(NamedTuple):
+    """The gears of a case with steps between them, from the largest ratio on."""
+
+    names: Sequence[str]
+    ratios: Sequence[float]
+    """Without sign. [-]"""
+    sign: float
+    """Of all ratios: 1, or -1 where a final drive turns it."""
+
+
+def draw(
+    results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
+) -> list[Figure]:
+    """Draw the steps between all forward gears, or those of some.
+
+    Parameters
+    ----------
+    alike : sequence of Results
+        Of further cases, with which the line of ratios is common.
+
+    Raises
+    ------
+    CaseError
+        If the forward gears have fewer than two ratios.
+    """
+    own = _forward(results, gears)
+    every = [own, *(_forward(one, gears) for one in alike)]
+    line = AxisScale(
+        max(one.ratios[0] for one in every), min(one.ratios[-1] for one in every), is_log=True
+    )
+    laws = _laws(own, style)
+    names = [style.text("gears", "передачи"), *(name for name, _ in laws)]
+    left = MARGIN + widest(names) + SIZE + MARGIN
+    wide = style.width - left - 2 * MARGIN
+    numbers = [number(own.sign * ratio) for ratio in own.ratios]
+    upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
+    ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
+    low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + BETWEEN_LAWS) + ends
+    said = style.text("steps between gears", "шаги между передачами")
+    spread = style.text("spread", "диапазон")
+    note = f"{spread} {number(own.ratios[0] / own.ratios[-1])}"
+    high = low + STEP_ROW_HEIGHT + LEADER + LINE_HEIGHT * SIZE
+    pen = headed(title(results.case, said), note, [], (style.width, high), style)
+    row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
+    _draw_gears(row, own, upright=upright)
+    _name_row(row, names[0])
+    for place, (name, law) in enumerate(laws, 1):
+        below = low - ends - place * STEP_ROW_HEIGHT - (place - 1) * BETWEEN_LAWS
+        row = pen.panel((left, below), (wide, STEP_ROW_HEIGHT), line)
+        _draw_law(row, law)
+        _name_row(row, name)
+    return [pen.figure]
+
+
+def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
+    """The forward gears of a case, or those of some numbers.
+
+    Raises
+    ------
+    CaseError
+        If they have fewer than two ratios.
+    """
+    made: Design = design(results)
+    asked = {results.case.gears[number - 1].name for number in shown} or {*made.forward}
+    lines = {line.gear: line for line in made.gears}
+    own = [lines[name] for name in made.forward if name in asked]
+    if len({f"{line.ratio:.9g}" for line in own}) < 2:
+        message = "a picture of steps needs forward gears of two different ratios, or more"
+        raise CaseError("E444", message)
+    return ForwardGears(
+        [line.gear for line in own],
+        [abs(line.ratio) for line in own],
+        math.copysign(1.0, own[0].ratio),
+    )
+
+
+def _laws(own: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
+    """Geometric steps; progressive ones where a factor between steps is to be seen."""
+    equal, growing = geometric(own.ratios), progressive(own.ratios)
+    geometric_name = style.text("geometric", "геометрич.")
+    found = [(f"{geometric_name} {number(equal.steps[0])}", equal)]
+    if len(own.names) > 2:
+        name = style.text("progressive", "прогрессивн.")
+        found.append((f"{name} ×{number(growing.growth)}", growing))
+    return found
+
+
+def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
+    """A cell from each gear to the next, with names above and ratios, perhaps upright, below."""
+    style = pen.style
+    following = [*own.ratios[1:], None]
+    for name, ratio, other in zip(own.names, own.ratios, following, strict=True):
+        data = {"gear": name, "ratio": f"{own.sign * ratio:.9g}"}
+        said = f"{gear_title(name, style)}: {number(own.sign * ratio)}"
+        if other:
+            data["step"] = f"{ratio / other:.9g}"
+            said += f", {style.text('step', 'шаг')} {number(ratio / other)}"
+        cell = pen.within("step", **data)
+        x = pen.across(ratio)
+        if other:
+            face = mixed(style.power, style.paper, 0.45)
+            wide = pen.across(other) - x
+            cell.box((x, 0.0), (wide, pen.size[1]), facecolor=face, title=said)
+            _name_cell(cell, x, wide, ratio / other)
+        cell.line((x, 0.0), (x, pen.size[1]), color=style.ink, width=FRAME_WIDTH, title=said)
+    ends = pen.across(own.ratios[0]), pen.across(own.ratios[-1])
+    level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
+    pen.lines(level, color=style.ink, width=FRAME_WIDTH)
+    left, low = pen.corner
+    beyond = pen.panel((left - MARGIN, low), (pen.size[0] + 2 * MARGIN, pen.size[1]))
+    places = [MARGIN + pen.across(ratio) for ratio in own.ratios]
+    names, ratios = (
+        [Label(x, text, style.ink) for x, text in zip(places, texts, strict=True)]
+        for texts in (own.names, [number(own.sign * ratio) for ratio in own.ratios])
+    )
+    along(beyond, "top", names, upright=False)
+    along(beyond, "bottom", ratios, upright=upright)
+
+
+def _draw_law(pen: Pen, law: StepLaw) -> None:
+    """The places of gears by a law, with its steps."""
+    style = pen.style
+    marks = [pen.across(ratio) for ratio in law.ratios]
+    for (left, right), step in zip(pairwise(marks), law.steps, strict=True):
+        _name_cell(pen, left, right - left, step)
+    sides = [((x, 0.0), (x, pen.size[1])) for x in marks]
+    pen.lines(sides, color=style.ink, width=FRAME_WIDTH)
+    ends = marks[0], marks[-1]
+    level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
+    pen.lines(level, color=style.faint, width=FRAME_WIDTH)
+
+
+def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
+    """The number of a step in the middle of its cell, upright where this is narrow."""
+    text = number(step)
+    look: Look = {"ha": "center", "va": "center_baseline"}
+    if width(text) > wide - 2:
+        look = UPRIGHT_IN_CELL
+    pen.text(left + wide / 2, pen.size[1] / 2, text, **look)
+
+
+def _name_row(pen: Pen, name: str) -> None:
+    pen.text(-SIZE - MARGIN, pen.size[1] / 2, name, ha="right", va="center_baseline")
