@@ -123,8 +123,8 @@ def plot(
     response     amplitude of the input over its speed under 1 N*m, a line for
                  each order, gear by gear
     dump         the largest torque when the clutch is dumped, by gear
-    shift        the run of a scenario: speeds, slips, torques and heat over
-                 time, with its events
+    shift        the run of a scenario over time: gear, speeds, slips, torques
+                 with capacities, vehicle or output, heat, with its events
     boxes        what `synth box -f json` found, in place of a case: mean loss
                  over the largest torque, families, stick diagrams
     map          what `sweep -o` wrote, in place of a case: contours of a
