@@ -131,21 +131,24 @@ def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[s
 def capacity_side(torques: Floats, capacity: Floats) -> Floats:
     """On which side of 0 a capacity is drawn: where the torque is, but where this is small.
 
-    >>> capacity_side(np.array([6.0, -1.0, 2.0, -9.0]), np.full(4, 10.0))
-    array([ 1.,  1.,  1., -1.])
+    It changes the side only for a torque that is a large part of it; while it is 0 it may.
+
+    >>> capacity_side(np.array([-1.0, 6.0, -1.0, 2.0, -9.0]), np.full(5, 10.0))
+    array([ 1.,  1.,  1.,  1., -1.])
     """
-    signs = np.where(torques < 0, -1.0, 1.0)
-    side = signs.copy()
-    starts = np.r_[0, np.flatnonzero(np.diff(signs)) + 1, len(signs)]
-    known = 0.0
-    for start, end in pairwise(starts.tolist()):
-        part = slice(start, end)
-        if np.any(np.abs(torques[part]) > LARGE_PART * capacity[part]):
-            if known == 0:
-                side[:start] = signs[start]
-            known = signs[start]
-        elif known:
-            side[part] = known
+    side = np.where(torques < 0, -1.0, 1.0)
+    closed = np.r_[False, capacity > 0, False]
+    for start, end in np.flatnonzero(np.diff(closed)).reshape(-1, 2).tolist():
+        own = side[start:end].copy()
+        pieces = [0, *(np.flatnonzero(np.diff(own)) + 1).tolist(), end - start]
+        large = np.abs(torques[start:end]) > LARGE_PART * capacity[start:end]
+        known = own[int(np.abs(torques[start:end]).argmax())]
+        if large.any():
+            known = own[int(large.argmax())]
+        for first, last in pairwise(pieces):
+            if large[first:last].any():
+                known = own[first]
+            side[start + first : start + last] = known
     return side
 
 
