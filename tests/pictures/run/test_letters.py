@@ -15,7 +15,7 @@ from vstatics import Results, load, load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.run.events import placed_words
 from vstatics.pictures.sheet.labels import width
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.simulation.record.motion import Event, Motion
 from vstatics.simulation.run import simulate
 
@@ -26,7 +26,13 @@ BOXES = """() => [...document.querySelectorAll("svg text")].map((text) => {
   const turned = box.height > box.width && text.textContent.length > 2;
   return [text.textContent, size, turned, box.left, box.top, box.right, box.bottom];
 })"""
-STYLES = (Style(height=PAGE_HEIGHT), Style("ru", dark=True, height=PAGE_HEIGHT))
+COLUMN = 85 * POINTS_PER_MILLIMETRE
+"""Of a journal."""
+STYLES = (
+    Style(height=PAGE_HEIGHT),
+    Style("ru", dark=True, height=PAGE_HEIGHT),
+    Style(height=PAGE_HEIGHT, width=COLUMN),
+)
 
 
 def wrong(browser: Any, results: Results, motion: Motion, style: Style) -> list[str]:

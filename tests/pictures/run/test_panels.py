@@ -13,6 +13,7 @@ import pytest
 from tests.commands import CASES, vstatics
 from vstatics import load_scenario, solve
 from vstatics.pictures import pages
+from vstatics.pictures.run.rows import WORD_HEIGHT
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.simulation.run import simulate
 
@@ -232,6 +233,15 @@ def test_events_have_their_words_beside_their_rows(shown: Shown) -> None:
     for event in shown.run["events"]:
         word = event["word"] if "word" in event else f"step {event['step']}"
         assert any(one.startswith(f"{event['element']} {word}") for one in said), event
+    rows = [g for panel in shown.panels("elements") for g in panel]
+    with_words = [g for g in rows if any("font-size: 7px" in _looks(one) for one in g.iter())]
+    assert WORD_HEIGHT * len(with_words) < 0.2 * float(shown.root.get("height", "").rstrip("pt"))
+    assert bool(with_words) == bool(shown.run["events"])
+
+
+def _looks(one: ET.Element) -> str:
+    """How a text is written."""
+    return f"{one.get('style', '')} font-size: {one.get('font-size', '')}"
 
 
 def test_pages_are_no_larger_than_paper(shown: Shown) -> None:

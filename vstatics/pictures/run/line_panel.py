@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.run.events import short
 from vstatics.pictures.run.lines import MotionLine, MotionPanel, capacity_side, thinned
-from vstatics.pictures.sheet.ends import LineEnd, beside
+from vstatics.pictures.sheet.ends import LineEnd
+from vstatics.pictures.sheet.head import BETWEEN_SIGNS, SIGN_ROW_HEIGHT, KeySign
 from vstatics.pictures.sheet.labels import height, ticks, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen
@@ -39,10 +40,33 @@ def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> l
     ]
 
 
+def names_over(
+    shown: MotionPanel, style: Style, numbers: Mapping[str, int], room: float
+) -> list[list[KeySign]]:
+    """The names of lines in rows, where a page is too narrow for them at the right."""
+    rows: list[list[KeySign]] = []
+    for line in shown.lines:
+        for name, look in zip(line.labels, line.looks(style, numbers), strict=True):
+            sign = KeySign(short(name), look)
+            if not rows or sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) + sign.wide > room:
+                rows.append([])
+            rows[-1].append(sign)
+    return rows
+
+
+def draw_names_over(pen: Pen, rows: Sequence[Sequence[KeySign]]) -> None:
+    """Names in rows over a panel."""
+    for place, row in enumerate(reversed(rows)):
+        x = 0.0
+        for sign in row:
+            sign.draw(pen, x, pen.size[1] + (place + 0.5) * SIGN_ROW_HEIGHT)
+            x += sign.wide + BETWEEN_SIGNS
+
+
 def draw_lines(
     pen: Pen, time: Floats, shown: MotionPanel, numbers: Mapping[str, int], *, off: float
 ) -> None:
-    """The lines of a panel with their names at the right, at their last values.
+    """The lines of a panel.
 
     Parameters
     ----------
@@ -65,7 +89,6 @@ def draw_lines(
                 _draw_capacity(own, name, line, time, look)
             said = own.within("line", name=name, last=last)
             said.plot(*thinned(time, line.values / shown.unit), title=short(name), **look)
-    beside(pen, "right", line_ends(shown, style, numbers))
     what = what_of(shown, style)
     pen.name("left", what, off + height(what) / 2)
 

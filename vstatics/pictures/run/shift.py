@@ -16,7 +16,9 @@ from vstatics.pictures.run.line_panel import (
     CAPACITY,
     PANEL_HEIGHT,
     draw_lines,
+    draw_names_over,
     line_ends,
+    names_over,
     range_of,
     ticks_of,
     what_of,
@@ -27,8 +29,8 @@ from vstatics.pictures.run.lines import (
 )
 from vstatics.pictures.run.panels import panels
 from vstatics.pictures.run.rows import RunRows, draw_rows, name_width, run_rows
-from vstatics.pictures.sheet.ends import height_of, width_of
-from vstatics.pictures.sheet.head import Meaning, sheet_head
+from vstatics.pictures.sheet.ends import beside, height_of, width_of
+from vstatics.pictures.sheet.head import SIGN_ROW_HEIGHT, Meaning, sheet_head
 from vstatics.pictures.sheet.labels import height, ticks, widest
 from vstatics.pictures.sheet.line_styles import striped_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, blank, tick_texts
@@ -45,6 +47,10 @@ MOST_ROWS, MOST_OTHER_ROWS = 14, 6
 """Of elements, and of what else has events."""
 BETWEEN_PANELS = 9.0
 """[pt]"""
+NARROW = 150.0
+"""Where a panel would be less wide, names stand over it. [pt]"""
+TICKS_APART = 28.0
+"""Numbers of the time, at least. [pt]"""
 
 
 class _Content(NamedTuple):
@@ -60,7 +66,20 @@ class _Content(NamedTuple):
     """From a panel to what its scale is of. [pt]"""
     wide: float
     """Of a panel without its labels. [pt]"""
+    over: bool
+    """Whether names of lines are over the panels."""
     notes: str
+
+    def names_high(self, panel: MotionPanel, style: Style) -> float:
+        """That names over a panel need [pt]."""
+        rows = names_over(panel, style, self.numbers, self.wide) if self.over else []
+        return SIGN_ROW_HEIGHT * len(rows)
+
+    def high(self, panel: MotionPanel, style: Style) -> float:
+        """Of a panel with the names of its lines [pt]."""
+        if self.over:
+            return PANEL_HEIGHT + self.names_high(panel, style)
+        return max(PANEL_HEIGHT, height_of(line_ends(panel, style, self.numbers)))
 
 
 def draw(
@@ -101,6 +120,9 @@ def _content(
     left = MARGIN + max(scale, name_width([*names, *others[:MOST_OTHER_ROWS]], style))
     right = max(width_of(line_ends(one, style, numbers)) for one in shown)
     wide = style.width - left - right - MARGIN
+    over = wide < NARROW
+    if over:
+        wide = style.width - left - MARGIN
     time = blank(0.0, 0.0, style).panel((0.0, 0.0), (wide, 0.0), _time(motion))
     rows = run_rows(with_rows, others[:MOST_OTHER_ROWS], motion.events, time)
     sets = element_sets(results)
@@ -110,7 +132,7 @@ def _content(
     unseen += [name for name in others[MOST_OTHER_ROWS:] if name not in unseen]
     of = RunRows(pieces, between, rows, common(sets, motion))
     notes = _notes(motion, shown, of, unseen, style)
-    return _Content(motion, shown, of, numbers, left, off, wide, notes)
+    return _Content(motion, shown, of, numbers, left, off, wide, over, notes)
 
 
 def _time(motion: Motion) -> AxisScale:
@@ -120,8 +142,7 @@ def _time(motion: Motion) -> AxisScale:
 def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
     """The rows, then the panels: as many on a page as it has room for."""
     shown, rows = content.panels, content.rows
-    ends = [line_ends(one, style, content.numbers) for one in shown]
-    heights = [max(PANEL_HEIGHT, height_of(own)) for own in ends]
+    heights = [content.high(one, style) for one in shown]
     start, page = 0, 1
     while start < len(shown):
         own, notes, signs = f"{name} ({page})", "", []
@@ -160,11 +181,17 @@ def _draw_panels(
     drawn: list[Pen] = []
     for one, high in zip(content.panels[of], heights, strict=True):
         corner = pen.corner[0], pen.corner[1] + top - high
-        drawn.append(pen.panel(corner, (pen.size[0], high), time, range_of(one)))
+        inner = pen.size[0], high - content.names_high(one, pen.style)
+        drawn.append(pen.panel(corner, inner, time, range_of(one)))
         draw_lines(drawn[-1], content.motion.time, one, content.numbers, off=content.off)
         drawn[-1].frame()
+        if content.over:
+            rows = names_over(one, pen.style, content.numbers, content.wide)
+            draw_names_over(drawn[-1], rows)
+        else:
+            beside(drawn[-1], "right", line_ends(one, pen.style, content.numbers))
         top -= high + BETWEEN_PANELS
-    numbers = ticks(time.low, time.high, 8)
+    numbers = ticks(time.low, time.high, min(8, max(2, int(content.wide / TICKS_APART))))
     for panel in drawn:
         panel.scale("bottom", numbers, None if panel is drawn[-1] else ())
     named = [word.event.time for row in content.rows.rows for word in row.words]
