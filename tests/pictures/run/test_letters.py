@@ -10,7 +10,6 @@ import pytest
 
 from tests.commands import CASES
 from tests.pictures.run.test_shift import run
-from tests.report.conftest import browser as browser  # noqa: PLC0414 - a fixture
 from vstatics import Results, load, load_scenario, solve
 from vstatics.pictures import pages
 from vstatics.pictures.run.events import placed_words

@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
+from tests.simulation.test_rolling_radius import CASE, ROAD
 from vstatics import load_scenario
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.laws import Road
+from vstatics.simulation.scenario.parts import Scenario, Start
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
 SLOW = ("8hp70-downshift", "8hp70-shifts", "tarasik-truck")
@@ -92,3 +94,12 @@ def test_a_vehicle_is_as_fast_as_its_acceleration_makes_it() -> None:
     gained = np.trapezoid(motion.beside["vehicle_acceleration"]["output"], motion.time)
     speed = motion.speeds[:, link - 1] * law.radius
     assert gained == pytest.approx(speed[-1] - speed[0], rel=1e-3)
+
+
+def test_the_vehicle_of_a_wheel_that_gives_way_is_as_asked_columns_tell() -> None:
+    """Table 1.1 of Tarasik: its velocity is not the speed of the wheel times a radius."""
+    scenario = Scenario(CASE, 20.0, Start(speeds={1: 60.0}), {}, torques=((1, ROAD),))
+    motion = simulate(scenario, columns=[("vehicle_acceleration", "wheels")])
+    asked = motion.asked["vehicle_acceleration"]["wheels"]
+    assert asked.min() < -0.2
+    assert motion.beside["vehicle_acceleration"]["wheels"] == pytest.approx(asked)
