@@ -2,7 +2,10 @@
 
 import gc
 import os
+import shutil
 import signal
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -57,10 +60,25 @@ def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
     from vstatics.report.page_pictures import Pictures
 
-    monkeypatch.setattr("vstatics.report.material.pictures", lambda _: Pictures())
+    monkeypatch.setattr("vstatics.report.material.pictures", lambda *_: Pictures())
 
 
 @pytest.fixture
 def regenerate(request: pytest.FixtureRequest) -> bool:
     """Whether golden files are to be rewritten."""
     return bool(request.config.getoption("--regenerate"))
+
+
+CHROMIUM = shutil.which("chromium")
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """Debian's chromium, driven by playwright; skipped without them."""
+    if CHROMIUM is None:
+        pytest.skip("needs chromium")
+    sync_api = pytest.importorskip("playwright.sync_api")
+    with sync_api.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield browser
+        browser.close()

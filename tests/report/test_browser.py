@@ -37,7 +37,7 @@ class Opened:
 
     def shown(self) -> set[str]:
         """Gears of which something is in sight."""
-        parts = "[...document.querySelectorAll('[data-gear]')].filter((one) => !one.hidden)"
+        parts = "[...document.querySelectorAll('div[data-gear]')].filter((one) => !one.hidden)"
         return set(self.window.evaluate(f"{parts}.map((one) => one.dataset.gear)"))
 
     def names(self, label: str) -> list[str]:

@@ -126,8 +126,8 @@ def plot(
     response     amplitude of the input over its speed under 1 N*m, a line for
                  each order, gear by gear
     dump         the largest torque when the clutch is dumped, by gear
-    shift        the run of a scenario: speeds, slips, torques and heat over
-                 time, with its events
+    shift        the run of a scenario over time: gear, speeds, slips, torques
+                 with capacities, vehicle or output, heat, with its events
     traction     force at the wheels of the `vehicle` over its speed, gear by
                  gear with all losses; resistance on slopes of 0 to 30 %
     sawtooth     engine speed over road speed, gear by gear

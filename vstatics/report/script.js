@@ -2,7 +2,7 @@
 (() => {
   // The gear that is chosen, for all that is shown of one: #gear=R at the end of the address.
   // Another section instead of gear, #flow=R, opens the page there.
-  const blocks = [...document.querySelectorAll("[data-gear]")];
+  const blocks = [...document.querySelectorAll("div[data-gear]")];
   const links = [...document.querySelectorAll("[data-choose]")];
   const chooser = document.querySelector(".chooser");
   const names = chooser ? [...chooser.querySelectorAll("a")].map((link) => link.dataset.choose) : [];

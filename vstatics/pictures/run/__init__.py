@@ -1,5 +1,6 @@
 """The run of a scenario over time.
 
-`lines` says which lines a picture has and when elements stick or slip, `events` what happens and
-which of it is named; `shift` draws the panels of states, speeds, slips, torques and heat.
+`elements` says when each sticks or slips, `gears` which gear holds when, `panels` which lines there
+are; `lines` is what a line and a panel are, `events` how and where what happens is named. `rows`
+draws the bars over the panels, `line_panel` a panel, `shift` the pages.
 """

@@ -1,49 +1,25 @@
-"""What a picture of a run shows: which lines, and when each element sticks or slips."""
+"""Lines of a run over time, and the panels that have room for them."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.run.events import short
-from vstatics.pictures.sheet.labels import Span
-from vstatics.pictures.sheet.style import number
-from vstatics.pictures.sheet.tolerances import SAME_RUN_SPEED
-from vstatics.simulation.record.motion import Motion
+from vstatics.pictures.sheet.line_styles import Look, link_looks, thing_look
+from vstatics.pictures.sheet.style import Style
 
-MOST_LINES = 8
-"""Lines of a panel."""
-MOST_STATE_ROWS = 14
-"""Elements whose states are shown."""
+MOST_LINES = 6
+"""Lines of a panel; with more there is a further one."""
 LARGE_PEAK_RATIO = 20.0
-"""Torques whose peaks are so far apart are drawn over their peaks."""
+"""Torques and energies whose largest values are so far apart have panels of their own."""
+LARGE_PART = 0.5
+"""With less of what an element can carry its capacity stays on the other side."""
 PARTS_OF_TIME = 1500
 """Of so many parts of the time the ends and extremes are drawn."""
-
-
-_ASKED = {
-    "accelerations": ("acceleration, rad/s²", "ускорение, рад/с²", 1.0),
-    "jerks": ("jerk, rad/s³", "рывок, рад/с³", 1.0),
-    "powers": ("power, kW", "мощность, кВт", 1e3),
-    "heat": ("heat, kJ", "теплота, кДж", 1e3),
-    "slip_power": ("slip power, kW", "мощность буксования, кВт", 1e3),
-    "heat_per_area": ("heat per area, kJ/m²", "удельная теплота, кДж/м²", 1e3),
-    "slip_power_per_area": ("slip power per area, kW/m²", "удельная мощность, кВт/м²", 1e3),
-    "temperatures": ("temperature, °C", "температура, °C", 1.0),
-    "states": ("states", "состояния", 1.0),
-    "vehicle_speed": ("speed of vehicle, m/s", "скорость машины, м/с", 1.0),
-    "vehicle_acceleration": ("acceleration of vehicle, m/s²", "ускорение машины, м/с²", 1.0),
-    "vehicle_jerk": ("jerk of vehicle, m/s³", "рывок машины, м/с³", 1.0),
-    "ratio": ("speed ratio", "передаточное отношение", 1.0),
-    "efficiency": ("efficiency", "КПД", 1.0),
-    "reduced_inertia": ("reduced inertia, kg·m²", "приведенный момент инерции, кг·м²", 1.0),
-}
-"""Tables that somebody may ask for: in both languages, by what their values are divided."""
 
 
 class MotionLine(NamedTuple):
@@ -52,90 +28,128 @@ class MotionLine(NamedTuple):
     names: tuple[str, ...]
     """Of one thing, or of links that always turn together."""
     values: Floats
+    """In SI units."""
     links: tuple[int, ...] = ()
     """Their numbers, if they are links."""
-    element: int | None = None
-    """Place of the shift element."""
+    capacity: Floats | None = None
+    """Of a shift element. [N*m]"""
+    beside: str = ""
+    """What tells it from another line of the same name."""
 
     @property
-    def name(self) -> str:
-        """All names."""
-        return " = ".join(self.names)
+    def peak(self) -> float:
+        """Its largest value, by magnitude."""
+        return float(np.abs(self.values).max(initial=0.0))
 
     @property
-    def each(self) -> list[MotionLine]:
-        """The line of each link by itself; else this one."""
-        return [self._replace(links=(link,)) for link in self.links] or [self]
+    def labels(self) -> list[str]:
+        """What is written beside it."""
+        return [f"{name} ({self.beside})" if self.beside else name for name in self.names]
+
+    def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
+        """Of each name: of links their own, of others by their numbers."""
+        if self.links:
+            return link_looks(self.links, style)
+        return [thing_look(numbers[name], style) for name in self.names]
 
 
 class MotionPanel(NamedTuple):
     """Lines to one scale."""
 
+    kind: str
+    """``data-panel`` of its group."""
     english: str
     russian: str
+    unit: float
+    """By what values are divided."""
     lines: tuple[MotionLine, ...]
-    left_out: tuple[str, ...]
-    """Names of the lines beyond the first `MOST`."""
+    left_out: tuple[str, ...] = ()
+    """Names of what has no line."""
+    part: int = 1
+    """Which of several panels of a kind."""
 
 
-class ElementStates(NamedTuple):
-    """When a shift element slips under torque, and when it sticks."""
+def panels_of(
+    kind: str,
+    words: tuple[str, str],
+    unit: float,
+    lines: Iterable[MotionLine],
+    *,
+    by_size: bool = False,
+) -> list[MotionPanel]:
+    """Panels of at most `MOST_LINES` lines: each line in the first that has room for it.
 
-    name: str
-    element: int
-    """Its place."""
-    slips: tuple[Span, ...]
-    """From when till when. [s]"""
-    sticks: tuple[Span, ...]
+    Parameters
+    ----------
+    by_size : bool
+        Where one line would hide another by its size, each gets a panel.
 
-
-def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """The panels of a run, but those in which nothing happens."""
-    slips, heat, carried = (
-        [MotionLine((short(n),), values[:, k], element=k) for k, n in loaded(motion)]
-        for values in (motion.slips, motion.heat / 1e3, motion.torques)
-    )
-    elastic = [MotionLine((short(n),), motion.torques[:, k]) for k, n in _elastic(case, motion)]
-    springs = {short(spring.name) for spring in case.springs}
-    found = [
-        _panel("speed, rad/s", "скорость, рад/с", _speeds(case, motion)),
-        _panel("slip, rad/s", "скольжение, рад/с", slips),
-        _torques("elements", "моменты элементов", carried),
-        _torques(*_kinds(springs, [line.name for line in elastic]), elastic),
-        _panel("heat, kJ", "теплота, кДж", [] if "heat" in motion.asked else heat),
-        *_asked(case, motion),
-    ]
-    return [panel for panel in found if panel.lines]
-
-
-def _asked(case: Transmission, motion: Motion) -> Iterator[MotionPanel]:
-    """Columns that somebody asks for."""
-    for table, rows in motion.asked.items():
-        english, russian, unit = _ASKED[table]
-        lines = [
-            MotionLine(
-                (short(name),),
-                values / unit,
-                tuple(n for n, one in enumerate(case.link_names, 1) if one == name),
-                next((n for n, one in enumerate(motion.elements) if one == name), None),
-            )
-            for name, values in rows.items()
-        ]
-        yield _panel(english, russian, lines)
-
-
-def loaded(motion: Motion) -> list[tuple[int, str]]:
-    """Shift elements that carry torque at any time, with their places."""
-    carries = np.abs(motion.torques).max(axis=0, initial=0.0) > 0
-    return [(place, name) for place, name in enumerate(motion.elements) if carries[place]]
-
-
-def states(motion: Motion) -> list[ElementStates]:
-    """When elements slip and stick, of those that carry torque.
-
-    An element that carries none is open; so is one that is at rest without torque.
+    Examples
+    --------
+    >>> lines = [MotionLine((str(n),), np.array([10.0**n])) for n in range(3)]
+    >>> [len(one.lines) for one in panels_of("heat", ("", ""), 1.0, lines, by_size=True)]
+    [2, 1]
     """
-    return [_states(motion, place, name) for place, name in loaded(motion)[:MOST_STATE_ROWS]]
+    found: list[list[MotionLine]] = []
+    for line in (part for one in lines for part in _parts(one)):
+        for panel in found:
+            if sum(len(one.names) for one in panel) + len(line.names) > MOST_LINES:
+                continue
+            peaks = [one.peak for one in (*panel, line)]
+            if not by_size or max(peaks) < LARGE_PEAK_RATIO * min(peaks):
+                panel.append(line)
+                break
+        else:
+            found.append([line])
+    return [MotionPanel(kind, *words, unit, tuple(one)) for one in found]
+
+
+def _parts(line: MotionLine) -> list[MotionLine]:
+    """A line with no more names than a panel has lines."""
+    starts = range(0, len(line.names), MOST_LINES)
+    return [
+        line._replace(
+            names=line.names[start : start + MOST_LINES],
+            links=line.links[start : start + MOST_LINES],
+        )
+        for start in starts
+    ]
+
+
+def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
+    """The number of each thing but links, by which it has its colour in all panels.
+
+    >>> numbers_of(["A", "B"], [MotionPanel("heat", "", "", 1.0, (MotionLine(("P1",), None),))])
+    {'A': 0, 'B': 1, 'P1': 2}
+    """
+    others = (
+        name for panel in panels for line in panel.lines if not line.links for name in line.names
+    )
+    return {name: number for number, name in enumerate(dict.fromkeys([*elements, *others]))}
+
+
+def capacity_side(torques: Floats, capacity: Floats) -> Floats:
+    """On which side of 0 a capacity is drawn: where the torque is, but where this is small.
+
+    It changes the side only for a torque that is a large part of it; while it is 0 it may.
+
+    >>> capacity_side(np.array([-1.0, 6.0, -1.0, 2.0, -9.0]), np.full(5, 10.0))
+    array([ 1.,  1.,  1.,  1., -1.])
+    """
+    side = np.where(torques < 0, -1.0, 1.0)
+    closed = np.r_[False, capacity > 0, False]
+    for start, end in np.flatnonzero(np.diff(closed)).reshape(-1, 2).tolist():
+        own = side[start:end].copy()
+        pieces = [0, *(np.flatnonzero(np.diff(own)) + 1).tolist(), end - start]
+        large = np.abs(torques[start:end]) > LARGE_PART * capacity[start:end]
+        known = own[int(np.abs(torques[start:end]).argmax())]
+        if large.any():
+            known = own[int(large.argmax())]
+        for first, last in pairwise(pieces):
+            if large[first:last].any():
+                known = own[first]
+            side[start + first : start + last] = known
+    return side
 
 
 def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
@@ -156,103 +170,3 @@ def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
         kept |= {start, end - 1, start + int(part.argmin()), start + int(part.argmax())}
     places = sorted(kept)
     return time[places], values[places]
-
-
-def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
-    """Links that move: input and output, those of elements with events, the fastest others."""
-    largest = np.abs(motion.speeds).max(initial=0.0)
-    near = SAME_RUN_SPEED * largest
-    groups: list[list[int]] = []
-    for link in range(len(motion.links)):
-        speeds = motion.speeds[:, link]
-        if np.abs(speeds).max(initial=0.0) <= near:
-            continue
-        for group in groups:
-            if np.abs(speeds - motion.speeds[:, group[0]]).max() <= near:
-                group.append(link)
-                break
-        else:
-            groups.append([link])
-    wanted = _wanted(case, motion)
-
-    def rank(group: list[int]) -> tuple[float, float]:
-        peak = float(np.abs(motion.speeds[:, group[0]]).max())
-        return min(wanted.get(link + 1, len(wanted)) for link in group), -peak
-
-    groups.sort(key=rank)
-    return [
-        MotionLine(
-            tuple(short(motion.links[link]) for link in group),
-            motion.speeds[:, group[0]],
-            links=tuple(link + 1 for link in group),
-        )
-        for group in groups
-    ]
-
-
-def _wanted(case: Transmission, motion: Motion) -> dict[int, int]:
-    """Links that are to be seen, by their numbers, each with its rank."""
-    happens = {event.element for event in motion.events}
-    links = [case.input, case.output]
-    for element in case.shift_elements:
-        if element.name in happens:
-            links += element.links
-    return {link: rank for rank, link in reversed(list(enumerate(links)))}
-
-
-def _elastic(case: Transmission, motion: Motion) -> Iterator[tuple[int, str]]:
-    """Springs and converters that carry torque; mechanisms have no slip and no twist."""
-    rigid = {*case.devices} - {spring.name for spring in case.springs}
-    for place in range(len(motion.elements), len(motion.devices)):
-        name = motion.devices[place]
-        if name not in rigid and np.abs(motion.torques[:, place]).max(initial=0.0) > 0:
-            yield place, name
-
-
-def _kinds(springs: Collection[str], names: Sequence[str]) -> tuple[str, str]:
-    """What these are together.
-
-    >>> _kinds((), ["TC"])
-    ('converters', 'моменты гидротрансформаторов')
-    """
-    of = [name in springs for name in names]
-    if all(of):
-        return "springs", "моменты пружин"
-    if not any(of):
-        return "converters", "моменты гидротрансформаторов"
-    return "springs, converters", "моменты пружин, ГТ"
-
-
-def _panel(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
-    left_out = tuple(line.name for line in lines[MOST_LINES:])
-    return MotionPanel(english, russian, tuple(lines[:MOST_LINES]), left_out)
-
-
-def _torques(english: str, russian: str, lines: Sequence[MotionLine]) -> MotionPanel:
-    """Torques in N·m; where one would hide another, each over its peak, which is told."""
-    peaks = [float(np.abs(line.values).max()) for line in lines]
-    if not peaks or max(peaks) < LARGE_PEAK_RATIO * min(peaks):
-        return _panel(f"torque of {english}, N·m", f"{russian}, Н·м", lines)
-    scaled = [
-        line._replace(names=(f"{line.name} ({number(peak)} N·m)",), values=line.values / peak)
-        for line, peak in zip(lines, peaks, strict=True)
-    ]
-    return _panel(f"torque of {english} over peak", f"{russian} к пикам", scaled)
-
-
-def _states(motion: Motion, place: int, name: str) -> ElementStates:
-    """Between two instants an element slips if it does at either of them."""
-    torques, slips = np.abs(motion.torques[:, place]), np.abs(motion.slips[:, place])
-    carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
-    near = SAME_RUN_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
-    moves = np.maximum(slips[:-1], slips[1:]) > near
-    slipping = tuple(_spans(motion.time, carries & moves))
-    return ElementStates(short(name), place, slipping, tuple(_spans(motion.time, carries & ~moves)))
-
-
-def _spans(time: Floats, holds: NDArray[np.bool_]) -> Iterator[Span]:
-    """From when till when something holds that is known between instants."""
-    edges = np.flatnonzero(np.diff(np.r_[False, holds, False]))
-    for start, end in edges.reshape(-1, 2):
-        if time[end] > time[start]:
-            yield float(time[start]), float(time[end])

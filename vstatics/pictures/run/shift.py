@@ -1,72 +1,85 @@
-"""A run over time: states of the elements, speeds, slips, torques, heat, and what happens when."""
+"""A run over time: gears, states of elements, speeds, slips, torques, heat; what happens when."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError, printable
-from vstatics.numerics.arrays import Floats
-from vstatics.pictures.run.events import (
-    MOST_NAMED_EVENTS,
-    draw_events,
-    event_text,
-    named_events,
+from vstatics.pictures.run.elements import states
+from vstatics.pictures.run.events import draw_verticals, short
+from vstatics.pictures.run.gears import common, element_sets, gear_pieces, phases
+from vstatics.pictures.run.line_panel import (
+    CAPACITY,
+    PANEL_HEIGHT,
+    draw_lines,
+    draw_names_over,
+    line_ends,
+    names_over,
+    range_of,
+    ticks_of,
+    what_of,
 )
 from vstatics.pictures.run.lines import (
-    ElementStates,
-    MotionLine,
     MotionPanel,
-    panels,
-    states,
-    thinned,
+    numbers_of,
 )
-from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import Meaning, headed
-from vstatics.pictures.sheet.labels import LEADER, Label, height, ticks, widest, wrapped
-from vstatics.pictures.sheet.line_styles import (
-    Look,
-    element_look,
-    link_looks,
-    spring_look,
-    striped_look,
-)
-from vstatics.pictures.sheet.pen import AxisScale, Pen
-from vstatics.pictures.sheet.style import LEADER_WIDTH, MARGIN, Style, number
+from vstatics.pictures.run.panels import panels
+from vstatics.pictures.run.rows import RunRows, draw_rows, name_width, run_rows
+from vstatics.pictures.sheet.ends import beside, height_of, width_of
+from vstatics.pictures.sheet.head import SIGN_ROW_HEIGHT, Meaning, sheet_head
+from vstatics.pictures.sheet.labels import height, ticks, widest
+from vstatics.pictures.sheet.line_styles import striped_look
+from vstatics.pictures.sheet.pen import AxisScale, Pen, blank, tick_texts
+from vstatics.pictures.sheet.style import MARGIN, TICK_LENGTH, Style
 from vstatics.pictures.sheet.words import TURN_TOGETHER, title
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
-PANEL_SIZE = (400.0, 92.0)
-"""Width of a panel without its labels, and its height at least. [pt]"""
-STATE_ROW_HEIGHT = 13.0
-"""Of the states of an element. [pt]"""
-STATE_BAR_HEIGHT = 0.6
-"""Height of its bar over that."""
-PANEL_SCALE_WIDTH = 64.0
-"""For the scale of a panel, and what it is of. [pt]"""
-TIME_SCALE_HEIGHT = 34.0
+BEFORE_SCALE = 3.0
+"""From what a scale is of to its numbers. [pt]"""
+TIME_SCALE_HEIGHT = 30.0
 """For the scale of the time. [pt]"""
-LINE_NAME_WIDTH = 130.0
-"""Names at the right are wrapped to this width. [pt]"""
-SIGNS_ON_LINE = 4
-"""Of an element or spring."""
-MOST_LEFT_OUT = 12
-"""Names of lines that are not drawn, of each panel."""
+MOST_ROWS, MOST_OTHER_ROWS = 14, 6
+"""Of elements, and of what else has events."""
+BETWEEN_PANELS = 9.0
+"""[pt]"""
+NARROW = 150.0
+"""Where a panel would be less wide, names stand over it. [pt]"""
+TICKS_APART = 28.0
+"""Numbers of the time, at least. [pt]"""
 
 
-class _RunContent(NamedTuple):
+class _Content(NamedTuple):
     """What the picture shows."""
 
     motion: Motion
     panels: Sequence[MotionPanel]
-    rows: Sequence[ElementStates]
-    events: Sequence[Label]
-    """Those that are named, at their times [s]."""
+    rows: RunRows
+    numbers: Mapping[str, int]
+    left: float
+    """For scales and names of rows. [pt]"""
+    off: float
+    """From a panel to what its scale is of. [pt]"""
+    wide: float
+    """Of a panel without its labels. [pt]"""
+    over: bool
+    """Whether names of lines are over the panels."""
+    notes: str
+
+    def names_high(self, panel: MotionPanel, style: Style) -> float:
+        """That names over a panel need [pt]."""
+        rows = names_over(panel, style, self.numbers, self.wide) if self.over else []
+        return SIGN_ROW_HEIGHT * len(rows)
+
+    def high(self, panel: MotionPanel, style: Style) -> float:
+        """Of a panel with the names of its lines [pt]."""
+        if self.over:
+            return PANEL_HEIGHT + self.names_high(panel, style)
+        return max(PANEL_HEIGHT, height_of(line_ends(panel, style, self.numbers)))
 
 
 def draw(
@@ -75,7 +88,7 @@ def draw(
     gears: Sequence[int] = (),  # noqa: ARG001 - a run has them all
     motion: Motion | None = None,
 ) -> list[Figure]:
-    """Draw a run of a case.
+    """Draw a run of a case, on as many pages as it needs.
 
     Raises
     ------
@@ -85,164 +98,136 @@ def draw(
     if motion is None:
         raise CaseError("E407", "this picture shows a run: expected a scenario, not a case")
     shown = panels(results.case, motion)
-    if len(motion.time) < 2 or not shown:
+    if len(motion.time) < 2 or all(panel.kind == "heat" for panel in shown):
         raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
-    named = named_events(motion.events, MOST_NAMED_EVENTS)
-    events = [Label(event.time, event_text(event, style), style.ink) for event in named]
-    content = _RunContent(motion, shown, states(motion), events)
-    subject = style.text("run over time", "движение во времени")
-    return [_figure(content, printable(title(results.case, subject)), style)]
+    content = _content(results, motion, shown, style)
+    name = printable(title(results.case, style.text("run over time", "движение во времени")))
+    return list(_pages(content, name, style))
 
 
-def _figure(content: _RunContent, name: str, style: Style) -> Figure:
-    """The states of the elements, then the panels, on one scale of time."""
-    motion, rows, (wide, least) = content.motion, content.rows, PANEL_SIZE
-    ends = [_line_ends(panel, style) for panel in content.panels]
-    heights = [max(least, height_of(own)) for own in ends]
-    row_ends, states_high = _row_ends(rows, style), STATE_ROW_HEIGHT * len(rows)
-    left = MARGIN + max(PANEL_SCALE_WIDTH, width_of(row_ends))
-    across = left + wide + max(map(width_of, ends)) + MARGIN
-    high = TIME_SCALE_HEIGHT + sum(heights) + MARGIN * (len(heights) - 1 + bool(rows))
-    top = high + states_high
-    above = widest(label.text for label in content.events) + LEADER + MARGIN / 2
-    signs = _signs(content, style)
-    pen = headed(name, _notes(content, style), signs, (across, top + above), style)
-    time = AxisScale(float(motion.time[0]), float(motion.time[-1]))
+def _content(
+    results: Results, motion: Motion, shown: Sequence[MotionPanel], style: Style
+) -> _Content:
+    elements = states(motion)
+    numbers = numbers_of([one.name for one in elements], shown)
+    with_rows = elements[:MOST_ROWS]
+    names = [one.name for one in with_rows]
+    happens = dict.fromkeys(event.element for event in motion.events)
+    others = [name for name in happens if name not in names]
+    ticked = max(widest(tick_texts(ticks_of(range_of(one)))) for one in shown) + TICK_LENGTH + 2
+    off = ticked + BEFORE_SCALE
+    scale = off + max(height(what_of(one, style)) for one in shown)
+    left = MARGIN + max(scale, name_width([*names, *others[:MOST_OTHER_ROWS]], style))
+    right = max(width_of(line_ends(one, style, numbers)) for one in shown)
+    wide = style.width - left - right - MARGIN
+    over = wide < NARROW
+    if over:
+        wide = style.width - left - MARGIN
+    time = blank(0.0, 0.0, style).panel((0.0, 0.0), (wide, 0.0), _time(motion))
+    rows = run_rows(with_rows, others[:MOST_OTHER_ROWS], motion.events, time)
+    sets = element_sets(results)
+    pieces = gear_pieces(sets, motion)
+    between = phases(sets, motion, pieces, elements)
+    unseen = [one.name for one in elements[MOST_ROWS:]]
+    unseen += [name for name in others[MOST_OTHER_ROWS:] if name not in unseen]
+    of = RunRows(pieces, between, rows, common(sets, motion))
+    notes = _notes(motion, shown, of, unseen, style)
+    return _Content(motion, shown, of, numbers, left, off, wide, over, notes)
+
+
+def _time(motion: Motion) -> AxisScale:
+    return AxisScale(float(motion.time[0]), float(motion.time[-1]))
+
+
+def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
+    """The rows, then the panels: as many on a page as it has room for."""
+    shown, rows = content.panels, content.rows
+    heights = [content.high(one, style) for one in shown]
+    start, page = 0, 1
+    while start < len(shown):
+        own, notes, signs = f"{name} ({page})", "", []
+        if page == 1:
+            own, notes, signs = name, content.notes, _signs(content, style)
+        head = sheet_head(own, notes, signs, style.width - 2 * MARGIN, style)
+        over = (rows.high + BETWEEN_PANELS) * (page == 1)
+        free = style.height - head.high - MARGIN - TIME_SCALE_HEIGHT - over
+        count = _fitting(heights[start:], free)
+        of = slice(start, start + count)
+        high = sum(heights[of]) + BETWEEN_PANELS * (count - 1)
+        top = TIME_SCALE_HEIGHT + high + over
+        pen = head.over((style.width, top), MARGIN, style)
+        upper: list[Pen] = []
+        if page == 1:
+            corner = content.left, top - rows.high
+            upper = [pen.panel(corner, (content.wide, rows.high), _time(content.motion))]
+            draw_rows(upper[0], rows, content.numbers)
+        inner = pen.panel((content.left, TIME_SCALE_HEIGHT), (content.wide, high))
+        _draw_panels(inner, content, of, heights[of], upper)
+        yield pen.figure
+        start, page = start + count, page + 1
+
+
+def _fitting(heights: Sequence[float], free: float) -> int:
+    """How many panels a height has room for, one at least."""
+    ends = np.cumsum(heights) + BETWEEN_PANELS * np.arange(len(heights))
+    return max(1, int((ends <= free).sum()))
+
+
+def _draw_panels(
+    pen: Pen, content: _Content, of: slice, heights: Sequence[float], upper: Sequence[Pen]
+) -> None:
+    """Panels one below the other, with one scale of time for them and for what is above."""
+    top, time = pen.size[1], _time(content.motion)
     drawn: list[Pen] = []
-    bottom = high - MARGIN * bool(rows)
-    for one, tall in zip(content.panels, heights, strict=True):
-        bottom -= tall
-        drawn.append(pen.panel((left, bottom), (wide, tall), time, _range(one)))
-        _draw_lines(drawn[-1], motion, one)
-        bottom -= MARGIN
-    if rows:
-        scale = AxisScale(len(rows), 0)
-        drawn.insert(0, pen.panel((left, high), (wide, states_high), time, scale))
-        _draw_states(drawn[0], rows)
-        beside(drawn[0], "left", row_ends)
-    numbers = ticks(time.low, time.high, 8)
+    for one, high in zip(content.panels[of], heights, strict=True):
+        corner = pen.corner[0], pen.corner[1] + top - high
+        inner = pen.size[0], high - content.names_high(one, pen.style)
+        drawn.append(pen.panel(corner, inner, time, range_of(one)))
+        draw_lines(drawn[-1], content.motion.time, one, content.numbers, off=content.off)
+        drawn[-1].frame()
+        if content.over:
+            rows = names_over(one, pen.style, content.numbers, content.wide)
+            draw_names_over(drawn[-1], rows)
+        else:
+            beside(drawn[-1], "right", line_ends(one, pen.style, content.numbers))
+        top -= high + BETWEEN_PANELS
+    numbers = ticks(time.low, time.high, min(8, max(2, int(content.wide / TICKS_APART))))
     for panel in drawn:
-        panel.frame()
         panel.scale("bottom", numbers, None if panel is drawn[-1] else ())
-        draw_events(panel, motion.events)
-    at = [label._replace(at=drawn[0].across(label.at)) for label in content.events]
-    along(drawn[0], "top", at, upright=True)
-    drawn[-1].name("bottom", style.text("time, s", "время, с"), TIME_SCALE_HEIGHT - 12)
-    return pen.figure
+    named = [word.event.time for row in content.rows.rows for word in row.words]
+    for panel in (*upper, *drawn):
+        draw_verticals(panel, named)
+    drawn[-1].name("bottom", pen.style.text("time, s", "время, с"), TIME_SCALE_HEIGHT - 10)
 
 
-def _signs(content: _RunContent, style: Style) -> list[Meaning]:
-    rows, lines = content.rows, [line for panel in content.panels for line in panel.lines]
-    sticks, slips = (_state_look(style, sticks=one) for one in (True, False))
+def _signs(content: _Content, style: Style) -> list[Meaning]:
+    lines = [line for panel in content.panels for line in panel.lines]
     striped = any(len(line.names) > 1 for line in lines)
+    limited = any(line.capacity is not None for line in lines)
     return [
-        (any(row.sticks for row in rows), "sticks", "сцеплено", sticks),
-        (any(row.slips for row in rows), "slips under torque", "буксует под моментом", slips),
+        *content.rows.meanings(style),
+        (limited, "capacity", "наибольший момент", {"color": style.ink, **CAPACITY}),
         (striped, *TURN_TOGETHER, striped_look(style)),
     ]
 
 
-def _notes(content: _RunContent, style: Style) -> str:
+def _notes(
+    motion: Motion, shown: Sequence[MotionPanel], rows: RunRows, unseen: Sequence[str], style: Style
+) -> str:
     """What the picture does not show."""
-    motion, said = content.motion, []
-    for panel in content.panels:
-        if panel.left_out:
-            names = ", ".join(panel.left_out[:MOST_LEFT_OUT])
-            more = len(panel.left_out) - MOST_LEFT_OUT
-            names += style.text(f" and {more} more", f" и ещё {more}") if more > 0 else ""
-            of = style.text(panel.english, panel.russian).split(", ")[0]
-            said.append(f"{of}, {style.text('not drawn', 'не показаны')}: {names}")
-    unnamed = len(motion.events) - MOST_NAMED_EVENTS
+    said = []
+    if unseen:
+        names = ", ".join(map(short, unseen))
+        said.append(f"{style.text('without a row', 'без строки')}: {names}")
+    unnamed = len(motion.events) - sum(len(row.words) for row in rows.rows)
     if unnamed > 0:
-        said.append(f"{style.text('events without a name', 'событий без подписи')}: {unnamed}")
+        said.append(f"{style.text('events without a word', 'событий без подписи')}: {unnamed}")
     if motion.stopped is not None:
         stopped = style.text("the run was stopped", "расчёт остановлен")
         said.append(f"{stopped}: {printable(motion.stopped.message)[:200]}")
+    for panel in shown:
+        if panel.left_out:
+            of = style.text(panel.english, panel.russian).split(", ")[0]
+            names = ", ".join(panel.left_out)
+            said.append(f"{of}, {style.text('left out', 'не показаны')}: {names}")
     return "; ".join(said)
-
-
-def _looks(line: MotionLine, place: int, style: Style) -> list[Look]:
-    """Of the line of links, or of a shift element or spring."""
-    if line.links:
-        return link_looks(line.links, style)
-    if line.element is None:
-        return [spring_look(place, style)]
-    return [element_look(line.element, style)]
-
-
-def _line_ends(shown: MotionPanel, style: Style) -> list[LineEnd]:
-    """The names of lines at their last values."""
-    scale = _range(shown)
-    return [
-        LineEnd(
-            scale.part(float(line.values[-1])),
-            [wrapped(name, LINE_NAME_WIDTH) for name in line.names],
-            [look for one in line.each for look in _looks(one, place, style)],
-        )
-        for place, line in enumerate(shown.lines)
-    ]
-
-
-def _row_ends(rows: Sequence[ElementStates], style: Style) -> list[LineEnd]:
-    """The names of elements beside their bars, with their lines in the panels."""
-    return [
-        LineEnd(1 - (place + 0.5) / len(rows), [row.name], [element_look(row.element, style)])
-        for place, row in enumerate(rows)
-    ]
-
-
-def _draw_lines(pen: Pen, motion: Motion, shown: MotionPanel) -> None:
-    """The lines of a panel with their names at the right, at their last values."""
-    wide, style = pen.size[0], pen.style
-    pen.scale("left", ticks(pen.y.low, pen.y.high, 5), grid=True)
-    rest = pen.up(0.0)
-    pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
-    for place, line in enumerate(shown.lines):
-        time, values = thinned(motion.time, line.values)
-        marked = _signs_at(time, place, len(shown.lines))
-        for look in _looks(line, place, style):
-            pen.plot(time, values, markevery=marked, title=line.name, **look)
-    beside(pen, "right", _line_ends(shown, style))
-    what = wrapped(style.text(shown.english, shown.russian), PANEL_SIZE[1])
-    pen.name("left", what, PANEL_SCALE_WIDTH - height(what) / 2)
-
-
-def _signs_at(time: Floats, place: int, count: int) -> list[int]:
-    """The points of a line that get its sign: no two lines have theirs at the same time.
-
-    >>> _signs_at(np.linspace(0.0, 1.0, 21), 1, 2)
-    [4, 9, 14, 19]
-    """
-    parts = (np.arange(SIGNS_ON_LINE) + (place + 0.5) / count) / SIGNS_ON_LINE
-    near = np.searchsorted(time, time[0] + parts * (time[-1] - time[0]))
-    return sorted({int(one) for one in near})
-
-
-def _range(shown: MotionPanel) -> AxisScale:
-    """A scale that has 0."""
-    low = min(0.0, *(float(np.min(line.values)) for line in shown.lines))
-    high = max(0.0, *(float(np.max(line.values)) for line in shown.lines))
-    room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0
-    return AxisScale(low - room, high + room)
-
-
-def _state_look(style: Style, *, sticks: bool) -> Look:
-    """Of a bar while an element sticks, or slips under torque."""
-    inside = {"facecolor": style.engaged} if sticks else {"facecolor": style.paper, "hatch": "////"}
-    return {"edgecolor": style.engaged, "width": 0.5, **inside}
-
-
-def _draw_states(pen: Pen, rows: Sequence[ElementStates]) -> None:
-    """A bar for each element that carries torque."""
-    style, high = pen.style, STATE_BAR_HEIGHT * STATE_ROW_HEIGHT
-    for place, row in enumerate(rows):
-        low = pen.up(place + 0.5) - high / 2
-        for spans, does, sticks in (
-            (row.sticks, style.text("sticks", "сцеплено"), True),
-            (row.slips, style.text("slips", "буксует"), False),
-        ):
-            look = _state_look(style, sticks=sticks)
-            for start, end in spans:
-                left, right = pen.across(start), pen.across(end)
-                said = f"{row.name} {does}, {number(start)}–{number(end)} {style.text('s', 'с')}"
-                pen.box((left, low), (right - left, high), title=said, **look)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from vstatics.pictures.sheet.style import DASHES, Style
+from vstatics.pictures.sheet.style import Style
 
 Look = dict[str, Any]
 """Of a line of matplotlib."""
@@ -13,8 +13,6 @@ STRIPE = 5.0
 """Length of a stripe over the width of its line."""
 TINTS = (0.5, 0.16, 0.34)
 """How much of the colour of losses is in the parts of a loss; letters on them stay readable."""
-SIGNS = ("o", "s", "^", "D", "v", "X", "p")
-"""On the lines of elements and springs."""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
 """Hatches of these: fifteen parts differ."""
 
@@ -47,31 +45,16 @@ def striped_look(style: Style) -> Look:
 
 def link_look(link: int, style: Style) -> Look:
     """The line of one link."""
-    return {"color": style.colour(link - 1), "linestyle": style.dash(link - 1)}
+    return thing_look(link - 1, style)
 
 
-def element_look(place: int, style: Style) -> Look:
-    """The line of a shift element, from 0: ink, told by its dash and its open sign.
+def thing_look(number: int, style: Style) -> Look:
+    """The line of a shift element, or of what else is no link, by its number from 0.
 
-    >>> first, second = element_look(0, Style()), element_look(1, Style())
-    >>> first["color"] == second["color"] == Style().ink, first["marker"], second["marker"]
-    (True, 'o', 's')
+    >>> thing_look(1, Style())["color"] == Style().colour(1), thing_look(1, Style())["linestyle"]
+    (True, 'solid')
     """
-    return spring_look(place, style) | {"markerfacecolor": style.paper}
-
-
-def spring_look(place: int, style: Style) -> Look:
-    """The line of a spring or converter: ink, too, with a full sign.
-
-    Dash and sign alike for nobody of the next thirty-five, whatever colours one sees.
-    """
-    return {
-        "color": style.ink,
-        "linestyle": DASHES[place % len(DASHES)],
-        "marker": SIGNS[place % len(SIGNS)],
-        "markersize": 4.5,
-        "markeredgewidth": 0.9,
-    }
+    return {"color": style.colour(number), "linestyle": style.dash(number)}
 
 
 def loss_look(place: int, style: Style) -> Look:

@@ -24,6 +24,8 @@ LEAST_POINT_DISTANCE = 1e-3
 """Of two points of a lever, as part of its length, where room between them is divided by it."""
 SAME_RUN_SPEED = 1e-6
 """Speeds are the same, and a torque is none, to this part of the largest."""
+NO_RUN_TORQUE = 1e-9
+"""A torque that is always less, as part of the largest of all, is rounding."""
 SAME_CURVE = 1e-9
 """Curves whose values differ by no more than this part of the largest are one."""
 SAME_FREQUENCY = 0.005

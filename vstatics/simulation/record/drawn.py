@@ -10,6 +10,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, first_largest
 from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.record.beside import Tables, beside, chosen, joined
 from vstatics.simulation.record.curves import (
     CurveRanges,
     Curves,
@@ -67,6 +68,8 @@ class DrawnRun:
         self.table, self.every = MotionColumns(system, asked), every
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
+        self.beside: Tables = {}
+        """What is known at these times besides; no time is kept for its sake."""
         self._of: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
@@ -85,13 +88,16 @@ class DrawnRun:
             if len(times):
                 added[course.piece].append((times, course.states(times)))
         all_times, all_columns = [self.times], [self.columns]
+        all_beside = [self.beside] if self.beside else []
         for piece, more in zip(pieces, added, strict=True):
             times = np.concatenate([piece.times, *(one for one, _ in more)])
             states = np.hstack([np.array(piece.states).T, *(one for _, one in more)])
             order = np.argsort(times, kind="stable")
             all_times.append(times[order])
             all_columns.append(self.table.at(piece, times[order], states[:, order]))
+            all_beside.append(beside(piece.motion, times[order], states[:, order]))
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
+        self.beside = joined(all_beside)
         if len(self.times) > most:
             self._thin(most if hurried else most // 2)
             self._is_thin = True
@@ -103,6 +109,7 @@ class DrawnRun:
         room = max(1, most - int(kept.sum()))
         kept[others[:: -(-len(others) // room) or 1]] = True
         self.times, self.columns = self.times[kept], self.columns[:, kept]
+        self.beside = chosen(self.beside, kept)
 
     def _needed(self) -> Booleans:
         """Ends, extremes, where something begins or jumps, multiples of the step."""

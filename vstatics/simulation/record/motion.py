@@ -106,6 +106,8 @@ class Motion(NamedTuple):
         Columns that were asked for, by table and row.
     damage : mapping of str to DeviceDamage
         Of devices that have a fatigue strength.
+    beside : mapping of str to mapping of str to ndarray, shape (instants,)
+        What pictures show besides, as of `record.beside`; none of the method `tarasik`.
     """
 
     time: Floats
@@ -124,3 +126,4 @@ class Motion(NamedTuple):
     stopped: Problem | None = None
     asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
+    beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})

@@ -17,6 +17,7 @@ from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import energy_account
+from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
 from vstatics.simulation.record.pieces import Piece, peaks
@@ -264,6 +265,7 @@ class Record:
             stopped,
             asked,
             damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
+            chosen(self.drawn.beside, kept),
         )
 
     def _tell_shared(self, equations: Equations) -> None:
