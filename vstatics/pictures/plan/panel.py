@@ -180,20 +180,26 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     return GearRow(turned, upright=True, height=widest(one.text for one in turned))
 
 
-def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> None:
-    """A plan with all its labels but those of ordinates; heads as high [pt] as those beside it."""
+def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float, left: float) -> None:
+    """A plan with all its labels but those of ordinates.
+
+    Parameters
+    ----------
+    above, left : float
+        From the axes to its heads, which begin like those beside it. [pt]
+    """
     pen.frame()
     _draw_rays(pen, case, one.plan)
     _draw_gears(pen, case, one.plan)
     beside(pen, "left", one.ends(pen.style))
     along(pen, "top", one.top.labels, upright=one.top.upright)
     along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
-    left, top = -one.left(pen.style), pen.size[1] + above
+    top = pen.size[1] + above
     if one.head:
-        pen.text(left, top, one.head, bold=True, **BELOW)
+        pen.text(-left, top, one.head, bold=True, **BELOW)
         top -= height(one.head) + 2
     if one.note:
-        pen.text(left, top, one.note, color=pen.style.soft, **BELOW)
+        pen.text(-left, top, one.note, color=pen.style.soft, **BELOW)
 
 
 def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:

@@ -194,7 +194,7 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
             said = [*one.plan.engaged, *one.plan.given]
             group = pen.within("panel", gears=_json(names), engaged=_json(said))
             panel = group.panel((x, bottom), (sheet.wide, row.high), one.x, one.y)
-            draw_plan(panel, sheet.case, one, row.above)
+            draw_plan(panel, sheet.case, one, row.above, sheet.left)
             panel.scale("right", one.ticks(), _numbers(drawn, one), grid=True)
             is_lowest = below is None or column >= len(below.plans)
             is_last = column == len(row.plans) - 1
