@@ -16,6 +16,7 @@ import pytest
 
 from tests.chance import some
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
+from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import FORMATS, PICTURES, Format, picture, render, settings_of
@@ -24,8 +25,6 @@ from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")
-WITHOUT_PLAN = ("wheel-hub.yaml", "wolfrom.yaml")
-"""One degree of freedom, and nothing that shifts."""
 
 
 def result(name: str) -> Results:

@@ -20,7 +20,7 @@ from vstatics.pictures.boxes.picture import draw_boxes, render_boxes
 from vstatics.pictures.boxes.points import box_scale
 from vstatics.pictures.boxes.stick import stick_diagram
 from vstatics.pictures.schemes.bare import bare_stick
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import box_case
 from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
@@ -156,3 +156,30 @@ def test_the_same_boxes_give_the_same_picture() -> None:
     for form in ("svg", "png", "pdf"):
         first, again = (render_boxes(listing, form, Style("ru", dark=True)) for _ in range(2))
         assert first == again
+
+
+def test_a_diagram_has_the_ratios_of_its_box_and_their_spread() -> None:
+    """Those of the document, the spread over its forward gears."""
+    document = simpson()
+    ratios = {name: gear["ratio"] for name, gear in document["boxes"][0]["gears"].items()}
+    forward = [ratio for ratio in ratios.values() if ratio > 0]
+    said = " ".join(words(drawn(document))).replace("−", "-")
+    for name, ratio in ratios.items():
+        assert f"{name}: {ratio:.3f}" in said
+    assert f"spread {max(forward) / min(forward):.3f}" in said
+
+
+@pytest.mark.slow
+def test_diagrams_go_on_on_further_pages_of_a_width() -> None:
+    listing, style = listing_of(many(200)), Style(height=PAGE_HEIGHT)
+    with settings_of(style):
+        pages = draw_boxes(listing, style, drawn_boxes(listing, 8))
+    assert len(pages) > 1
+    headings = [one for page in pages for one in words(page) if "   family " in one]
+    assert [int(one.split()[0]) for one in headings] == [
+        box.number for box in drawn_boxes(listing, 8)
+    ]
+    for page in pages:
+        wide, high = 72 * page.get_size_inches()
+        assert wide <= style.width
+        assert high <= style.height

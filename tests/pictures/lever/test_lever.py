@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Any
 
 import numpy as np
@@ -20,12 +20,17 @@ from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, solve
 from vstatics.pictures import picture, render, settings_of
 from vstatics.pictures.lever.gear import in_gear
+from vstatics.pictures.lever.joined import LeverRoute, routes
 from vstatics.pictures.lever.order import ordered
 from vstatics.pictures.lever.picture import each
+from vstatics.pictures.lever.places import LeverPage, page_of
 from vstatics.pictures.lever.points import levers, shafts
+from vstatics.pictures.sheet.labels import Segment
 from vstatics.pictures.sheet.style import Style
 
 NAMES = [path.name for path in SHIPPED]
+DRAWN = [name for name in NAMES if name != "moskvich-start.yaml"]
+"""The other one has no set."""
 
 
 def result(name: str) -> Results:
@@ -138,7 +143,7 @@ def test_a_lever_that_shows_the_same_refers_to_the_gear_before() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", some([name for name in NAMES if name != "moskvich-start.yaml"]))
+@pytest.mark.parametrize("name", some(DRAWN))
 def test_no_text_of_levers_covers_another(name: str) -> None:
     is_other = NAMES.index(name) % 2 == 1
     style = Style("ru" if is_other else "en", merged=is_other)
@@ -162,9 +167,9 @@ def test_the_key_tells_what_occurs_and_nothing_else() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["zf-9hp48.yaml", "driveline-8hp70.yaml", "two-stage.yaml"])
+@pytest.mark.parametrize("name", some(DRAWN))
 def test_no_line_runs_through_a_text(name: str) -> None:
-    """But below a text with paper around its letters: names of brakes, clutches, springs."""
+    """Names of ties are texts as others; only names of brakes have paper around their letters."""
     with settings_of(Style()):
         results = result(name)
         gears = [(n,) for n in range(1, len(results.case.gears) + 1)]
@@ -186,6 +191,99 @@ def crossed(figure: Figure) -> Iterator[str]:
             box = text.get_window_extent(renderer).padded(-1, -2)
             if any(Path(np.array(one)).intersects_bbox(box, filled=False) for one in ends):
                 yield text.get_text()
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_points_stand_at_their_ratios(name: str) -> None:
+    """On a lever heights go with positions, in one direction or the other."""
+    for cell in page(name).cells:
+        if cell.lever.ratio is None and len(cell.rows) > 2:
+            (low, first), *others, (high, last) = sorted(cell.rows.items())
+            places = [node.position for node in cell.lever.nodes]
+            scale = (last.at - first.at) / (places[high] - places[low])
+            for node, row in others:
+                expected = first.at + scale * (places[node] - places[low])
+                assert row.at == pytest.approx(expected, abs=1e-9)
+
+
+def page(name: str) -> LeverPage:
+    """Where the levers of a shipped case stand."""
+    found = page_of(result(name).case, Style())
+    assert found is not None
+    return found
+
+
+def routes_of(name: str) -> Iterator[list[LeverRoute]]:
+    """The lines between levers in each gear."""
+    results, drawn = result(name), page(name)
+    for number in range(1, len(results.case.gears) + 1):
+        yield routes(drawn, in_gear(results, number, drawn.levers).ties)
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_what_rises_between_levers_has_a_place_of_its_own(name: str) -> None:
+    """In no gear are two lines upright at one place."""
+    for found in routes_of(name):
+        pieces = [pairwise(piece) for route in found for piece in route.pieces]
+        upright = [
+            (band, round(x, 6))
+            for piece in pieces
+            for (band, (x, y)), (_, (x2, y2)) in piece
+            if x == x2 and y != y2
+        ]
+        assert len(set(upright)) == len(upright)
+
+
+@pytest.mark.parametrize("name", ["gm-thm440.yaml", "mercedes-5g.yaml", "mercedes-7g.yaml"])
+def test_levers_are_turned_over_where_no_line_crosses_then(name: str) -> None:
+    """Counted from the places of all lines; as the levers of these boxes come, they cross."""
+    for found in routes_of(name):
+        lines = [
+            (route.tie, band, (start, end))
+            for route in found
+            for piece in route.pieces
+            for (band, start), (_, end) in pairwise(piece)
+        ]
+        for (tie, band, one), (other_tie, other_band, other) in combinations(lines, 2):
+            assert tie == other_tie or band != other_band or not meet(one, other)
+
+
+def meet(one: Segment, other: Segment) -> bool:
+    """Whether an upright line runs through a level one, not only to it."""
+    for (start, end), (left, right) in ((one, other), (other, one)):
+        low, high = sorted((start[1], end[1]))
+        is_across = left[1] == right[1] and left[0] < start[0] < right[0]
+        if start[0] == end[0] and is_across and low < left[1] < high:
+            return True
+    return False
+
+
+def test_a_freewheel_has_its_sign_where_it_holds() -> None:
+    """TH400: the low roller clutch holds in gear 1, the rear band in R (its table of gears)."""
+    keys = [drawn_text("simpson-th400.yaml", gear) for gear in (1, 4)]
+    assert ["freewheel that holds" in key for key in keys] == [True, False]
+    assert ["held by a brake" in key for key in keys] == [False, True]
+
+
+@pytest.mark.parametrize("titled", [True, False])
+def test_the_ratio_is_the_largest_text(titled: bool) -> None:
+    results = result("zf-8hp70.yaml")
+    figure = picture(results, "lever", Style(titled=titled), [3])
+    found: list[Any] = figure.findobj(Text)
+    largest = max(found, key=lambda text: text.get_fontsize())
+    assert largest.get_text() == f"i = {results.ratio[2]:.3f}"
+
+
+def test_levers_of_a_gear_go_on_in_the_next_row() -> None:
+    """8HP70 on 170 mm: a line that is cut goes on as high as it ends, in the next row."""
+    assert page("zf-8hp70.yaml").bands == [[0, 1], [2, 3]]
+    third = list(routes_of("zf-8hp70.yaml"))[2]
+    cut = [route for route in third if len(route.pieces) > 1]
+    assert len(cut) == 3  # ring 2, carrier 1, and C from the input to ring 3
+    for route in cut:
+        for piece, following in pairwise(route.pieces):
+            (band, (_, end)), (after, (_, start)) = piece[-1], following[0]
+            assert (after, start) == (band + 1, end)
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ import pytest
 from tests.commands import CASES
 from tests.pictures.drawn import titled
 from tests.pictures.test_pictures import overlaps
-from vstatics import CaseError, Results, load, solve
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
@@ -146,14 +146,20 @@ def test_a_run_is_on_the_plan_of_what_sticks(results: Results) -> None:
     assert [float(through.output[place]) for place in (0, -1)] == pytest.approx([0.0, 0.4])
 
 
-def test_a_run_leaves_a_plan_whose_speeds_it_does_not_have(results: Results) -> None:
-    [plan] = plans(results)
-    half = len(run().time) // 2
-    speeds = run().speeds.copy()
-    speeds[half:, 1] += 1.0
-    through = course(results.case, plan, run()._replace(speeds=speeds))
-    assert not through.on_plan[half:].any()
-    assert np.isnan(through.masked(through.output, on_plan=True)[half:]).all()
+def test_a_run_leaves_a_plan_whose_element_slips() -> None:
+    """Two sets in a row: the plan of the second brake ends where this slips, from the half on."""
+    sets = [Mechanism(1, 2, 3, -2.0), Mechanism(3, 4, 5, -2.0)]
+    brakes = [ShiftElement(2), ShiftElement(4), ShiftElement(1, 3)]
+    gears = [Gear([1, 2]), Gear([3, 2])]
+    case = Transmission(5, brakes, sets, gears, output=5)
+    [plan] = plans(solve(case))
+    time = np.linspace(0.0, 1.0, 11)
+    speeds = np.ones((11, 5))
+    speeds[:, 3] = np.where(time < 0.5, 0.0, 0.1)
+    motion = run()._replace(time=time, links=("1", "2", "3", "4", "5"), speeds=speeds)
+    through = course(case, plan, motion)
+    assert through.on_plan.tolist() == (time < 0.5).tolist()
+    assert np.isnan(through.masked(through.output, on_plan=True)[time >= 0.5]).all()
 
 
 def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Results) -> None:

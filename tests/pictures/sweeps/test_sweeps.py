@@ -13,7 +13,7 @@ from tests.commands import CASES, vstatics
 from tests.pictures.drawn import texts, titled
 from vstatics.errors import CaseError
 from vstatics.pictures import settings_of
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.pictures.sweeps import curves, histogram, map  # noqa: A004
 from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.readers import sweep_tables
@@ -207,3 +207,26 @@ def test_samples_become_histograms_of_what_differs(tmp_path: Path) -> None:
     assert "work" not in names  # 0 in all runs
     ran = vstatics("plot", str(runs), "-k", "histogram", "--x", "work", "-o", str(to))
     assert (ran.status, "columns of --y" in ran.err) == (2, True)
+
+
+def test_panels_go_on_on_further_pages_of_a_width() -> None:
+    """Nine gears, of which each has a map; nine columns, of which each has a panel of curves."""
+    gears = [f"gear {n}" for n in range(1, 10)]
+    rows = [(x, y, gear) for x in (1.0, 2.0) for y in (1.0, 2.0) for gear in gears]
+    text = "variant,x,y,status,gear,z\n" + "".join(
+        f"{n // 9},{x},{y},ok,{gear},{x * y}\n" for n, (x, y, gear) in enumerate(rows)
+    )
+    columns = {"x": [1.0, 2.0], **{gear: [1.0, 2.0] for gear in gears}}
+    asked = DrawnColumns(y=gears)
+    style = Style(height=PAGE_HEIGHT)
+    with settings_of(style):
+        maps = map.draw(sweep_tables.read(text.encode(), "s.csv"), style, DrawnColumns())
+        lines = curves.draw(WrittenSweep([0, 1], ["ok"] * 2, columns, ("x",)), style, asked)
+    for figures in (maps, lines):
+        said = [one for figure in figures for one in texts(figure)]
+        assert sorted(one for one in said if one in gears) == gears
+        assert len(figures) > 1
+        for figure in figures:
+            wide, high = 72 * figure.get_size_inches()
+            assert wide <= style.width
+            assert high <= style.height

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
+from itertools import accumulate
+from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -11,37 +12,61 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import Format, settings_of, written
-from vstatics.pictures.boxes.points import POINTS_SCALE_WIDTH, draw_points
-from vstatics.pictures.schemes.bare import bare_stick
-from vstatics.pictures.sheet.labels import width, wrapped
+from vstatics.pictures.boxes.points import (
+    POINTS_SCALE_WIDTH,
+    draw_points,
+    families_width,
+    points_words,
+)
+from vstatics.pictures.schemes.bare import BareStick, bare_stick
+from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point, wrapped
 from vstatics.pictures.sheet.pen import Pen, blank
-from vstatics.pictures.sheet.style import SMALL_NUMBER, Style
+from vstatics.pictures.sheet.style import MARGIN, SIZE, SMALL_NUMBER, Style, number
 from vstatics.pictures.sheet.words import term
 from vstatics.summary.contrast import letters
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
 
-A4_WIDTH = 595.0
-"""Of the page: A4. [pt]"""
-BOXES_MARGIN = 26.0
-POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 210.0, 340.0
+POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
 """Of the axes, over diagrams or alone. [pt]"""
 BOXES_SCALE_HEIGHT = 34.0
 """For the scale. [pt]"""
-FAMILIES_WIDTH = 118.0
-"""For the families. [pt]"""
-BOXES_HEAD_HEIGHT = 40.0
-"""For what stands over the axes. [pt]"""
 CAPTION_LINE_HEIGHT = 11.0
 """From line to line. [pt]"""
 MOST_DRAWN_DIAGRAMS = 8
-"""So many diagrams have room on a page."""
+"""So many diagrams are drawn."""
 DIAGRAMS_SIDE_BY_SIDE = 2
-DIAGRAM_GAP = 18.0
+DIAGRAM_GAP = 16.0
 """Between diagrams. [pt]"""
 LARGEST_DIAGRAM_SCALE = 0.62
 """Scale of a diagram, at most."""
-DIAGRAM_LETTERS = 1.5
-"""Size of letters in a diagram over what they would have."""
+
+
+class BoxCell(NamedTuple):
+    """A diagram with what stands over it; lengths in points."""
+
+    heading: str
+    caption: Sequence[str]
+    stick: BareStick
+    part: float
+    """Its scale."""
+
+    @property
+    def size(self) -> Point:
+        """Of all of it."""
+        wide, high = (self.part * length for length in self.stick.size)
+        return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
+
+    def draw(self, page: Pen, x: float, top: float, room: float) -> None:
+        """At its left upper corner, the diagram in the middle of its room."""
+        page.text(x, top, self.heading, bold=True, va="top")
+        y = top
+        for line in self.caption:
+            y -= CAPTION_LINE_HEIGHT
+            page.text(x, y, line, color=page.style.soft, va="top")
+        wide, high = (self.part * length for length in self.stick.size)
+        corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
+        pen = page.panel(corner, (wide, high))
+        self.stick.drawn(within=pen._replace(letters=SMALL_NUMBER / (SIZE * self.part)))
 
 
 def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:
@@ -69,7 +94,7 @@ def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
-    """Points of all boxes over the diagrams of some.
+    """Points of all boxes over the diagrams of some, which go on on further pages.
 
     Raises
     ------
@@ -78,48 +103,65 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
     """
     if not drawn:
         raise CaseError("E009", "no box was found, so there is nothing to draw")
-    count, gap = DIAGRAMS_SIDE_BY_SIDE, DIAGRAM_GAP
-    room = (A4_WIDTH - 2 * BOXES_MARGIN - (count - 1) * gap) / count
-    cases = [box.transmission() for box in drawn]
-    sticks = [bare_stick(case, style, is_small=True) for case in cases]
-    part = min(LARGEST_DIAGRAM_SCALE, *(room / stick.size[0] for stick in sticks))
-    captions = [_caption(*both, room, style) for both in zip(drawn, cases, strict=True)]
-    heights = [
-        stick.size[1] * part + CAPTION_LINE_HEIGHT * (1 + len(lines))
-        for stick, lines in zip(sticks, captions, strict=True)
-    ]
-    rows = [max(heights[at : at + count]) for at in range(0, len(heights), count)]
-    page = _page(listing, drawn, sum(rows) + gap * len(rows), POINTS_HEIGHT, style)
-    top = sum(rows) + gap * (len(rows) - 1) + BOXES_MARGIN
-    for place, (box, stick, lines) in enumerate(zip(drawn, sticks, captions, strict=True)):
-        row, column = divmod(place, count)
-        x, y = BOXES_MARGIN + column * (room + gap), top - sum(rows[:row]) - gap * row
-        family = f"{box.number}   {term('family', style)} {box.family}"
-        page.text(x, y, family, bold=True, va="top")
-        for line in lines:
-            y -= CAPTION_LINE_HEIGHT
-            page.text(x, y, line, color=style.soft, size=SMALL_NUMBER, va="top")
-        wide, high = (part * length for length in stick.size)
-        corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
-        stick.drawn(within=page.panel(corner, (wide, high))._replace(letters=DIAGRAM_LETTERS))
-    return [page.figure]
+    count = DIAGRAMS_SIDE_BY_SIDE
+    room = (style.width - 2 * MARGIN - (count - 1) * DIAGRAM_GAP) / count
+    cells = [_cell(box, room, style) for box in drawn]
+    rows = [cells[at : at + count] for at in range(0, len(cells), count)]
+    high = [max(cell.size[1] for cell in row) for row in rows]
+    over = _page(listing, drawn, 0.0, POINTS_HEIGHT, style).figure.get_figheight() * POINTS_PER_INCH
+    figures: list[Figure] = []
+    while rows:
+        above = 2 * MARGIN if figures else over
+        fit = sum(total + above <= style.height for total in accumulate(high)) or int(bool(figures))
+        below = sum(high[:fit])
+        page = (
+            blank(style.width, below + 2 * MARGIN, style)
+            if figures
+            else _page(listing, drawn, below, POINTS_HEIGHT, style)
+        )
+        top = below + MARGIN
+        for row, tall in zip(rows[:fit], high[:fit], strict=True):
+            for column, cell in enumerate(row):
+                cell.draw(page, MARGIN + column * (room + DIAGRAM_GAP), top, room)
+            top -= tall
+        figures.append(page.figure)
+        rows, high = rows[fit:], high[fit:]
+    return figures
+
+
+def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
+    """A box in a width [pt]."""
+    case = box.transmission()
+    stick = bare_stick(case, style, is_small=True)
+    part = min(LARGEST_DIAGRAM_SCALE, room / stick.size[0])
+    heading = f"{box.number}   {term('family', style)} {box.family}"
+    return BoxCell(heading, _caption(box, case, room, style), stick, part)
 
 
 def _page(
     listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
 ) -> Pen:
     """The points in axes so high, on a page with so much room below them [pt]."""
-    low = BOXES_MARGIN + below + BOXES_SCALE_HEIGHT
-    page = blank(A4_WIDTH, low + high + BOXES_HEAD_HEIGHT + BOXES_MARGIN, style)
-    wide = A4_WIDTH - 2 * BOXES_MARGIN - POINTS_SCALE_WIDTH - FAMILIES_WIDTH
-    draw_points(page.panel((BOXES_MARGIN + POINTS_SCALE_WIDTH, low), (wide, high)), listing, drawn)
+    low = MARGIN + below + BOXES_SCALE_HEIGHT
+    families = families_width(listing, drawn, style)
+    wide = style.width - 2 * MARGIN - POINTS_SCALE_WIDTH - families
+    words = points_words(listing, style.width - 2 * MARGIN, style, has_more=True)
+    page = blank(style.width, low + high + words.high + MARGIN, style)
+    pen = page.panel((MARGIN + POINTS_SCALE_WIDTH, low), (wide, high))
+    draw_points(pen, listing, drawn)
     return page
 
 
 def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> list[str]:
-    """What stands over a diagram, below its heading: figures, and the names of its letters."""
+    """What stands over a diagram, below its heading: ratios, figures, names of its letters."""
     names = [element.name for element in case.shift_elements]
     called = zip(letters(len(names)), names, strict=True)
+    ratios = {name: gear.ratio for name, gear in box.gears.items()}
+    said = [f"{name}: {number(ratio)}" for name, ratio in ratios.items()]
+    forward = [ratio for ratio in ratios.values() if ratio > 0]
+    spread = [f"{style.text('spread', 'диапазон')} {number(max(forward) / min(forward))}"] * (
+        len(forward) > 1
+    )
     figures = (
         (style.text("loss", "потери"), f"{100 * box.loss:.2f} %"),
         (term("torque", style), f"{box.torque:.2f}"),
@@ -129,8 +171,8 @@ def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> l
         (style.text("clutches", "муфты"), f"{box.clutches}"),
     )
     texts = (
-        ", ".join(f"{name} {number}".replace("nan", "–") for name, number in figures),
+        "; ".join([", ".join(said), *spread]),
+        ", ".join(f"{name} {value}".replace("nan", "–") for name, value in figures),
         ", ".join(map(" ".join, called)),
     )
-    measure = partial(width, size=SMALL_NUMBER)
-    return [line for text in texts for line in wrapped(text, room, measure).split("\n")]
+    return [line for text in texts for line in wrapped(text, room).split("\n")]

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from vstatics.pictures.boxes.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Span, ticks, widest
+from vstatics.pictures.sheet.labels import (
+    LINE_HEIGHT,
+    Span,
+    height,
+    ticks,
+    title_width,
+    widest,
+    wrapped,
+)
+from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
 from vstatics.pictures.sheet.words import term
@@ -28,7 +38,11 @@ POINTS_SCALE_WIDTH = 40.0
 """From the words over the axes to these. [pt]"""
 LOGARITHMIC_RATIO = 8.0
 """A scale is logarithmic if the largest value is so many times the smallest."""
-Look = tuple[str, str]
+BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
+"""From the axes to the signs of families, from these to their names. [pt]"""
+OVER_AXES = 12.0
+"""From the axes to the words over them. [pt]"""
+PointLook = tuple[str, str]
 """Colour and marker."""
 
 
@@ -51,11 +65,7 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
     x, y = box_scale([box.torque for box in boxes]), box_scale([100 * box.loss for box in boxes])
     pen = pen._replace(x=x, y=y)
     _scales(pen)
-    families = dict.fromkeys(box.family for box in drawn)
-    looks = {
-        family: (style.colour(place), MARKERS[place % len(MARKERS)])
-        for place, family in enumerate(families)
-    }
+    looks = _looks(drawn, style)
     spots = list(_spots(pen, boxes))
     alike = grouped(
         ((looks.get(one.boxes[0].family), any(box.pareto for box in one.boxes)), one)
@@ -65,14 +75,23 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
         for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
             _draw_spots(pen, some, look, is_pareto=is_pareto)
     has_more = number_spots(pen, spots, {box.number for box in drawn})
-    _draw_words(pen, listing, has_more=has_more)
-    _draw_families(pen, listing, looks)
+    room = POINTS_SCALE_WIDTH + pen.size[0] + families_width(listing, drawn, style)
+    points_words(listing, room, style, has_more=has_more).draw(pen)
+    _draw_families(pen, _families(listing, looks, style))
+
+
+def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
+    """Of the families of boxes with a diagram."""
+    return {
+        family: (style.colour(place), MARKERS[place % len(MARKERS)])
+        for place, family in enumerate(dict.fromkeys(box.family for box in drawn))
+    }
 
 
 def _scales(pen: Pen) -> None:
     numbers, text = _ticks(pen.y, 8), pen.style.text
     pen.scale("left", numbers, grid=True)
-    pen.scale("bottom", _ticks(pen.x, 10), grid=True)
+    pen.scale("bottom", _ticks(pen.x, 8), grid=True)
     pen.frame("left", "bottom")
     torque = text(
         "largest torque of an engaged element / input torque",
@@ -124,7 +143,9 @@ def _spots(pen: Pen, boxes: Sequence[ListedBox]) -> Iterable[BoxPoint]:
     return found.values()
 
 
-def _draw_spots(pen: Pen, spots: Sequence[BoxPoint], look: Look | None, *, is_pareto: bool) -> None:
+def _draw_spots(
+    pen: Pen, spots: Sequence[BoxPoint], look: PointLook | None, *, is_pareto: bool
+) -> None:
     style, (colour, marker) = pen.style, look or (pen.style.faint, "o")
     edge, thick = (style.ink, 1.2) if is_pareto else (style.paper, 0.4)
     pen.line(
@@ -148,10 +169,29 @@ def _said(spot: BoxPoint, style: Style) -> str:
     return f"{numbers}: {family}, {loss}, {term('torque', style)} {first.torque:.2f}"
 
 
-def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
-    """What stands over the axes."""
+class PointsWords(NamedTuple):
+    """What stands over the axes, each in lines."""
+
+    title: str
+    notes: str
+
+    @property
+    def high(self) -> float:
+        """With the gap to the axes [pt]."""
+        title_high = height(self.title, TITLE) if self.title else 0.0
+        return OVER_AXES + height(self.notes) + title_high
+
+    def draw(self, pen: Pen) -> None:
+        """Over the axes, from the left of their scale."""
+        x, y = -POINTS_SCALE_WIDTH, pen.size[1] + OVER_AXES
+        look: Look = {"va": "bottom", "linespacing": LINE_HEIGHT}
+        pen.text(x, y, self.notes, color=pen.style.soft, **look)
+        pen.text(x, y + height(self.notes) + 2, self.title, size=TITLE, bold=True, **look)
+
+
+def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
+    """What stands over the axes in a width [pt]; whether a place has more boxes than one."""
     found, families, searched = len(listing.boxes), len(listing.families), listing.searched
-    style, y = pen.style, pen.size[1] + 14
     together = "family" if families == 1 else "families"
     said = style.text(
         f"{searched} looked at, {families} {together} with equal ratios",
@@ -165,15 +205,23 @@ def _draw_words(pen: Pen, listing: BoxListing, *, has_more: bool) -> None:
     if has_more:
         more = style.text("+1: one more at this place", "+1: ещё одна на этом месте")
         notes.append(more)
-    if style.titled:
-        title = style.text(f"Found boxes: {found}", f"Найденные схемы: {found}")
-        pen.text(-POINTS_SCALE_WIDTH, y + 13, title, size=TITLE, bold=True, va="bottom")
-    pen.text(-POINTS_SCALE_WIDTH, y, "; ".join(notes), color=style.soft, va="bottom")
+    title = style.text(f"Found boxes: {found}", f"Найденные схемы: {found}")
+    return PointsWords(
+        wrapped(title, room, title_width) * style.titled, wrapped("; ".join(notes), room)
+    )
 
 
-def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> None:
+def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> float:
+    """That the names of families need beside the axes [pt]."""
+    entries = _families(listing, _looks(drawn, style), style)
+    return BESIDE_POINTS + TO_FAMILY + widest(text for _, _, text in entries)
+
+
+def _families(
+    listing: BoxListing, looks: Mapping[int, PointLook], style: Style
+) -> list[tuple[PointLook, str, str]]:
     """The families that have a colour, how many are grey, what has a dark edge."""
-    families, style = listing.families, pen.style
+    families = listing.families
     entries = [
         (look, style.paper, f"{term('family', style)} {family} ({len(families[family])})")
         for family, look in looks.items()
@@ -185,7 +233,11 @@ def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> 
     if any(box.pareto for box in listing.boxes):
         pareto = style.text("Pareto list", "список Парето")
         entries.append(((style.paper, "o"), style.ink, pareto))
-    x, step = pen.size[0] + 14, min(13.0, pen.size[1] / len(entries))
+    return entries
+
+
+def _draw_families(pen: Pen, entries: Sequence[tuple[PointLook, str, str]]) -> None:
+    x, step = pen.size[0] + BESIDE_POINTS, min(13.0, pen.size[1] / max(len(entries), 1))
     for row, ((colour, marker), edge, text) in enumerate(entries):
         y = pen.size[1] - 4 - step * row
         pen.line(
@@ -196,4 +248,4 @@ def _draw_families(pen: Pen, listing: BoxListing, looks: Mapping[int, Look]) -> 
             markersize=LARGE_SPOT - 1,
             linestyle="",
         )
-        pen.text(x + 8, y, text, va="center")
+        pen.text(x + TO_FAMILY, y, text, va="center")

@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from vstatics.pictures.lever.gear import LeverGear
-from vstatics.pictures.lever.marks import LeverSheet, arrow, box, coil, ground, mark_of, plates
+from vstatics.pictures.lever.joined import LeverRoute
+from vstatics.pictures.lever.marks import (
+    LeverSheet,
+    arrow,
+    box,
+    coil,
+    cut,
+    freewheel,
+    ground,
+    mark_of,
+    plates,
+)
 from vstatics.pictures.lever.places import (
     BESIDE_LEVER,
+    FREEWHEEL_WIDTH,
     GROUND_WIDTH,
     LeverCell,
     LeverPage,
-    LeverRoute,
-    LeverRow,
+    any_freewheel,
     link_name,
 )
+from vstatics.pictures.lever.routes import BESIDE_SIGN, LeverRow
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number
@@ -91,7 +104,10 @@ def lever_names(
     page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
 ) -> list[str]:
     """What stands over each lever in a gear, in lines that end before the next lever."""
-    ends = [*(cell.left - BESIDE_LEVER for cell in page.cells[1:]), end]
+    ends = [
+        after.left - BESIDE_LEVER if after and after.band == cell.band else end
+        for cell, after in zip(page.cells, [*page.cells[1:], None], strict=True)
+    ]
     found: list[str] = []
     for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
         said = [cell.lever.name]
@@ -167,7 +183,7 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     if cell.lever.devices:
         said += f", {quantity('torque', torque, view.style)}"
     where: Look = {"va": "bottom", "color": view.ink, "linespacing": 1.1}
-    text(cell.left, y + 2.5, row.name, title=said, **where)
+    text(cell.left, y + 3.5, row.name, title=said, **where)
     if view.same is None:
         if torque != 0:
             text(cell.at - BESIDE_LEVER, y - 4.5, number(torque), ha="right", va="top")
@@ -176,8 +192,11 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
-    """What holds a point, with the names of its brakes."""
+    """What holds a point, with the names of its brakes; a freewheel by its sign."""
     style, x, y = view.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
+    if any_freewheel(view.sheet.page.case, name.split(", ")):
+        freewheel(view.sheet, (x + 1, y))
+        x += FREEWHEEL_WIDTH
     ground(view.sheet, (x, y), style.engaged if name else style.ink)
     if name:
         said, where = _carried(view.gear, name, style), (x + GROUND_WIDTH - 8, y + 1.5)
@@ -191,19 +210,51 @@ def _carried(gear: LeverGear, names: str, style: Style) -> str:
     return ", ".join(f"{one}: {quantity('torque', gear.carried[one], style)}" for one in own)
 
 
-def draw_route(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
-    """The line of a link, a clutch or a spring between levers."""
+def draw_route(
+    sheet: LeverSheet, gear: LeverGear, route: LeverRoute, feet: Mapping[int, float]
+) -> None:
+    """The line of a link, a clutch or a spring between levers, as far as their rows are there.
+
+    Parameters
+    ----------
+    feet : mapping of int to float
+        Of the rows of levers on a page.
+    """
     style, one = sheet.pen.style, route.tie
-    places = [(x, y + bottom) for x, y in route.points]
-    if not one.name:
+    if one.name:
+        is_slack = not one.is_spring and gear.is_slack(one.name)
+        colour = style.faint if is_slack else style.soft if one.is_spring else style.engaged
+        look: dict[str, Any] = {"colour": colour, "width": 1.4}
+    else:
         is_way = gear.is_way(one.link, one.ends[0][0], one.ends[1][0])
-        sheet.line(*places, **_look(one.link, style, is_way=is_way))
-        return
-    is_slack = not one.is_spring and gear.is_slack(one.name)
-    line = style.faint if is_slack else style.soft if one.is_spring else style.engaged
-    sheet.line(*places, colour=line, width=1.4)
-    x, y = route.sign[0], route.sign[1] + bottom
-    (coil if one.is_spring else plates)(sheet, (x, y))
+        look = _look(one.link, style, is_way=is_way)
+    for piece in route.pieces:
+        places = [(x, y + feet[band]) for band, (x, y) in piece if band in feet]
+        if places:
+            sheet.line(*places, **look)
+            if piece is not route.pieces[0]:
+                cut(sheet, (places[0][0] + 1, places[0][1]), look["colour"])
+            if piece is not route.pieces[-1]:
+                cut(sheet, places[-1], look["colour"])
+    if route.sign is not None and route.sign[0] in feet:
+        _draw_sign(sheet, gear, route, feet[route.sign[0]])
+
+
+def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
+    """A clutch, freewheel or spring, and its name beside it, or over it on a level line."""
+    style, one, upright = sheet.pen.style, route.tie, route.is_upright
+    assert route.sign is not None  # noqa: S101 - of who calls
+    x, y = route.sign[1][0], route.sign[1][1] + bottom
+    if one.is_spring:
+        coil(sheet, (x, y), upright=upright)
+    elif any_freewheel(sheet.page.case, [one.name]):
+        freewheel(sheet, (x, y), upright=upright)
+    else:
+        plates(sheet, (x, y), upright=upright)
     said, ink = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
-    at = x, y + 6.5
-    sheet.pen.text(*at, one.name, title=said, ha="center", va="bottom", color=ink, over=True)
+    if upright:
+        where: Look = {"ha": "left", "va": "center"}
+        sheet.pen.text(x + BESIDE_SIGN, y, one.name, title=said, color=ink, **where)
+    else:
+        where = {"ha": "center", "va": "bottom"}
+        sheet.pen.text(x, y + 6.5, one.name, title=said, color=ink, over=True, **where)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING
+from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.marks import (
     MARKS,
@@ -14,16 +14,17 @@ from vstatics.pictures.lever.marks import (
     arrow,
     box,
     coil,
+    freewheel,
     ground,
     mark_of,
     plates,
 )
-from vstatics.pictures.lever.points import Lever
+from vstatics.pictures.lever.places import LeverPage, any_freewheel
 from vstatics.pictures.sheet.labels import Point, width
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style, number
 from vstatics.tables.numbers import certain
 
-KEY_ROW_HEIGHT = 15.0
+KEY_ROW_HEIGHT = 13.0
 """Height of a row of the key."""
 KEY_SIGN_WIDTH = 24.0
 """Width of what stands before a text."""
@@ -71,6 +72,9 @@ class LeverKey(NamedTuple):
             sheet.point(at, kind, style.ink)
         elif kind in ("brake", "housing"):
             ground(sheet, at, style.engaged if kind == "brake" else style.ink)
+        elif kind == "freewheel":
+            sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=style.engaged)
+            freewheel(sheet, at)
         elif kind in ("clutch", "slack", "spring"):
             lines = {"clutch": style.engaged, "slack": style.faint, "spring": style.soft}
             sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=lines[kind])
@@ -85,7 +89,7 @@ class LeverKey(NamedTuple):
 
 
 def key_of(
-    drawn: Sequence[Lever], gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
+    page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
     """The key to what occurs in some gears; an arrow of a round torque tells their scale."""
     length, unit = _unit(certain(per_torque))
@@ -96,6 +100,7 @@ def key_of(
         "port": text("speed or torque given", "задана скорость или момент"),
         "stands": text("stands", "стоит"),
         "brake": text("held by a brake", "удерживается тормозом"),
+        "freewheel": text("freewheel that holds", "муфта свободного хода держит"),
         "housing": text("housing", "корпус"),
         "clutch": text("clutch", "муфта"),
         "slack": text("engaged, without torque", "включена, без момента"),
@@ -107,7 +112,7 @@ def key_of(
         "speed": text("speed; dotted: that of the input", "скорость; пунктир: входная"),
         "pale": text("carries no torque", "без момента"),
     }
-    found = {sign for gear in gears for sign in _signs(drawn, gear)}
+    found = {sign for gear in gears for sign in _signs(page, gear)}
     return LeverKey([one for one in meanings.items() if one[0] in found], wide, length)
 
 
@@ -123,10 +128,10 @@ def _unit(per_torque: float) -> tuple[float, str]:
     return torque * per_torque, number(torque).rstrip("0").rstrip(".")
 
 
-def _signs(drawn: Sequence[Lever], gear: LeverGear) -> Iterator[str]:
+def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
     """The signs of a gear."""
     yield "speed"
-    for place, lever in enumerate(drawn):
+    for place, lever in enumerate(page.levers):
         for link in (node.link for node in lever.nodes if node.link != HOUSING):
             yield mark_of(link, gear.state, stands=gear.stands(link))
         if lever.ratio is not None:
@@ -135,8 +140,19 @@ def _signs(drawn: Sequence[Lever], gear: LeverGear) -> Iterator[str]:
             yield "torque"
         if not gear.is_loaded(place):
             yield "pale"
-    yield from ("brake" if name else "housing" for name in gear.grounds.values())
+    for names in gear.grounds.values():
+        yield from _held_by(page.case, names)
     for one in gear.ties:
-        if one.name:
-            clutch = "slack" if gear.is_slack(one.name) else "clutch"
-            yield "spring" if one.is_spring else clutch
+        if one.is_spring:
+            yield "spring"
+        elif one.name:
+            clutch = "freewheel" if any_freewheel(page.case, [one.name]) else "clutch"
+            yield "slack" if gear.is_slack(one.name) else clutch
+
+
+def _held_by(case: Transmission, names: str) -> Iterator[str]:
+    """The signs of a point that stands, by the names of its brakes."""
+    if not names:
+        yield "housing"
+    kinds = [any_freewheel(case, [name]) for name in names.split(", ") if name]
+    yield from ("freewheel" if is_freewheel else "brake" for is_freewheel in kinds)

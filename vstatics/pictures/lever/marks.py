@@ -110,18 +110,38 @@ def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
         sheet.line((x, y + up + 3), (x + 3.5, y + up), colour=colour, width=0.9)
 
 
-def plates(sheet: LeverSheet, place: Point) -> None:
-    """A clutch: two plates that face one another."""
-    x, y = place
-    for at in (x - 1.5, x + 1.5):
-        sheet.line((at, y - 5), (at, y + 5), colour=sheet.pen.style.engaged, width=1.6)
+def plates(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
+    """A clutch on a level or upright line: two plates that face one another."""
+    for off in (-1.5, 1.5):
+        ends = [_turned(place, (off, across), upright=upright) for across in (-5, 5)]
+        sheet.line(*ends, colour=sheet.pen.style.engaged, width=1.6)
 
 
-def coil(sheet: LeverSheet, place: Point) -> None:
+def coil(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
     """A spring as shaft."""
+    turns = [(-6 + 2 * step, (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
+    places = [_turned(place, one, upright=upright) for one in (*turns, (6, 0))]
+    sheet.line(*places, colour=sheet.pen.style.ink)
+
+
+def freewheel(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
+    """A freewheel that holds: a wedge against a bar."""
+    wedge = [_turned(place, one, upright=upright) for one in ((-3.5, 4), (-3.5, -4), (3, 0))]
+    sheet.area(*wedge, colour=sheet.pen.style.engaged)
+    bar = [_turned(place, (3.5, across), upright=upright) for across in (-5, 5)]
+    sheet.line(*bar, colour=sheet.pen.style.engaged, width=1.4)
+
+
+def cut(sheet: LeverSheet, place: Point, colour: str) -> None:
+    """Where a line goes on in the next row of levers, or comes from the one before."""
     x, y = place
-    turns = [(x - 6 + 2 * step, y + (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
-    sheet.line(*turns, (x + 6, y), colour=sheet.pen.style.ink)
+    sheet.line((x - 2, y + 3), (x + 1, y), (x - 2, y - 3), colour=colour, width=1.2)
+
+
+def _turned(place: Point, off: Point, *, upright: bool) -> Point:
+    """A place beside another one, along and across a line."""
+    (x, y), (along, across) = place, off
+    return (x + across, y - along) if upright else (x + along, y + across)
 
 
 def box(sheet: LeverSheet, middle: Point, size: Point, colour: str) -> None:

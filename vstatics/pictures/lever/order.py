@@ -14,6 +14,8 @@ LEVER_SEARCH_ROUNDS = 20
 """Of a search; more would change little."""
 MOVES = 60
 """The more, the farther a lever may go at once."""
+CROSSING_COST = 2.0
+"""Of two lines in all gears, over the height of a lever."""
 Order = tuple[int, ...]
 Move = Callable[[Order], Order]
 
@@ -77,7 +79,8 @@ def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
     """The height of each node of each lever, from 0 to 1, levers turned over where that helps.
 
-    Shafts stand in the mean of what they are joined to.
+    It helps where lines cross no longer, and then where they are shorter. Shafts stand in the
+    mean of what they are joined to.
     """
     both = [(own, [1 - one for one in own]) for own in map(_heights, drawn)]
     ties = [
@@ -85,13 +88,17 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
         for some, weight in ((joins(drawn), 1.0), (every(case, drawn), 0.4))
         for one in some
     ]
+    in_gears = _in_gears(case, drawn)
 
     def cost(turned: Order) -> float:
-        return sum(
-            weight * abs(both[a][turned[a]][m] - both[b][turned[b]][n])
+        heights = [pair[turn] for pair, turn in zip(both, turned, strict=True)]
+        rises = sum(
+            weight * abs(heights[a][m] - heights[b][n])
             for one, weight in ties
             for (a, m), (b, n) in (one.ends,)
         )
+        crossings = sum(crossings_of(heights, some) for some in in_gears)
+        return rises + CROSSING_COST * crossings / len(in_gears)
 
     turns = [_turn(place) for place, lever in enumerate(drawn) if len(lever.nodes) > 1]
     best = _best((0,) * len(drawn), turns, cost)
@@ -106,6 +113,47 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
             ]
             found[place] = [sum(near) / len(near) if near else 0.5]
     return found
+
+
+def _in_gears(case: Transmission, drawn: Sequence[Lever]) -> list[list[LeverTie]]:
+    """What joins levers in each gear."""
+    spots, always = spots_of(drawn), list(joins(drawn))
+    engaged = dict.fromkeys(gear.engaged for gear in case.gears)
+    elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
+    return [[*always, *ties_of(case, some, spots)] for some in elements]
+
+
+def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -> int:
+    """How often lines cross that join levers of such heights.
+
+    >>> ties = [LeverTie("", 1, ((0, 0), (1, 1))), LeverTie("", 2, ((0, 1), (1, 0)))]
+    >>> crossings_of([[0.0, 1.0], [0.0, 1.0]], ties), crossings_of([[0.0, 1.0], [1.0, 0.0]], ties)
+    (1, 0)
+    """
+    gaps: dict[int, list[tuple[float, float, bool]]] = {}
+    for one in ties:
+        (a, m), (b, n) = one.ends
+        start, end = heights[a][m], heights[b][n]
+        if b - a < 2:
+            gaps.setdefault(a, []).append((start, end, a == b))
+            continue
+        lane = (start + end) / 2
+        gaps.setdefault(a, []).append((start, lane, False))
+        gaps.setdefault(b - 1, []).append((lane, end, False))
+    return sum(_cross(*pair) for here in gaps.values() for pair in combinations(here, 2))
+
+
+def _cross(one: tuple[float, float, bool], other: tuple[float, float, bool]) -> bool:
+    """Whether two lines of a gap cross: each from a height to a height, or back to its lever."""
+    (start, end, is_back), (start2, end2, is_back2) = one, other
+    if is_back and is_back2:
+        (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
+        return low < low2 < high < high2 or low2 < low < high2 < high
+    if is_back:
+        return min(start, end) < start2 < max(start, end)
+    if is_back2:
+        return min(start2, end2) < start < max(start2, end2)
+    return (start - start2) * (end - end2) < 0
 
 
 def _turn(place: int) -> Move:

@@ -1,54 +1,37 @@
-"""Where levers, their texts and what joins them stand in a picture; lengths in points."""
+"""Where levers and their texts stand in a picture, in rows of a width; lengths in points."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Gear, Transmission
-from vstatics.pictures.lever.gear import LeverTie, Spot, brakes_of, spots_of
+from vstatics.pictures.lever.gear import Spot, brakes_of, joins, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
-from vstatics.pictures.sheet.labels import Point, Span, height, spread, widest, width, wrapped
-from vstatics.pictures.sheet.style import SHORT_NAME, SIZE, WIDE_MARGIN, Style
+from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
+from vstatics.pictures.sheet.labels import Span, height, spread, widest, width, wrapped
+from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.sheet.words import term, word
 
-ARROW = 34.0
+ARROW = 26.0
 """Of the longest torque."""
-SPEEDS = 48.0
+SPEEDS = 32.0
 """Width of the speeds of a lever."""
 NUMBER = 30.0
 """Width of a number."""
-BESIDE_LEVER = 7.0
+BESIDE_LEVER = 6.0
 """Between a lever and the rows of its points."""
-LEAST, MOST = 74.0, 125.0
-"""Height of levers."""
-UNDER = 1.25 * SIZE + 3.0
-"""Room for a number under the line of a row."""
-GROUND_WIDTH = 14.0
-"""Width of the sign of what stands."""
+LEAST, MOST = 62.0, 84.0
+"""Height of levers of three points."""
+MOST_FOR_POINT = 22.0
+"""Of each point, of levers that have many."""
+GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
+"""Width of the sign of what stands, and of a freewheel before it."""
 BRAKE = 40.0
 """Room for the name of a brake; a longer one goes on over the speeds."""
-LEAST_GAP = 34.0
-"""Between levers."""
-
-
-class LeverRow(NamedTuple):
-    """The line of a point, with its texts."""
-
-    name: str
-    """In lines."""
-    at: float
-    """Height of the point on the lever."""
-    y: float
-    """Height of the line, which gives way to its neighbours."""
-
-    @property
-    def span(self) -> Span:
-        """What its texts take of the height."""
-        return self.y - UNDER, self.y + height(self.name) + 2
 
 
 class LeverCell(NamedTuple):
@@ -64,6 +47,8 @@ class LeverCell(NamedTuple):
     """Where it ends."""
     gap: float
     """Then joins follow for so long."""
+    band: int = 0
+    """In which row of levers it stands."""
 
     @property
     def speeds(self) -> Span:
@@ -74,13 +59,7 @@ class LeverCell(NamedTuple):
     @property
     def middle(self) -> float:
         """Of the lever."""
-        heights = [row.at for row in self.rows.values()]
-        return (min(heights) + max(heights)) / 2
-
-    @property
-    def box(self) -> list[Span]:
-        """What the ratio of a pair takes of the height; a lever has none."""
-        return [(self.middle - SIZE, self.middle + SIZE)] if self.lever.ratio is not None else []
+        return middle_of(self.rows)
 
 
 class LeverPage(NamedTuple):
@@ -95,14 +74,20 @@ class LeverPage(NamedTuple):
         return [cell.lever for cell in self.cells]
 
     @property
-    def width(self) -> float:
-        """With joins behind the last lever."""
-        return self.cells[-1].right + self.cells[-1].gap
+    def bands(self) -> list[list[int]]:
+        """The levers of each row."""
+        places = range(len(self.cells))
+        last = self.cells[-1].band
+        return [[n for n in places if self.cells[n].band == band] for band in range(last + 1)]
 
     @property
-    def extent(self) -> Span:
-        """The lowest and highest of all rows."""
-        spans = [row.span for cell in self.cells for row in cell.rows.values()]
+    def width(self) -> float:
+        """With joins behind the last lever of each row."""
+        return max(cell.right + cell.gap for cell in self.cells)
+
+    def extent(self, band: int) -> Span:
+        """The lowest and highest of all rows of points in a row of levers."""
+        spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
 
     def row(self, spot: Spot) -> LeverRow:
@@ -118,26 +103,51 @@ def page_of(case: Transmission, style: Style) -> LeverPage | None:
     drawn = ordered(case, [*drawn, *shafts(case, drawn)])
     shares = heights(case, drawn)
     scale = max(_height(lever, some) for lever, some in zip(drawn, shares, strict=True))
-    cells, left = list[LeverCell](), WIDE_MARGIN
-    between = zip(drawn, shares, _held(case, drawn), _gaps(case, drawn), strict=True)
-    for lever, own, held, gap in between:
+    cells = []
+    for lever, own, held in zip(drawn, shares, _held(case, drawn), strict=True):
         rows = _rows(case, lever, own, scale, style)
         wide = widest(row.name for row in rows.values())
-        at = left + max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
+        at = max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
         speeds = SPEEDS if lever.devices else 0.0
-        right = at + BESIDE_LEVER + held + BESIDE_LEVER + NUMBER + speeds
-        cells.append(LeverCell(lever, rows, left, at, right, gap))
-        left = right + gap
-    return LeverPage(case, cells)
+        right = at + BESIDE_LEVER + held + BESIDE_LEVER * bool(held) + NUMBER + speeds
+        cells.append(LeverCell(lever, rows, 0.0, at, right, 0.0))
+    gaps = gaps_of(case, drawn, [cell.rows for cell in cells])
+    cells = [cell._replace(gap=gap) for cell, gap in zip(cells, gaps, strict=True)]
+    passing = [*joins(drawn), *every(case, drawn)]
+    cuts = [sum(one.ends[0][0] <= n < one.ends[1][0] for one in passing) for n in range(len(drawn))]
+    return LeverPage(case, list(_placed(cells, cuts, style.width - 2 * WIDE_MARGIN)))
 
 
-def _gaps(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
-    """Room behind each lever, for the names of what ties it to one on its right, or itself."""
-    found = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
-    for one in every(case, drawn):
-        place = one.ends[0][0]
-        found[place] = max(found[place], LEAST_GAP, width(one.name) + 12)
-    return found
+def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Iterator[LeverCell]:
+    """Levers side by side in as few rows as a width needs."""
+    for band, some in enumerate(broken([(one.right, one.gap) for one in cells], cuts, room)):
+        left = WIDE_MARGIN
+        for cell in (cells[n] for n in some):
+            at, right = left + cell.at, left + cell.right
+            yield cell._replace(left=left, at=at, right=right, band=band)
+            left = right + cell.gap
+
+
+def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: float) -> list[range]:
+    """Pieces of lengths, each with the gap behind it, in as few rows as there must be.
+
+    Of these so that few lines are cut, as many as pass each gap, and no row is longer than it
+    must be.
+
+    >>> broken([(40.0, 5.0)] * 4, [1] * 4, 140.0), broken([(40.0, 5.0)] * 4, [1, 1, 0, 1], 140.0)
+    ([range(0, 2), range(2, 4)], [range(0, 3), range(3, 4)])
+    """
+    best: list[tuple[int, int, float, list[range]]] = [(0, 0, 0.0, [])]
+    for end in range(1, len(sizes) + 1):
+        found = []
+        for start in range(end):
+            long = sum(wide + gap for wide, gap in sizes[start:end])
+            if long <= room or end - start == 1:
+                count, cost, most, rows = best[start]
+                rows = [*rows, range(start, end)]
+                found.append((count + 1, cost + cuts[end - 1], max(most, long), rows))
+        best.append(min(found, key=lambda one: one[:3]))
+    return best[-1][3]
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
@@ -150,8 +160,14 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
     for gear in [*case.gears, Gear(case.freewheels)]:
         for (place, _), some in brakes_of(case, gear, spots).items():
             named = min(width(", ".join(some)), BRAKE)
-            found[place] = max(found[place], GROUND_WIDTH + named)
+            sign = GROUND_WIDTH + FREEWHEEL_WIDTH * any_freewheel(case, some)
+            found[place] = max(found[place], sign + named)
     return found
+
+
+def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:
+    """Whether one of some shift elements is a freewheel."""
+    return any(one.is_freewheel and one.name in names for one in case.shift_elements)
 
 
 def _height(lever: Lever, shares: Sequence[float]) -> float:
@@ -159,7 +175,8 @@ def _height(lever: Lever, shares: Sequence[float]) -> float:
     if len(lever.nodes) < 2:
         return LEAST
     least = min(abs(one - other) for one, other in pairwise(sorted(shares)))
-    return max(LEAST, min(MOST, 2.4 * UNDER / max(least, LEAST_POINT_DISTANCE)))
+    most = max(MOST, MOST_FOR_POINT * len(shares))
+    return max(LEAST, min(most, 2.4 * UNDER / max(least, LEAST_POINT_DISTANCE)))
 
 
 def _rows(
@@ -167,7 +184,7 @@ def _rows(
 ) -> dict[int, LeverRow]:
     shown = [n for n in range(len(lever.nodes)) if lever.is_shown(n)]
     names = {n: node_text(case, lever, n, style) for n in shown}
-    heights = [height(name) + 2 for name in names.values()]
+    heights = [height(name) + 3 for name in names.values()]
     over = [(high - UNDER) / 2 for high in heights]
     wanted = [shares[n] * scale + up for n, up in zip(shown, over, strict=True)]
     middles = spread(wanted, [high + UNDER for high in heights])
@@ -190,74 +207,3 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
 def link_name(case: Transmission, link: int, style: Style) -> str:
     """The name of a link, or of the housing."""
     return case.link_name(link) if link else term("housing", style)
-
-
-LANE = 6.0
-"""Between lines that pass levers."""
-
-
-class LeverRoute(NamedTuple):
-    """The line of a tie through the picture."""
-
-    tie: LeverTie
-    points: Sequence[Point]
-    sign: Point
-    """Where its sign stands, if it has one."""
-
-
-def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
-    """Lines that join points: slanted between neighbours, level where they pass a lever."""
-    signed = list(ties)
-    middles = _signs(page, [one for one in signed if one.name])
-    used: list[tuple[int, float]] = []
-    return [
-        LeverRoute(one, list(_points(page, one, middles.get(one), used)), middles.get(one, (0, 0)))
-        for one in sorted(signed, key=lambda one: (bool(one.name), one.ends[1][0] - one.ends[0][0]))
-    ]
-
-
-def _signs(page: LeverPage, ties: Sequence[LeverTie]) -> dict[LeverTie, Point]:
-    """Where signs stand, right of the first point, so that their names keep apart."""
-    found: dict[LeverTie, Point] = {}
-    for place, cell in enumerate(page.cells):
-        here = [one for one in ties if one.ends[0][0] == place]
-        ends = [[page.row(spot).y for spot in one.ends] for one in here]
-        # where several may cross each is nearer to where it begins
-        share = 0.3 if len({start for start, _ in ends}) > 1 else 0.5
-        wanted = [(1 - share) * start + share * end for start, end in ends]
-        for one, y in zip(here, spread(wanted, [2.6 * SIZE] * len(here)), strict=True):
-            found[one] = cell.right + cell.gap / 2, y
-    return found
-
-
-def _points(
-    page: LeverPage, one: LeverTie, sign: Point | None, used: list[tuple[int, float]]
-) -> Iterator[Point]:
-    (first, _), (last, _) = one.ends
-    start, end = (page.row(spot).y for spot in one.ends)
-    yield page.cells[first].right, start
-    if sign is not None:
-        yield sign
-    if first == last:
-        yield page.cells[first].right, end
-        return
-    between = range(first + 1, last)
-    if between:
-        lane = _lane(page, between, (start + end) / 2, used)
-        for place in between:
-            yield page.cells[place].left, lane
-            yield page.cells[place].right, lane
-    yield page.cells[last].left, end
-
-
-def _lane(page: LeverPage, between: range, wanted: float, used: list[tuple[int, float]]) -> float:
-    """The free height next to a wanted one, past some levers."""
-    spans = [row.span for place in between for row in page.cells[place].rows.values()]
-    taken = [(low - 1, high + 2) for low, high in spans]
-    taken += [box for place in between for box in page.cells[place].box]
-    taken += [(y - LANE, y + LANE) for place, y in used if place in between]
-    places = [wanted, *(y for span in taken for y in span)]
-    free = [y for y in places if not any(low < y < high for low, high in taken)]
-    lane = min(free, key=lambda y: abs(y - wanted))
-    used += [(place, lane) for place in between]
-    return lane

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.transmission import Transmission
+from vstatics.model.transmission import HOUSING, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
+from vstatics.pictures.plan.conditions import Condition
 from vstatics.pictures.plan.key import BROAD, PATH, gear_look
 from vstatics.pictures.plan.rays import KinematicPlan
 from vstatics.pictures.run.events import event_text, named_events
 from vstatics.pictures.sheet.ends import LineEnd, beside
-from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, height, ticks, widest
+from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import link_look
 from vstatics.pictures.sheet.pen import Pen, tick_texts
 from vstatics.pictures.sheet.style import LEADER_WIDTH, Style, number
@@ -27,8 +28,9 @@ MOST_PLAN_EVENTS = 14
 MOST_COURSE_POINTS = 4000
 """That are drawn."""
 ON_PLAN = 5e-3
-"""A run is on a plan where all speeds are those of its rays, to this part of the largest: shafts
-that are elastic are never there to the last digit."""
+"""A run is on a plan where what holds all over it holds, to this part of the largest speed."""
+EVENT_NAME_WIDTH = 150.0
+"""Names of events are wrapped to this width. [pt]"""
 
 
 class PlanCourse(NamedTuple):
@@ -41,7 +43,7 @@ class PlanCourse(NamedTuple):
     paths: Floats
     """Shape (instants, rays): speed of each ray's links by the input speed. [-]"""
     on_plan: NDArray[np.bool_]
-    """Whether all speeds are those of the rays."""
+    """Whether all that holds on the plan holds: its elements stick."""
 
     @property
     def visits(self) -> bool:
@@ -67,26 +69,39 @@ def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCours
     largest = np.abs(motion.speeds).max()
     moving = np.abs(turns) > ON_PLAN * largest
     by = np.where(moving, turns, np.nan)
-    expected = dict.fromkeys(own, np.zeros_like(turns))
-    for ray in plan.rays:
-        expected |= dict.fromkeys(ray.links, ray.start * turns + ray.slope * out)
-    off = np.max([np.abs(speeds[link] - expected[link]) for link in own], axis=0)
+    on_plan = moving.copy()
+    for one in _rigid(case, plan):
+        fast = speeds[one.other] if one.other != HOUSING else _given(one.speed, speeds, turns)
+        on_plan &= np.abs(speeds[one.link] - fast) <= ON_PLAN * largest
     paths = [speeds[ray.links[0]] / by for ray in plan.rays]
-    return PlanCourse(
-        motion.time[kept], out / by, np.stack(paths, axis=1), moving & (off <= ON_PLAN * largest)
-    )
+    return PlanCourse(motion.time[kept], out / by, np.stack(paths, axis=1), on_plan)
+
+
+def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
+    """What holds on a plan, but for elements that twist: their links need not turn alike."""
+    for one in plan.state:
+        same = [each for each in case.shift_elements if {*each.links} == {one.link, one.other}]
+        if not same or any(each.stiffness is None for each in same):
+            yield one
+
+
+def _given(speed: float | SpeedOf, speeds: dict[int, Floats], turns: Floats) -> Floats:
+    """A speed that a gear gives, over that of the input or of another link."""
+    if isinstance(speed, SpeedOf):
+        return speed.factor * speeds[speed.link]
+    return speed * turns
 
 
 def right_of(motion: Motion, style: Style) -> float:
     """Width that the names of events need [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
-    return LEADER + widest(_name(event, style) for event in named) + LEADER
+    return LEADER + widest(_name(event, style) for event in named) + LEADER / 2
 
 
-def high_of(motion: Motion) -> float:
+def high_of(motion: Motion, style: Style) -> float:
     """Height of the time below a plan [pt]."""
-    named = min(len(motion.events), MOST_PLAN_EVENTS)
-    return max(COURSE_HEIGHT, named * (height("x") + LABEL_GAP))
+    named = named_events(motion.events, MOST_PLAN_EVENTS)
+    return max(COURSE_HEIGHT, sum(height(_name(one, style)) + LABEL_GAP for one in named))
 
 
 def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
@@ -123,12 +138,12 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) ->
 
 
 def _name(event: Event, style: Style) -> str:
-    return f"{number(event.time)} {event_text(event, style)}"
+    return wrapped(f"{number(event.time)} {event_text(event, style)}", EVENT_NAME_WIDTH)
 
 
 def visited(
     case: Transmission, plans: Sequence[KinematicPlan], motion: Motion
 ) -> list[tuple[KinematicPlan, PlanCourse]]:
-    """The plans on which the run is at any time, with its course; if it is on none, all."""
+    """The plans on which the run is at any time, with its course."""
     every = [(plan, course(case, plan, motion)) for plan in plans]
-    return [(plan, run) for plan, run in every if run.visits] or every
+    return [(plan, run) for plan, run in every if run.visits]

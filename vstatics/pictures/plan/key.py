@@ -39,16 +39,27 @@ def unit_look(style: Style) -> Look:
     return dot_look(style) | {"zorder": 3, **size}
 
 
-def plan_note(case: Transmission, shown: Sequence[KinematicPlan], style: Style) -> str:
-    """Which links are input and output, and what a line is."""
-    said = []
+def plan_note(
+    case: Transmission, shown: Sequence[KinematicPlan], left_out: Sequence[str], style: Style
+) -> str:
+    """Which links are input and output, which gears are on no plan; why there is none."""
+    off = f"{style.text('not on a plan', 'не на плане')}: {', '.join(left_out)}"
+    said = [off] * bool(left_out)
     for english, russian, links in (
         ("input", "вход", dict.fromkeys(plan.input for plan in shown)),
         ("output", "выход", dict.fromkeys(plan.output for plan in shown)),
     ):
         names = [case.link_name(link) for link in links]
-        if names != [english]:
+        if names and names != [english]:
             said.append(f"{style.text(english, russian)}: {', '.join(names)}")
+    if len(left_out) == len(case.gears):
+        told_apart = style.text(
+            "no two gears of different ratios are told apart by one element",
+            "никакие две передачи с разными отношениями не различаются одним элементом",
+        )
+        said.append(told_apart)
+    elif not shown:
+        said.append(style.text("the run is on no plan", "движение не на плане"))
     return "; ".join(said)
 
 
@@ -79,7 +90,7 @@ def plan_signs(
     return [
         (True, "input, output", "вход, выход", {**ink, "width": PORT_RAY_WIDTH}),
         (True, "gear", "передача", gear_look(style)),
-        (any(x.low < 0 < x.high for x in ranges), "speed 0", "скорость 0", {**ink, "width": 0.8}),
+        (True, "speed 0", "скорость 0", {**ink, "width": 0.8}),
         (any(mark.elements for plan in shown for mark in plan.marks), *element, dot_look(style)),
         (striped, *TURN_TOGETHER, striped_look(style)),
         (any(units), "all turn as one piece", "всё вращается как одно целое", unit_look(style)),

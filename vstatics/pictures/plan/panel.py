@@ -16,7 +16,7 @@ from vstatics.pictures.plan.key import (
     unit_look,
 )
 from vstatics.pictures.plan.rays import KinematicPlan, Mark
-from vstatics.pictures.sheet.ends import LineEnd, along, beside
+from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
 from vstatics.pictures.sheet.head import BELOW
 from vstatics.pictures.sheet.labels import (
     LEADER,
@@ -30,10 +30,15 @@ from vstatics.pictures.sheet.labels import (
 )
 from vstatics.pictures.sheet.line_styles import link_look, link_looks
 from vstatics.pictures.sheet.pen import AxisScale, Pen
-from vstatics.pictures.sheet.style import LONG_NAME, Style, number
-from vstatics.pictures.sheet.svg import told
+from vstatics.pictures.sheet.style import SHORT_NAME, Style, number
 from vstatics.pictures.sheet.words import gear_title
 
+TO_TEXTS = 0.65 * LEADER
+"""From the axes to the texts along them. [pt]"""
+LEAST_PLAN_HEIGHT = 108.0
+"""Of the axes. [pt]"""
+UPRIGHT_NAME = 78.0
+"""Gears with their elements that run upwards are wrapped to this width. [pt]"""
 NARROW_ABSCISSA = 0.4
 """Where gears take less of the abscissa from 0 on, it does not reach to 0."""
 
@@ -57,7 +62,20 @@ class DrawnPlan(NamedTuple):
     def above(self) -> float:
         """What stands over the axes [pt]."""
         texts = [height(text) + 2 for text in (self.head, self.note) if text]
-        return LEADER + self.top.height + 2 + sum(texts)
+        return TO_TEXTS + self.top.height + 4 + sum(texts)
+
+    @property
+    def below(self) -> float:
+        """Numbers below the axes, with the lines to their places [pt]."""
+        return TO_TEXTS + self.foot.height
+
+    def left(self, style: Style) -> float:
+        """Width of the names of rays [pt]."""
+        return width_of(self.ends(style))
+
+    def high(self, style: Style) -> float:
+        """Height of the axes, so that no name covers another [pt]."""
+        return max(LEAST_PLAN_HEIGHT, height_of(self.ends(style)))
 
     def ends(self, style: Style) -> list[LineEnd]:
         """The names of rays at the left."""
@@ -87,14 +105,16 @@ class GearRow(NamedTuple):
 def drawn_plan(
     case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
 ) -> DrawnPlan:
-    """A plan with its scales and texts in a width [pt], with a run if there is one."""
+    """A plan with its scales and texts, its axes in a width [pt], with a run if there is one."""
     x = _abscissa(plan, has_run=run is not None)
     reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(reached) - min(reached))
     y = AxisScale(min(reached) - room, max(reached) + room)
-    names = [[wrapped(case.link_name(link), LONG_NAME) for link in ray.links] for ray in plan.rays]
-    head, note = (wrapped(text, wide) for text in _heads(case, plan, style))
-    return DrawnPlan(plan, run, x, y, names, head, note, *_rows(case, plan, x, wide, style))
+    names = [[wrapped(case.link_name(link), SHORT_NAME) for link in ray.links] for ray in plan.rays]
+    one = DrawnPlan(plan, run, x, y, names, "", "", *_rows(case, plan, x, wide, style))
+    room = one.left(style) + wide
+    head, note = (wrapped(text, room) for text in _heads(case, plan, style))
+    return one._replace(head=head, note=note)
 
 
 def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
@@ -106,6 +126,11 @@ def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
         low, high = whole
     room = 0.06 * (high - low) or 0.1
     return AxisScale(low - room, high + room)
+
+
+def mark_name(case: Transmission, mark: Mark) -> str:
+    """The names of gears that are one on a plan."""
+    return ", ".join(case.gears[number - 1].name for number in mark.gears)
 
 
 def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
@@ -126,7 +151,7 @@ def _rows(
     at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
-            case.gears[mark.gear - 1].name,
+            mark_name(case, mark),
             ", ".join(case.shift_elements[number - 1].name for number in mark.elements),
         )
         for mark in plan.marks
@@ -136,7 +161,7 @@ def _rows(
             Label(place, wrapped(between.join(filter(None, text)), longest), style.ink)
             for place, text in zip(at, texts, strict=True)
         ]
-        for between, longest in (("\n", wide), (": ", LONG_NAME))
+        for between, longest in (("\n", wide), (": ", UPRIGHT_NAME))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
     scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
@@ -155,8 +180,14 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
     return GearRow(turned, upright=True, height=widest(one.text for one in turned))
 
 
-def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> None:
-    """A plan with all its labels but those of ordinates; heads as high [pt] as those beside it."""
+def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float, left: float) -> None:
+    """A plan with all its labels but those of ordinates.
+
+    Parameters
+    ----------
+    above, left : float
+        From the axes to its heads, which begin like those beside it. [pt]
+    """
     pen.frame()
     _draw_rays(pen, case, one.plan)
     _draw_gears(pen, case, one.plan)
@@ -165,10 +196,10 @@ def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float) -> Non
     along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
     top = pen.size[1] + above
     if one.head:
-        pen.text(0, top, one.head, bold=True, **BELOW)
+        pen.text(-left, top, one.head, bold=True, **BELOW)
         top -= height(one.head) + 2
     if one.note:
-        pen.text(0, top, one.note, color=pen.style.soft, **BELOW)
+        pen.text(-left, top, one.note, color=pen.style.soft, **BELOW)
 
 
 def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
@@ -192,9 +223,9 @@ def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
     """A vertical for each gear, and what stops or joins links there."""
     style = pen.style
     for mark in plan.marks:
-        x, name = pen.across(mark.output), gear_title(case.gears[mark.gear - 1].name, style)
-        said = told(f"{name}: 1/i {number(mark.output)}", gear=str(mark.gear))
-        pen.line((x, 0.0), (x, pen.size[1]), gid=said, **gear_look(style))
+        x, name = pen.across(mark.output), gear_title(mark_name(case, mark), style)
+        said = f"{name}: 1/i {number(mark.output)}"
+        pen.line((x, 0.0), (x, pen.size[1]), title=said, **gear_look(style))
         for text, y in _stops(case, plan, mark, style):
             pen.line((x, pen.up(y)), title=f"{name}: {text}", **dot_look(style))
     if plan.has_unit_point and pen.x.low < 1 < pen.x.high:
@@ -211,4 +242,6 @@ def _stops(
         does = style.text("holds", "держит"), style.text("joins", "соединяет")
         is_brake = HOUSING in element.links
         text = f"{element.name} {does[not is_brake]} {' + '.join(names)}"
-        yield text, 0.0 if is_brake else speeds.get(element.links[0], 0.0)
+        at = 0.0 if is_brake else speeds.get(element.links[0], speeds.get(element.links[1]))
+        if at is not None:
+            yield text, at

@@ -11,33 +11,23 @@ universal multi-flow differential mechanism (in Russian), figure 5.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.errors import CaseError
-from vstatics.model.transmission import HOUSING, Gear, ShiftElement, SpeedOf, Transmission
+from vstatics.model.transmission import ShiftElement, Transmission
 from vstatics.numerics.tolerances import SAME_RATIO
-from vstatics.numerics.traced import plain
+from vstatics.pictures.plan.conditions import (
+    Condition,
+    Conditions,
+    FreeOutputs,
+    carrying,
+    conditions,
+    elements_of,
+    speeds_under,
+)
 from vstatics.pictures.sheet.gear_state import PictureState, state_of
-from vstatics.statics.matrix import columns
 from vstatics.statics.results import Results
-from vstatics.statics.speeds import solve_speeds
-
-MOST_STATES = 300
-"""Of a gear that are tried."""
-
-
-class Condition(NamedTuple):
-    """What an engaged element, or a given speed, says: one link turns with another, or so fast."""
-
-    link: int
-    other: int
-    speed: float | SpeedOf = 0.0
-    """Of the link, where the other is the housing. [-]"""
-
-
-_Freedoms = dict[tuple[int, int, frozenset[Condition]], bool]
-"""By input, output and conditions: whether these leave the output free."""
 
 
 class Ray(NamedTuple):
@@ -53,14 +43,14 @@ class Ray(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A gear on the abscissa."""
+    """A gear on the abscissa; gears that differ by what carries no torque are one."""
 
-    gear: int
-    """Number, from 1."""
+    gears: tuple[int, ...]
+    """Numbers, from 1."""
     output: float
-    """Its output speed, 1/i. [-]"""
+    """Their output speed, 1/i. [-]"""
     elements: tuple[int, ...]
-    """Numbers of the shift elements that are engaged besides those of the plan."""
+    """Numbers of the shift elements that carry torque besides those of the plan."""
 
 
 class KinematicPlan(NamedTuple):
@@ -68,6 +58,8 @@ class KinematicPlan(NamedTuple):
 
     input: int
     output: int
+    state: tuple[Condition, ...]
+    """What holds all over it."""
     engaged: tuple[str, ...]
     """Names of the shift elements; where two do the same, in one with a stroke between."""
     given: tuple[str, ...]
@@ -76,6 +68,11 @@ class KinematicPlan(NamedTuple):
     marks: tuple[Mark, ...]
     standing: tuple[int, ...]
     """Links that stand all over the plan; these have no ray."""
+
+    @property
+    def gears(self) -> tuple[int, ...]:
+        """Numbers of the gears on it."""
+        return tuple(sorted(number for mark in self.marks for number in mark.gears))
 
     @property
     def has_unit_point(self) -> bool:
@@ -87,8 +84,9 @@ def plans(results: Results) -> list[KinematicPlan]:
     """The generalised kinematic plans of one case.
 
     A train of two degrees of freedom has one. Where there are more, there is one for
-    each state of the other elements that at least two gears share; if no gears share
-    any, one for each state.
+    each state of the other elements that at least two gears share. What is engaged and
+    carries no torque makes no gear: the next dog clutch of a dual clutch transmission. There is
+    none where no two gears of different ratios are told apart by one element.
 
     Raises
     ------
@@ -98,41 +96,47 @@ def plans(results: Results) -> list[KinematicPlan]:
     Examples
     --------
     A differential, its sun the input and its carrier the output: the ring stands where
-    the output turns at 1/3.5.
+    the output turns at 1/3.5, and turns with the sun in the direct gear.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, solve
-    >>> set_ = Mechanism(1, 2, 3, ratio=-2.5)
-    >>> [plan] = plans(solve(Transmission(3, [ShiftElement(2)], [set_], [Gear([1])])))
+    >>> set_, gears = Mechanism(1, 2, 3, ratio=-2.5), [Gear([1]), Gear([2])]
+    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)], [set_], gears)
+    >>> [plan] = plans(solve(case))
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
     case = _with_free_ratios(results.with_freewheels_engaged)
     gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
-    known = [
-        (number, gear)
+    known = {
+        number: gear
         for number, gear in enumerate(gears, 1)
         if math.isfinite(gear.speeds[gear.output])
-    ]
-    free: _Freedoms = {}
+    }
+    carried = {number: carrying(case, gear) for number, gear in known.items()}
+    free = FreeOutputs(case)
     states = dict.fromkeys(
-        (gear.input, gear.output, state) for _, gear in known for state in _states(case, gear, free)
+        (gear.input, gear.output, state)
+        for number, gear in known.items()
+        for state in free.largest(gear, carried[number])
     )
-    drawn = []
-    for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
-        marks = tuple(
-            Mark(number, gear.speeds[last], _further(case, gear.gear, state))
-            for number, gear in known
-            if (first, last) == (gear.input, gear.output)
-            and _conditions(case, gear.gear).issuperset(state)
-        )
-        rays, standing = _rays(case, first, last, state)
-        engaged, given = _names(case, state, marks)
-        drawn.append(KinematicPlan(first, last, engaged, given, rays, marks, standing))
-    if not drawn:
+    if not states:
         message = "a kinematic plan shows what is left free by all elements of a gear but one"
         raise CaseError("E405", f"{message}, and no gear of this case leaves anything free")
-    shared = [plan for plan in drawn if len({mark.output for mark in plan.marks}) > 1]
-    return shared or drawn
+    drawn = []
+    for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
+        own = {n: gear for n, gear in known.items() if (first, last) == (gear.input, gear.output)}
+        marks = _marks(case, own, carried, state, free)
+        if marks:
+            rays, standing = _rays(case, first, last, state)
+            engaged, given = _names(case, state, marks)
+            drawn.append(KinematicPlan(first, last, state, engaged, given, rays, marks, standing))
+    return drawn
+
+
+def off_plans(case: Transmission, drawn: Sequence[KinematicPlan]) -> list[str]:
+    """The names of the gears that are on none of some plans."""
+    on_plans = {number for plan in drawn for number in plan.gears}
+    return [gear.name for number, gear in enumerate(case.gears, 1) if number not in on_plans]
 
 
 def _with_free_ratios(case: Transmission) -> Transmission:
@@ -151,70 +155,37 @@ def _with_free_ratios(case: Transmission) -> Transmission:
     return case.replace(shift_elements=opened, mechanisms=kept, gears=gears)
 
 
-def _conditions(case: Transmission, gear: Gear) -> set[Condition]:
-    """What is engaged and given in a gear; two elements that do the same are one."""
-    engaged = (case.shift_elements[number - 1] for number in gear.engaged)
-    joined = {Condition(max(element.links), min(element.links)) for element in engaged}
-    return joined | {Condition(link, HOUSING, speed) for link, speed in gear.speeds.items()}
-
-
-def _states(
-    case: Transmission, gear: PictureState, free: _Freedoms
-) -> Iterator[tuple[Condition, ...]]:
-    """The largest parts of a gear's conditions under which its output is free.
-
-    Of a smallest part that determines the output one condition at least has to go, so only
-    these ways are followed. What was found for other gears is read, and kept, in `free`.
-    """
-
-    def is_free(chosen: frozenset[Condition]) -> bool:
-        key = gear.input, gear.output, chosen
-        if key not in free:
-            speeds = _speeds(case, gear.input, gear.output, sorted(chosen))
-            free[key] = math.isnan(speeds[gear.output - 1])
-        return free[key]
-
-    found: list[frozenset[Condition]] = []
-    seen: set[frozenset[Condition]] = set()
-    waiting = [frozenset(_conditions(case, gear.gear))]
-    while waiting:
-        chosen = waiting.pop()
-        if chosen in seen or any(larger >= chosen for larger in found):
-            continue
-        seen.add(chosen)
-        if len(seen) > MOST_STATES:
-            message = f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
-            raise CaseError("E406", f"{message}: its elements do the same in many ways")
-        if is_free(chosen):
-            found = [one for one in found if not chosen > one] + [chosen]
-            continue
-        needed = chosen
-        for one in sorted(chosen):
-            if not is_free(needed - {one}):
-                needed -= {one}
-        waiting += [chosen - {one} for one in sorted(needed)]
-    yield from (tuple(sorted(one)) for one in found)
-
-
-def _speeds(
+def _marks(
     case: Transmission,
-    first: int,
-    last: int,
+    gears: dict[int, PictureState],
+    carried: dict[int, Conditions],
     state: Sequence[Condition],
-    output: float | None = None,
-) -> list[float]:
-    """Speeds of all links, NaN for what is free; that of the output may be given."""
-    ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    speeds = {c.link: c.speed for c in state if c.other == HOUSING}
-    pairs = [{c.link, c.other} for c in state if c.other != HOUSING]
-    engaged = [
-        next(n for n, element in enumerate(case.shift_elements, 1) if set(element.links) == pair)
-        for pair in pairs
-    ]
-    if output is not None:
-        speeds[last] = output
-    gear = Gear(engaged, speeds, input=first, output=last)
-    return [plain(speed) for speed in solve_speeds(case, gear, columns(case, ratios)).links]
+    free: FreeOutputs,
+) -> tuple[Mark, ...]:
+    """The gears in which a state holds and each further element that carries torque makes them.
+
+    None if all have the same ratio.
+    """
+    found: list[Mark] = []
+    common = frozenset(state)
+    for number, gear in gears.items():
+        further = carried[number] - common
+        if not conditions(case, gear.gear) >= common or any(
+            free.is_free(gear.input, gear.output, common | {one}) for one in further
+        ):
+            continue
+        mark = Mark((number,), gear.speeds[gear.output], elements_of(case, gear.gear, further))
+        for place, other in enumerate(found):
+            if _same(other, mark) and other.elements == mark.elements:
+                found[place] = other._replace(gears=(*other.gears, number))
+                break
+        else:
+            found.append(mark)
+    return () if all(_same(one, found[0]) for one in found) else tuple(found)
+
+
+def _same(one: Mark, other: Mark) -> bool:
+    return math.isclose(one.output, other.output, rel_tol=SAME_RATIO)
 
 
 def _rays(
@@ -222,7 +193,7 @@ def _rays(
 ) -> tuple[tuple[Ray, ...], tuple[int, ...]]:
     """The rays of the case's own links; links that stand have none, and are told."""
     own = case.own_links
-    ends = [_speeds(case, first, last, state, output) for output in (0.0, 1.0)]
+    ends = [speeds_under(case, first, last, state, output) for output in (0.0, 1.0)]
     rays: list[Ray] = []
     standing = []
     for link, (start, end) in enumerate(zip(*(speeds[:own] for speeds in ends), strict=True), 1):
@@ -241,22 +212,16 @@ def _rays(
     return tuple(rays), tuple(standing)
 
 
-def _further(case: Transmission, gear: Gear, state: Sequence[Condition]) -> tuple[int, ...]:
-    """The engaged elements of a gear that do not belong to a state."""
-    return tuple(
-        number for number in gear.engaged if not set(state) & _conditions(case, Gear([number]))
-    )
-
-
 def _names(
     case: Transmission, state: Sequence[Condition], marks: Sequence[Mark]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """The elements that make a state in its gears, in their order, and its given speeds."""
-    engaged = sorted({number for mark in marks for number in case.gears[mark.gear - 1].engaged})
+    gears = [case.gears[number - 1] for mark in marks for number in mark.gears]
     elements: list[tuple[list[int], str]] = []
     given = []
     for condition in state:
-        numbers = [one for one in engaged if condition in _conditions(case, Gear([one]))]
+        same = frozenset([condition])
+        numbers = sorted({one for gear in gears for one in elements_of(case, gear, same)})
         if numbers:
             names = [case.shift_elements[number - 1].name for number in numbers]
             elements.append((numbers, "/".join(names)))

@@ -6,7 +6,7 @@ There are no axes of matplotlib, which take most of the time.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
-from vstatics.pictures.sheet.svg import MarkGroup, halo, told
+from vstatics.pictures.sheet.svg import MarkGroup, halo, told, told_of_whole
 from vstatics.pictures.sheet.tolerances import SAME_TICK
 from vstatics.tables.numbers import typeset
 
@@ -84,8 +84,11 @@ class Pen(NamedTuple):
 
         An underscore in a name is a hyphen: ``largest_force`` is ``data-largest-force``.
         """
-        named = tuple((key.replace("_", "-"), value) for key, value in data.items())
-        return self._replace(groups=(*self.groups, MarkGroup(kind, named)))
+        return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(_hyphened(data).items()))))
+
+    def tell(self, **data: str) -> None:
+        """Attributes of the whole picture in SVG: ``tell(left_out="[]")`` is ``data-left-out``."""
+        self.figure.set_gid(told_of_whole(_hyphened(data)))
 
     def fitted(self, low: Point, high: Point) -> Pen:
         """The same with places between two corners: in its middle, no larger than they are."""
@@ -261,6 +264,11 @@ class Pen(NamedTuple):
             self.text(wide / 2, -off, text, ha="center", va="center")
         else:
             self.text(-off if side == "left" else wide + off, high / 2, text, **_UPRIGHT)
+
+
+def _hyphened(data: Mapping[str, str]) -> dict[str, str]:
+    """Names of attributes of SVG, from those of arguments."""
+    return {key.replace("_", "-"): value for key, value in data.items()}
 
 
 def blank(wide: float, high: float, style: Style) -> Pen:

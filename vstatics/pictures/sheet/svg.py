@@ -17,7 +17,7 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
@@ -86,6 +86,18 @@ def told(
     return json.dumps(mark, ensure_ascii=False)
 
 
+def told_of_whole(data: Mapping[str, str]) -> str:
+    """What a figure says at the root of its SVG, as its ``gid``: attributes ``data-...``.
+
+    >>> from vstatics.pictures.sheet.pen import blank
+    >>> pen = blank(9.0, 9.0, Style())
+    >>> pen.tell(left_out="[]")
+    >>> b'data-left-out="[]"' in written_as_svg(pen.figure, "", Style())
+    True
+    """
+    return json.dumps({"title": "", "data": dict(data)}, ensure_ascii=False)
+
+
 def halo(style: Style) -> dict[str, Any]:
     """How a text is written that stands over lines: with paper around its letters.
 
@@ -108,6 +120,7 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
         figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
     root = ET.fromstring(file.getvalue())  # noqa: S314 - our own, not from anywhere else
     _strip(root)
+    _say_of_whole(root)
     _gather(root)
     for element in list(root.iter()):
         _say(element, style)
@@ -150,6 +163,14 @@ def _strip(root: ET.Element) -> None:
             child.tail = None
         if not parent.tag.endswith("}text"):
             parent.text = None
+
+
+def _say_of_whole(root: ET.Element) -> None:
+    """What the figure says stands at the root: ``data-left-out="[]"``."""
+    for child in root:
+        if child.get("id", "").startswith("{"):
+            data = json.loads(child.attrib.pop("id"))["data"]
+            root.attrib |= {f"data-{key}": value for key, value in data.items()}
 
 
 def _gather(root: ET.Element) -> None:

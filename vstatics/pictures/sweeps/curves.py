@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.pictures.sheet.ends import LineEnd, beside, height_of, width_of
-from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.head import sheet_head
 from vstatics.pictures.sheet.labels import height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
@@ -28,8 +28,8 @@ from vstatics.pictures.sweeps.columns import (
 )
 from vstatics.tables.written_results import WrittenSweep
 
-CURVES_SIZE = (360.0, 150.0)
-"""Width and height of a panel. [pt]"""
+CURVES_HEIGHT = 130.0
+"""Of a panel, at least. [pt]"""
 CURVES_SCALE_WIDTH, CURVES_SCALE_HEIGHT = 58.0, 40.0
 """For the scales. [pt]"""
 PANEL_GAP = 14.0
@@ -84,21 +84,41 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     panels = [_curves(numbers(sweep, name), across, shown, style) for name in names]
     if not any(np.isfinite(one.y).any() for panel in panels for one in panel):
         raise CaseError("E433", "no row of the sweep has a number to draw")
-    ends = [_line_ends(panel) for panel in panels]
-    (wide, least), low = CURVES_SIZE, CURVES_SCALE_HEIGHT
-    highs = [max(least, height_of(one)) for one in ends]
-    right = max(map(width_of, ends)) + MARGIN
-    up = sum(highs) + PANEL_GAP * len(panels) + low
     more = style.text("lines are drawn, of", "линий показано из")
     note = f"{len(shown)} {more} {len(every)}" * (len(shown) < len(every))
-    pen = headed(", ".join(names), note, [], (CURVES_SCALE_WIDTH + wide + right, up), style)
     known = across[np.isfinite(across)]
     scale = AxisScale(*_apart(float(known.min()), float(known.max())))
-    for place in reversed(range(len(panels))):
-        box = pen.panel((CURVES_SCALE_WIDTH, low), (wide, highs[place]), scale)
-        _draw(box, panels[place], names[place], x * (place == len(panels) - 1))
-        low += highs[place] + PANEL_GAP
-    return [pen.figure]
+    head = sheet_head(", ".join(names), note, [], style.width - 2 * MARGIN, style)
+    ends = [_line_ends(panel) for panel in panels]
+    highs = [max(CURVES_HEIGHT, height_of(one)) + PANEL_GAP for one in ends]
+    wide = style.width - CURVES_SCALE_WIDTH - max(map(width_of, ends)) - MARGIN
+    room = style.height - head.high - MARGIN - CURVES_SCALE_HEIGHT
+    figures = []
+    for some in _together(highs, room):
+        low = CURVES_SCALE_HEIGHT
+        up = low + sum(highs[place] for place in some)
+        pen = head.over((style.width, up), MARGIN, style)
+        for place in reversed(some):
+            corner, size = (CURVES_SCALE_WIDTH, low), (wide, highs[place] - PANEL_GAP)
+            below = x * (place == some[-1])
+            _draw(pen.panel(corner, size, scale), panels[place], names[place], below)
+            low += highs[place]
+        figures.append(pen.figure)
+    return figures
+
+
+def _together(highs: Sequence[float], room: float) -> list[list[int]]:
+    """Panels that fit a page together, by their heights.
+
+    >>> _together([2.0, 2.0, 2.0], 5.0)
+    [[0, 1], [2]]
+    """
+    found: list[list[int]] = [[]]
+    for place, high in enumerate(highs):
+        if found[-1] and sum(highs[one] for one in found[-1]) + high > room:
+            found.append([])
+        found[-1].append(place)
+    return found
 
 
 def _tells_lines(sweep: WrittenSweep, asked: DrawnColumns) -> str:

@@ -16,7 +16,7 @@ from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.head import headed
+from vstatics.pictures.sheet.head import sheet_head
 from vstatics.pictures.sheet.labels import Point, height, ticks, widest, width
 from vstatics.pictures.sheet.line_styles import Look, mixed
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
@@ -35,7 +35,8 @@ from vstatics.tables.numbers import typeset
 from vstatics.tables.written_results import WrittenSweep
 
 MAP_SIZE = (300.0, 230.0)
-"""Width and height of a panel. [pt]"""
+"""Width and height of a panel, at most. [pt]"""
+MAPS_SIDE_BY_SIDE = 2
 MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
 """For the scales. [pt]"""
 MAP_HEAD_HEIGHT = 22.0
@@ -92,23 +93,31 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     levels = contour_levels(every)
     ends = _ends(surfaces, "x"), _ends(surfaces, "y")
     limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
-    (wide, high), count = MAP_SIZE, len(surfaces)
-    columns = min(count, 2)
-    head = MAP_HEAD_HEIGHT * bool(surfaces[0].name)
-    across, up = MAP_SCALE_WIDTH + wide, head + high + MAP_SCALE_HEIGHT
     limit = "limit of operation", "граница работы"
     meanings = [(limits, *limit, _limit_look(style))]
-    size = columns * (across + MARGIN) + MARGIN, math.ceil(count / columns) * up
-    pen = headed(f"{z}: {x}, {y}", "", meanings, size, style)
-    for place, surface in enumerate(surfaces):
-        row, column = divmod(place, columns)
-        corner = (
-            column * (across + MARGIN) + MAP_SCALE_WIDTH,
-            (math.ceil(count / columns) - 1 - row) * up + MAP_SCALE_HEIGHT,
-        )
-        panel = pen.panel(corner, (wide, high), *(AxisScale(*one) for one in ends))
-        _draw(panel, surface, levels, (x, y))
-    return [pen.figure]
+    named = f"{z}: {x}, {y}"
+    columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
+    wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)
+    size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
+    up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
+    across = columns * (MAP_SCALE_WIDTH + wide + MARGIN) + MARGIN
+    head = sheet_head(named, "", meanings, across - 2 * MARGIN, style)
+    most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
+    figures = []
+    for start in range(0, len(surfaces), most):
+        shown = surfaces[start : start + most]
+        rows = math.ceil(len(shown) / columns)
+        pen = head.over((across, rows * up), MARGIN, style)
+        for place, surface in enumerate(shown):
+            row, column = divmod(place, columns)
+            corner = (
+                column * (MAP_SCALE_WIDTH + wide + MARGIN) + MAP_SCALE_WIDTH,
+                (rows - 1 - row) * up + MAP_SCALE_HEIGHT,
+            )
+            panel = pen.panel(corner, size, *(AxisScale(*one) for one in ends))
+            _draw(panel, surface, levels, (x, y))
+        figures.append(pen.figure)
+    return figures
 
 
 def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:

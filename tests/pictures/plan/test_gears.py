@@ -1,0 +1,198 @@
+"""Which gears a plan has: those that one element tells apart of all that carry torque.
+
+Torques and ratios are those that ``vstatics run -f json`` writes; links that elements join are
+those of the case.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES, SHIPPED, vstatics
+from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS, texts
+from vstatics import Results, load, solve
+from vstatics.pictures import pages, picture
+from vstatics.pictures.plan.rays import plans
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
+from vstatics.readers import loads
+from vstatics.simulation.record.motion import Energy, Motion
+
+NAMES = [path.name for path in SHIPPED if path.name not in (*WITHOUT_PLAN, *WITHOUT_TWO_GEARS)]
+SVG = "{http://www.w3.org/2000/svg}"
+
+DCT = """
+links: [engine, odd, even, l1, l2, l3, l4, upper, diff]
+output: diff
+mechanisms:
+  p1: {first: odd, second: l1, ratio: -48/14}
+  p3: {first: odd, second: l3, ratio: -41/26}
+  p2: {first: even, second: l2, ratio: -42/19}
+  p4: {first: even, second: l4, ratio: -38/35}
+  f1: {first: upper, second: diff, ratio: -68/16}
+shift_elements:
+  K1: [engine, odd]
+  K2: [engine, even]
+  d1: {kind: dog_clutch, links: [l1, upper]}
+  d2: {kind: dog_clutch, links: [l2, upper]}
+  d3: {kind: dog_clutch, links: [l3, upper]}
+  d4: {kind: dog_clutch, links: [l4, upper]}
+gears: {"1": [K1, d1, d2], "2": [K2, d2, d3], "2 up": [K2, d2, d1], "3": [K1, d3, d4], "4": [K2, d4, d3]}
+"""
+"""A dual clutch transmission whose next dog clutch waits, engaged without torque."""
+
+
+def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
+    """Gears and engaged elements of each panel of all pages, and the gears that are left out."""
+    return told_panels(pages(results, "plan", "svg", Style(height=PAGE_HEIGHT)))
+
+
+def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
+    """The same of some pages."""
+    roots = [ET.fromstring(one) for one in made]  # noqa: S314 - our own
+    found = [
+        (json.loads(one.attrib["data-gears"]), json.loads(one.attrib["data-engaged"]))
+        for root in roots
+        for one in root.iter(f"{SVG}g")
+        if one.get("class") == "panel"
+    ]
+    [left_out] = {root.attrib["data-left-out"] for root in roots}
+    return found, json.loads(left_out)
+
+
+def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
+    """By gear the elements that carry torque as the links they join, with their names."""
+    said = json.loads(vstatics("run", CASES / case, "-f", "json").out)
+    joined = {
+        name: frozenset(map(str, one["links"] if isinstance(one, dict) else one))
+        for name, one in said["case"]["shift_elements"].items()
+    }
+    return {
+        gear: {
+            name: joined[name]
+            for name, row in zip(joined, said["AMLG"], strict=False)  # mechanisms follow
+            if row[place] is None or abs(row[place]) > 1e-9
+        }
+        for place, gear in enumerate(said["gears"])
+    }
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
+    """A panel has two gears of different ratios at least."""
+    results = solve(load(CASES / name))
+    found, left_out = panels(results)
+    shown = {gear for gears, _ in found for gear in gears}
+    names = [gear.name for gear in results.case.gears]
+    assert shown.isdisjoint(left_out)
+    assert sorted([*shown, *left_out]) == sorted(names)
+    for gears, _ in found:
+        ratios = [results.ratio[names.index(gear)] for gear in gears]
+        assert max(ratios) - min(ratios) > 1e-9
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if "8hp70" in name or "speed" in name])
+def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
+    """Boxes whose elements all carry torque where they are engaged, by the JSON."""
+    found, _ = panels(solve(load(CASES / name)))
+    by_gear = {gear: {*own.values()} for gear, own in carrying(name).items()}
+    for (gear, one), (other, two) in combinations(by_gear.items(), 2):
+        is_near = len(one - two) == len(two - one) == 1
+        assert is_near == any({gear, other} <= {*gears} for gears, _ in found), (gear, other)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_a_panel_has_engaged_and_what_makes_its_gears_carries_torque(name: str) -> None:
+    """What is engaged all over a panel holds in each gear, and one or more elements make it."""
+    case = load(CASES / name)
+    results, by_gear = solve(case), carrying(name)
+    for plan in plans(results):
+        for mark in plan.marks:
+            for gear in (case.gears[number - 1].name for number in mark.gears):
+                made_by = {case.shift_elements[number - 1].name for number in mark.elements}
+                assert made_by & by_gear[gear].keys() or not made_by
+                common = {name for one in plan.engaged for name in one.split("/")}
+                assert by_gear[gear].keys() <= made_by | common
+
+
+def test_a_dog_clutch_that_waits_makes_no_gear() -> None:
+    """K1 has the odd gears, K2 the even ones; two ways to be in gear 2 are one."""
+    results = solve(loads(DCT))
+    found, left_out = panels(results)
+    assert found == [(["1", "3"], ["K1"]), (["2", "2 up", "4"], ["K2"])]
+    assert left_out == []
+    [_, even] = plans(results)
+    assert [mark.gears for mark in even.marks] == [(2, 3), (5,)]
+
+
+def test_a_gear_on_no_panel_is_named() -> None:
+    """Without gear 3 nothing is like gear 1."""
+    text = DCT.replace('"3": [K1, d3, d4], ', "")
+    found, left_out = panels(solve(loads(text)))
+    assert (found, left_out) == ([(["2", "2 up", "4"], ["K2"])], ["1"])
+    [svg] = pages(solve(loads(text)), "plan", "svg", Style())
+    assert "not on a plan: 1;" in svg.decode()
+
+
+@pytest.mark.parametrize("name", WITHOUT_TWO_GEARS)
+def test_panels_of_one_gear_are_left_out(name: str) -> None:
+    results = solve(load(CASES / name))
+    assert plans(results) == []
+    names = [gear.name for gear in results.case.gears]
+    assert panels(results) == ([], names)
+    [svg] = pages(results, "plan", "svg", Style())
+    assert f"not on a plan: {', '.join(names)};" in svg.decode()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["gf4a-upshifts.yaml", "8hp70-upshift.yaml", "tarasik-box.yaml"])
+def test_a_run_has_the_panels_whose_elements_stick_for_a_while(name: str, tmp_path: Path) -> None:
+    """An element sticks from one instant to the next where it has no slip at both."""
+    scenario = CASES / "scenarios" / name
+    said = json.loads(vstatics("simulate", scenario, "-f", "json").out)
+    turns = np.array(list(said["speeds"].values()))
+    last = np.diff(said["time"]) > 0
+
+    def sticks(element: str) -> Any:
+        still = np.abs(said["slips"][element]) < 1e-6 * np.abs(turns).max()
+        return still[1:] & still[:-1] & last
+
+    case = scenario.parent / scenario.read_text().split("case: ")[1].split()[0]
+    found, _ = panels(solve(load(case)))
+    gone_through = [
+        engaged
+        for _, engaged in found
+        if np.all([np.any([*map(sticks, one.split("/"))], axis=0) for one in engaged], axis=0).any()
+    ]
+    assert 0 < len(gone_through) <= len(found)
+    picture = tmp_path / "run.svg"
+    assert vstatics("plot", scenario, "-k", "plan", "-o", picture).status == 0
+    assert [engaged for _, engaged in told_panels([picture.read_bytes()])[0]] == gone_through
+
+
+def test_a_run_on_no_plan_says_so() -> None:
+    """All links have different speeds all the time, so neither clutch of the DCT sticks."""
+    case = loads(DCT)
+    speeds = np.tile(np.arange(1.0, 1 + case.own_links), (3, 1))
+    names = tuple(map(case.link_name, range(1, 1 + case.own_links)))
+    motion = MOTION._replace(links=names, speeds=speeds)
+    drawn = picture(solve(case), "plan", Style(), motion=motion)
+    assert "the run is on no plan" in texts(drawn)
+
+
+MOTION = Motion(
+    np.array([0.0, 1.0, 2.0]),
+    *((),) * 3,
+    *(np.zeros((3, 0)),) * 4,
+    (),
+    Energy(0.0, {}, {}, {}, 0.0, 0.0, 0.0, 0.0),
+    {},
+)
+"""A run of no links, elements and devices."""

@@ -1,0 +1,62 @@
+"""What stands over a gear of a lever diagram: its ratio, which is what one looks for, large."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.lever.gear import LeverGear
+from vstatics.pictures.sheet.labels import height, width, wrapped
+from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.style import SIZE, TITLE, Style, number
+from vstatics.pictures.sheet.words import fault, gear_title
+from vstatics.tables.numbers import typeset
+
+RATIO_SIZE = 15.0
+"""Of the letters of a ratio. [pt]"""
+BETWEEN = 12.0
+"""Between name, ratio and elements. [pt]"""
+
+
+class GearHead(NamedTuple):
+    """Name, ratio and engaged elements of a gear; lengths in points."""
+
+    name: str
+    ratio: str
+    """Or what keeps it from being calculated."""
+    elements: str
+    """With speeds that are given, in lines."""
+    start: float
+    """Of the elements, from the left."""
+
+    @property
+    def high(self) -> float:
+        """With the gap below."""
+        return 1.15 * RATIO_SIZE + 4 + max(height(self.elements) - height(""), 0.0)
+
+    def draw(self, pen: Pen, x: float, top: float) -> None:
+        """From its left upper corner."""
+        y = top - 0.9 * RATIO_SIZE
+        pen.text(x, y, self.name, size=TITLE, bold=True)
+        at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)
+        pen.text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
+        up = y + 0.75 * SIZE  # of capitals
+        pen.text(x + self.start, up, self.elements, color=pen.style.engaged, va="top")
+
+
+def gear_head(
+    case: Transmission, gear: LeverGear, room: float, style: Style, *, is_alone: bool
+) -> GearHead:
+    """The head of a gear in a width [pt]; one that is alone is called in the title, or the page."""
+    state = gear.state
+    ratios = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
+    ratio = "; ".join(ratios + [fault(one, style) for one in state.faults[:1]])
+    said = [", ".join(case.shift_elements[one - 1].name for one in state.gear.engaged)]
+    for link, speed in state.gear.speeds.items():
+        said.append(f"{case.link_name(link)} = {typeset(case.speed_text(speed))}")
+    name = "" if is_alone else gear_title(state.gear.name, style)
+    named = width(name, TITLE, bold=True) + BETWEEN if name else 0.0
+    start = named + (width(ratio, RATIO_SIZE, bold=True) + BETWEEN if ratio else 0.0)
+    elements = wrapped("; ".join(filter(None, said)), room - start)
+    return GearHead(name, ratio, elements if style.titled or not is_alone else "", start)
