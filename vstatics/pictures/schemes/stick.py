@@ -21,6 +21,8 @@ from vstatics.elements.kinds import Planetary
 from vstatics.errors import CaseError
 from vstatics.model.parts import Mechanism
 from vstatics.model.transmission import Transmission
+from vstatics.pictures.schemes.axes.picture import figures as axes_figures
+from vstatics.pictures.schemes.axes.recognition import parallel_axes
 from vstatics.pictures.schemes.board import ITEM_GAP, Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, Glyph, ground, hatching, lines_of
@@ -71,6 +73,10 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     CaseError
         If the case has mechanisms only, and none that may be a set.
     """
+    axes = parallel_axes(scheme := scheme_of(results.case), results.case)
+    if axes is not None:
+        yield from axes_figures(results, scheme, axes, style, shown)
+        return
     scheme, glyphs = _shown(results.case)
     layout = place(scheme, style, glyphs)
     note = style.text(
@@ -98,7 +104,7 @@ def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None
     if not any(map(can_be_set, scheme.devices)):
         message = (
             "a stick diagram needs elements with their kinds (docs/elements.md); "
-            "this case has mechanisms only, and none with three links that turn: "
+            "this case has mechanisms only, none with three links that turn, no pair of wheels: "
             "take the picture `structure`, or find teeth for it "
             "(vstatics synth teeth CASE --write FILE)"
         )

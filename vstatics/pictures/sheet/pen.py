@@ -153,12 +153,20 @@ class Pen(NamedTuple):
         width: float = LINE_WIDTH,
         title: str = "",
         kind: str = "",
+        data: Mapping[str, str] | None = None,
         **look: Any,
     ) -> None:
-        """A line through places, with its class in SVG; a place of NaN is a gap."""
+        """A line through places; a place of NaN is a gap.
+
+        In SVG it has a class, and with this attributes ``data-...``.
+        """
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
-        self.add(Line2D(xs, ys, linewidth=width * self.part, **look), title, kind)
+        line = Line2D(xs, ys, linewidth=width * self.part, **look)
+        self.add(line, title, kind)
+        if data:
+            named: dict[str, Any] = {**data}
+            line.set_gid(told(title, kind=kind, groups=self.groups, **named))
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
         """Lines through places, of one look."""

@@ -80,7 +80,7 @@ def told(
     groups : sequence of MarkGroup
         In which it is, the outermost first; all of a group stands where its first part stood.
     **data
-        Attributes ``data-...`` of its group.
+        Attributes ``data-...`` of its path or text where that has a class, else of its group.
     """
     mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
     return json.dumps(mark, ensure_ascii=False)
@@ -199,10 +199,10 @@ def _say(element: ET.Element, style: Style) -> None:
     if not said.startswith("{"):
         return
     mark = json.loads(said)
-    for key, value in mark["data"].items():
-        element.set(f"data-{key}", value)
+    data = {f"data-{key}": value for key, value in mark["data"].items()}
     for part in element if mark["kind"] else ():
-        part.set("class", mark["kind"])
+        part.attrib |= {"class": mark["kind"], **data}
+    element.attrib |= {} if mark["kind"] else data
     if mark["halo"]:
         element.attrib |= {
             "paint-order": "stroke",

@@ -1,0 +1,113 @@
+"""Countershaft boxes made by chance, and the parts of their pictures as SVG."""
+
+from __future__ import annotations
+
+import random
+from typing import NamedTuple
+from xml.etree import ElementTree as ET
+
+from vstatics import Gear, ShiftElement, Transmission
+from vstatics.elements import Element
+from vstatics.elements.drawing import Drawing, transmission
+from vstatics.pictures import render
+from vstatics.pictures.sheet.style import Style
+from vstatics.statics.solve import solve
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def countershaft_box(chance: random.Random) -> Transmission:
+    """An input shaft, one to three countershafts with idle wheels and dogs, an output shaft."""
+    names = ["input", "output"]
+    elements: list[Element] = []
+    dogs: list[ShiftElement] = []
+
+    def link(name: str) -> int:
+        names.append(name)
+        return len(names)
+
+    def pair(name: str, first: int, second: int) -> None:
+        teeth = {"first": chance.randint(15, 45), "second": chance.randint(15, 60)}
+        elements.append(Element(name, "gear_pair", {"first": first, "second": second}, teeth))
+
+    shafts = [link(f"counter {number}") for number in range(1, chance.randint(1, 3) + 1)]
+    for number in range(1, chance.randint(2, 8) + 1):
+        shaft = shafts[(number - 1) % len(shafts)]
+        wheel = link(f"wheel {number}")
+        if chance.random() < 0.7:  # it idles on the countershaft, or on the input
+            pair(f"p{number}", 1, wheel)
+            dogs.append(ShiftElement(wheel, shaft, f"d{number}", "dog_clutch"))
+        else:
+            pair(f"p{number}", wheel, shaft)
+            dogs.append(ShiftElement(1, wheel, f"d{number}", "dog_clutch"))
+    for number, shaft in enumerate(shafts, 1):
+        pair(f"f{number}", shaft, 2)
+    gears = [Gear([number]) for number in range(1, len(dogs) + 1)]
+    drawing = Drawing(len(names), elements)
+    return transmission(
+        drawing, shift_elements=dogs, link_names=names, gears=gears, input=1, output=2
+    )
+
+
+class PlacedWheel(NamedTuple):
+    """A wheel as its picture has it [pt]."""
+
+    mechanism: str
+    link: str
+    x: float
+    low: float
+    high: float
+
+
+def svg_of(case: Transmission, gears: tuple[int, ...] = ()) -> ET.Element:
+    """The stick diagram of a case."""
+    return ET.fromstring(render(solve(case), "stick", "svg", Style(), gears))  # noqa: S314
+
+
+def points(path: ET.Element) -> list[tuple[float, float]]:
+    """All points of a path of M and L, H and V."""
+    found: list[tuple[float, float]] = []
+    word, numbers = "", list[float]()
+    text = path.attrib["d"]
+    for letter in "MLHVz":
+        text = text.replace(letter, f" {letter} ")
+    for one in text.split():
+        if one.isalpha():
+            word, numbers = one, []
+            continue
+        numbers.append(float(one))
+        if word in "ML" and len(numbers) == 2:
+            found.append((numbers[0], numbers[1]))
+            numbers = []
+        elif word == "H":
+            found.append((numbers.pop(), found[-1][1]))
+        elif word == "V":
+            found.append((found[-1][0], numbers.pop()))
+    return found
+
+
+def of_class(root: ET.Element, kind: str) -> list[ET.Element]:
+    """All elements of a class."""
+    return [one for one in root.iter() if one.get("class") == kind]
+
+
+def wheels(root: ET.Element) -> list[PlacedWheel]:
+    """All wheels of pairs."""
+    found = []
+    for group in of_class(root, "wheel"):
+        places = [at for path in group.iter(f"{SVG}path") for at in points(path)]
+        xs, ys = zip(*places, strict=True)
+        x = (min(xs) + max(xs)) / 2
+        found.append(
+            PlacedWheel(
+                group.attrib["data-mechanism"], group.attrib["data-link"], x, min(ys), max(ys)
+            )
+        )
+    return found
+
+
+def axes_by_link(root: ET.Element) -> dict[str, float]:
+    """The height of the axis of each link [pt]."""
+    heights = {one.attrib["data-axis"]: points(one)[0][1] for one in of_class(root, "axis")}
+    links = of_class(root, "link")
+    return {one.attrib["data-name"]: heights[one.attrib["data-axis"]] for one in links}

@@ -1,0 +1,277 @@
+"""Stick diagrams of boxes with several axes, read from their SVG as a reader would."""
+
+from __future__ import annotations
+
+import json
+import random
+from itertools import combinations, pairwise
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.pictures.drawn import texts
+from tests.pictures.schemes.axes.boxes import (
+    SVG,
+    axes_by_link,
+    countershaft_box,
+    of_class,
+    points,
+    svg_of,
+    wheels,
+)
+from tests.pictures.schemes.test_schemes import overlaps
+from vstatics.elements.drawing import drawing_of
+from vstatics.model.transmission import Transmission
+from vstatics.pictures import picture
+from vstatics.pictures.schemes.axes.recognition import parallel_axes
+from vstatics.pictures.schemes.scheme import scheme_of
+from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
+
+ROUNDED = 0.1
+"""By how much two places may differ that SVG has with two decimals, and scaled. [pt]"""
+KNOWN = {
+    # by hand: what shift elements, shafts, coaxial sets and springs of two links join
+    "two-stage": [
+        {"input", "wheel 1", "wheel 2", "wheel 3", "main shaft", "axle"},
+        {"countershaft"},
+    ],
+    "dual-clutch-wheels": [{"engine", "odd", "even"}, {"l1", "l2", "l3", "l4", "upper"}, {"diff"}],
+    "toyota-p410": [
+        {"engine", "MG1", "MG2", "ring"},
+        {"counter shaft"},
+        {"differential", "right wheel", "left wheel"},
+    ],
+    "power-split": [
+        {"engine", "MG1", "ring"},
+        {"MG2"},
+        {"differential", "right wheel", "left wheel"},
+    ],
+}
+WITH_AXES = [*KNOWN, "moskvich412", "driveline-8hp70"]
+
+
+def load(name: str) -> Transmission:
+    return vstatics.load(CASES / f"{name}.yaml")
+
+
+@pytest.fixture(scope="module", params=[*KNOWN, "moskvich412"])
+def shown(request: pytest.FixtureRequest) -> tuple[Transmission, ET.Element]:
+    case = load(request.param)
+    return case, svg_of(case)
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_links_of_one_axis_are_those_that_turn_about_it(name: str) -> None:
+    case = load(name)
+    scheme = scheme_of(case)
+    axes = parallel_axes(scheme, case)
+    assert axes is not None
+    found = [{scheme.name(link) for link in axis} for axis in axes.axes]
+    assert found[0] == KNOWN[name][0]  # that of the input comes first
+    assert sorted(map(sorted, found)) == sorted(map(sorted, KNOWN[name]))
+
+
+def test_a_bevel_pinion_and_the_casing_of_its_axle_are_of_two_axes() -> None:
+    case = load("moskvich412")
+    scheme = scheme_of(case)
+    axes = parallel_axes(scheme, case)
+    assert axes is not None
+    number = {name: axes.of(place) for place, name in enumerate(scheme.links, 1)}
+    assert number["pinion"] == number["engine"] != number["wheels"]
+    assert number["axle casing"] == number["wheels"] == number["vehicle"]
+
+
+@pytest.mark.parametrize("path", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
+def test_boxes_about_one_axis_have_no_rows(path: Path) -> None:
+    case = vstatics.load(path)
+    assert (parallel_axes(scheme_of(case), case) is not None) == (path.stem in WITH_AXES)
+
+
+def check_wheels(case: Transmission, root: ET.Element) -> None:
+    """Both wheels of a pair in one plane, on their axes, touching at their pitch circles."""
+    heights = axes_by_link(root)
+    by_pair: dict[str, list[tuple[float, float, float, str]]] = {}
+    for one in wheels(root):
+        middle, radius = (one.low + one.high) / 2, (one.high - one.low) / 2
+        assert middle == pytest.approx(heights[one.link], abs=ROUNDED + 2)
+        by_pair.setdefault(one.mechanism, []).append((one.x, heights[one.link], radius, one.link))
+    teeth = {one.name: one.teeth for one in drawn.elements} if (drawn := drawing_of(case)) else {}
+    rows = sorted(set(heights.values()))
+    for name, ((x, y, radius, _), (x2, y2, radius2, _)) in by_pair.items():
+        assert x == pytest.approx(x2, abs=ROUNDED)
+        low, high = sorted((y, y2))
+        is_next = not any(low + ROUNDED < row < high - ROUNDED for row in rows)
+        if is_next and len(teeth.get(name, ())) == 2:
+            assert radius + radius2 == pytest.approx(high - low, abs=2 * ROUNDED)
+            first, second = teeth[name].values()
+            if min(radius, radius2) > 12:  # small ones are drawn larger, to be seen
+                assert radius / radius2 == pytest.approx(first / second, rel=0.05)
+
+
+def check_apart(root: ET.Element) -> None:
+    """No two wheels of different pairs overlap."""
+    for one, other in combinations(wheels(root), 2):
+        if one.mechanism != other.mechanism and abs(one.x - other.x) < 5:
+            assert one.low > other.high - ROUNDED or other.low > one.high - ROUNDED
+
+
+def pieces(group: ET.Element) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """The lines of the wires of a link."""
+    wires = [one for one in group.iter(f"{SVG}path") if one.get("class") == "wire"]
+    return [piece for wire in wires for piece in pairwise(points(wire))]
+
+
+def check_joined(root: ET.Element) -> None:
+    """From each piece of a link's wires one comes to all others."""
+    by_link: dict[str, list[tuple[tuple[float, float], tuple[float, float]]]] = {}
+    for group in of_class(root, "link"):
+        by_link.setdefault(group.attrib["data-name"], []).extend(pieces(group))
+    for name, own in by_link.items():
+        reached, ahead = set(), [0]
+        while ahead:
+            at = ahead.pop()
+            if at not in reached:
+                reached.add(at)
+                ahead += [n for n, one in enumerate(own) if touch(own[at], one)]
+        assert len(reached) == len(own), name
+
+
+def touch(
+    one: tuple[tuple[float, float], tuple[float, float]],
+    other: tuple[tuple[float, float], tuple[float, float]],
+) -> bool:
+    """Whether two level or upright lines have a point in common."""
+    return all(
+        min(one[0][place], one[1][place]) <= max(other[0][place], other[1][place]) + ROUNDED
+        and min(other[0][place], other[1][place]) <= max(one[0][place], one[1][place]) + ROUNDED
+        for place in (0, 1)
+    )
+
+
+def check_bridged(root: ET.Element) -> int:
+    """Wires of two links meet where a crossing bridges them, and nowhere else."""
+    own = [
+        (group.attrib["data-name"], piece)
+        for group in of_class(root, "link")
+        for piece in pieces(group)
+    ]
+    bridges = [points(one) for one in of_class(root, "crossing")]
+    middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in bridges]
+    met = set()
+    for (name, one), (other_name, other) in combinations(own, 2):
+        level, upright = sorted((one, other), key=lambda piece: piece[0][1] != piece[1][1])
+        if name == other_name or level[0][1] != level[1][1] or upright[0][0] != upright[1][0]:
+            continue
+        x, y = upright[0][0], level[0][1]
+        left, right = sorted((level[0][0], level[1][0]))
+        low, high = sorted((upright[0][1], upright[1][1]))
+        if left + ROUNDED < x < right - ROUNDED and low + ROUNDED < y < high - ROUNDED:
+            assert any(abs(x - at) + abs(y - up) < ROUNDED for at, up in middles)
+            met.add((round(x, 1), round(y, 1)))
+    assert len(bridges) >= len(met)
+    return len(met)
+
+
+def test_wheels_of_a_pair_touch_in_one_plane(shown: tuple[Transmission, ET.Element]) -> None:
+    check_wheels(*shown)
+    check_apart(shown[1])
+
+
+def test_each_link_is_in_one_piece_and_crosses_no_other_unseen(
+    shown: tuple[Transmission, ET.Element],
+) -> None:
+    check_joined(shown[1])
+    assert check_bridged(shown[1]) == 0
+
+
+def test_each_axis_is_one_level(shown: tuple[Transmission, ET.Element]) -> None:
+    root = shown[1]
+    heights = []
+    for one in of_class(root, "axis"):
+        assert len({y for _, y in points(one)}) == 1
+        heights.append(points(one)[0][1])
+    assert len(set(heights)) == len(heights)
+    assert float(root.attrib["width"].removesuffix("pt")) <= PAGE_WIDTH + 0.01
+
+
+def test_everything_that_a_case_has_is_in_its_picture(
+    shown: tuple[Transmission, ET.Element],
+) -> None:
+    case, root = shown
+    scheme = scheme_of(case)
+    named = {
+        one.get("data-name") for kind in ("element", "mechanism") for one in of_class(root, kind)
+    }
+    assert named == {device.name for device in scheme.devices}
+    assert {one.get("data-name") for one in of_class(root, "link")} == set(scheme.links)
+    roles = {one.get("data-port") for one in of_class(root, "port")}
+    assert roles == {"input", "output"}
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
+    case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
+    root = svg_of(case)
+    check_wheels(case, root)
+    check_apart(root)
+    check_joined(root)
+    check_bridged(root)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100, 130))
+def test_many_boxes_made_by_chance_can_be_built(seed: int) -> None:
+    test_boxes_made_by_chance_can_be_built(seed)
+
+
+def test_a_dog_that_carries_nothing_is_marked_and_pale_behind() -> None:
+    # dual-clutch-wheels, gear 1: d2 waits for gear 2, its wheel turns without load
+    results = vstatics.solve(load("dual-clutch-wheels"))
+    figure = picture(results, "stick", Style(), (1,))
+    colors: dict[str, set[str]] = {}
+    for one in figure.findobj():
+        gid = one.get_gid() or ""
+        for group in json.loads(gid)["groups"] if gid.startswith("{") else ():
+            if group[0] in ("element", "wheel") and hasattr(one, "get_color"):
+                data = dict(group[1])
+                key = data.get("name") or f"{data['mechanism']} {data['link']}"
+                colors.setdefault(key, set()).add(str(one.get_color()))
+    style = Style()
+    assert style.engaged in colors["d1"]
+    assert style.engaged in colors["d2"]
+    assert style.engaged not in colors["d3"]
+    assert colors["p2 l2"] == {style.faint}
+    assert colors["p1 l1"] == {style.ink}
+
+
+@pytest.mark.parametrize("wheels", [False, True])
+@pytest.mark.parametrize("name", [*KNOWN, "moskvich412"])
+def test_letters_are_apart_on_the_width_of_a_page(name: str, wheels: bool) -> None:
+    figure = picture(vstatics.solve(load(name)), "stick", Style(wheels=wheels))
+    assert overlaps(figure) == []
+    assert all(float(text.get_fontsize()) >= 7 for text in figure.texts)
+    assert figure.get_figwidth() * 72 <= PAGE_WIDTH + 0.01
+
+
+@pytest.mark.slow
+def test_a_driveline_is_drawn_from_the_engine_to_the_wheels() -> None:
+    results = vstatics.solve(load("driveline-8hp70"))
+    root = svg_of(results.case)
+    check_wheels(results.case, root)
+    check_joined(root)
+    check_bridged(root)
+    heights = axes_by_link(root)
+    assert heights["engine"] < heights["differential"] == heights["vehicle"]
+    assert overlaps(picture(results, "stick", Style())) == []
+
+
+def test_wheels_have_their_teeth_on_request() -> None:
+    results = vstatics.solve(load("dual-clutch-wheels"))
+    bare, full = (
+        texts(picture(results, "stick", Style(wheels=wheels))) for wheels in (False, True)
+    )
+    teeth = [14, 48, 26, 41, 19, 42, 35, 38, 16, 68]
+    assert sorted(full) == sorted([*bare, *map(str, teeth)])

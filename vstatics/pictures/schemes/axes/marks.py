@@ -1,0 +1,165 @@
+"""What stands on one axis: clutches, brakes, springs, drums, boxes, sets, differentials."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.axes.labels import BOX, BRAKE, ROOF
+from vstatics.pictures.schemes.axes.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
+from vstatics.pictures.schemes.axes.wires import sign_height
+from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.signs import Coupled, draw_coupled
+from vstatics.pictures.sheet.labels import Point, Segment
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import LINE_WIDTH
+from vstatics.pictures.sheet.style import SMALL
+from vstatics.tables.numbers import typeset
+
+
+def draw_station(sheet: AxesSheet, number: int) -> None:
+    """What stands on one axis, with its names."""
+    station = sheet.found.board.stations[number]
+    draw = {
+        "coupling": _coupling,
+        "box": _box,
+        "brake": _brake,
+        "drum": _drum,
+        "differential": _differential,
+        "set": _set,
+    }
+    draw[station.kind](sheet, number, station)
+
+
+def _ends(sheet: AxesSheet, index: int) -> dict[int, float]:
+    """The x of the links of a device."""
+    return {one.link: one.x for one in sheet.found.contacts if one.device == index}
+
+
+def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
+    axis, found = station.axes[0], sheet.found
+    for index in station.devices:
+        own, device = sheet.of_device(index), sheet.scheme.devices[index]
+        y, xs = found.y(axis, sign_height(found, index)), _ends(sheet, index)
+        first, second = device.members["first"], device.members["second"]
+        closed = index in sheet.state.engaged
+        ends = (xs[first], y), (xs[second], y)
+        one = Coupled(device.kind, *ends, sheet.color(index), closed, sheet.rod_color(index))
+        draw_coupled(own.pen, one._replace(title=sheet.said(index)))
+        own.name(index)
+
+
+def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
+    (index,), axis, found = station.devices, station.axes[0], sheet.found
+    own, device, side = (
+        sheet.of_device(index),
+        sheet.scheme.devices[index],
+        sheet.found.board.rows.sides[axis],
+    )
+    x, low = found.xs[number], sign_height(found, index)
+    ends = (x, found.y(axis, low)), (x, found.y(axis, low + BRAKE))
+    is_backward = device.members.get("first") == HOUSING
+    drawn = device.kind, *ends, sheet.color(index), index in sheet.state.engaged
+    rest = sheet.rod_color(index), side, sheet.said(index), is_backward
+    draw_coupled(own.pen, Coupled(*drawn, *rest))
+    own.name(index)
+
+
+def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
+    """Packs in one drum, each over the shaft that it drives."""
+    axis, found = station.axes[0], sheet.found
+    low = found.sign_height(axis)
+    roof, common = found.y(axis, low + ROOF), station.links[0]
+    xs = {index: _ends(sheet, index) for index in station.devices}
+    (start,) = {own[common] for own in xs.values() if common in own}
+    last = max(x for own in xs.values() for x in own.values())
+    pen = sheet.pen.within("link", name=sheet.scheme.name(common), axis=str(axis + 1))
+    loaded = sheet.state.loaded
+    is_used = loaded is None or any(common in loaded[index] for index in station.devices)
+    color = sheet.pen.style.ink if is_used else sheet.pen.style.faint
+    look: Look = {"kind": "wire", "title": sheet.titles.links.get(common, ""), "color": color}
+    pen.line((start, found.y(axis, low)), (start, roof), (last, roof), zorder=3.2, **look)
+    for index, link in zip(station.devices, station.links[1:], strict=True):
+        own, x = sheet.of_device(index), xs[index][link]
+        ends = (x, roof), (x, found.y(axis, low))
+        closed, rod = index in sheet.state.engaged, sheet.rod_color(index)
+        one = Coupled("clutch", *ends, sheet.color(index), closed, rod, title=sheet.said(index))
+        draw_coupled(own.pen, one)
+        own.name(index)
+
+
+def _box(sheet: AxesSheet, number: int, station: Station) -> None:
+    """A mechanism whose wheels are not known."""
+    (index,), axis, found = station.devices, station.axes[0], sheet.found
+    own, x = sheet.of_device(index), found.xs[number]
+    y = found.y(axis, sign_height(found, index))
+    pen, color = own.pen, sheet.color(index)
+    look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
+    edge = (x - station.half, y - BOX), (2 * station.half, 2 * BOX)
+    pen.box(*edge, width=LINE_WIDTH, title=sheet.said(index), **look)
+    note = box_note(sheet.scheme.devices[index], pen.style)
+    own.text((x, y), note, size=SMALL, color=sheet.text_color(index), over=False)
+    device, up = sheet.scheme.devices[index], found.board.rows.sides[axis]
+    for contact in found.contacts:
+        for member, link in device.members.items():
+            if contact[:3:2] == (link, index) and member in device.labels:  # of a spring
+                at = contact.x + 2.0, y - up * (BOX + 5.0)
+                own.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
+    own.name(index)
+
+
+def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
+    """The case with its pinions, and the wheels of the two shafts."""
+    (index,), axis, found = station.devices, station.axes[0], sheet.found
+    own, x = sheet.of_device(index), found.xs[number]
+    y, pen, color = found.y(axis, 0.0), own.pen, sheet.color(index)
+    look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
+    corner = (x - CAGE, y - CAGE)
+    pen.box(corner, (2 * CAGE, 2 * CAGE), width=LINE_WIDTH, title=sheet.said(index), **look)
+    inner, teeth = 5.0, 6.0
+    lines: list[Sequence[Point]] = []
+    for way in (-1, 1):
+        lines += [((x + way * CAGE, y), (x + way * 9, y))]
+        lines += [((x + way * 9, y - teeth), (x + way * 9, y + teeth))]
+        lines += [((x + way * 9, y + up * teeth), (x + way * inner, y + up * 3)) for up in (-1, 1)]
+        lines += [((x, y + way * CAGE), (x, y + way * 9))]
+        lines += [((x - teeth, y + way * 9), (x + teeth, y + way * 9))]
+        lines += [((x + up * teeth, y + way * 9), (x + up * 3, y + way * inner)) for up in (-1, 1)]
+    pen.lines(lines, color=color, zorder=4.5)
+    own.name(index)
+
+
+def _set(sheet: AxesSheet, number: int, station: Station) -> None:
+    """A planetary set over its axis."""
+    (index,), axis, found = station.devices, station.axes[0], sheet.found
+    glyph = station.glyphs[found.chosen.ways[number]]
+    own, side = sheet.of_device(index), found.board.rows.sides[axis]
+    left, middle = found.xs[number] - glyph.width / 2, found.sign_height(axis)
+
+    def at(x: float, y: float) -> Point:
+        return left + x, found.y(axis, middle + y)
+
+    pen, color = own.pen, sheet.color(index)
+    if index in sheet.state.pieces:
+        low, high = sorted(at(*corner) for corner in glyph.wheels)
+        low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
+        pen.lines(hatching(low, high), color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
+    looks: dict[tuple[float, bool], list[Sequence[Point]]] = {}
+    for stroke in glyph.strokes:
+        points = [at(*point) for point in stroke.points]
+        looks.setdefault((stroke.width, stroke.dashed), []).append(points)
+    for tap in glyph.taps:
+        if tap.reach == "none":
+            end = tap.side * (glyph.half + 5)
+            lines: list[Segment] = [(at(tap.x, tap.side * tap.depth), at(tap.x, end))]
+            lines += ground(at(tap.x, end), tap.side * side)
+            looks.setdefault((LINE_WIDTH, False), []).extend(lines)
+    for (thick, dashed), strokes in looks.items():
+        said = sheet.said(index) if thick != TOOTH else ""
+        dashes = (0, (2.5, 1.5)) if dashed else "-"
+        look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
+        pen.lines(strokes, color=color, width=thick, zorder=4, **look)
+    for (x, y), up, text in glyph.texts:
+        own.text(at(x, y), text, color=sheet.text_color(index), size=SMALL, ha="left", va=up)
+    own.name(index)

@@ -1,0 +1,113 @@
+"""The stick diagram of a box with several axes: its figures, of no gear and of each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+from matplotlib.figure import Figure
+
+from vstatics.errors import CaseError
+from vstatics.pictures.schemes.axes.board import AxesBoard
+from vstatics.pictures.schemes.axes.labels import Rectangle, device_labels, solid
+from vstatics.pictures.schemes.axes.marks import draw_station
+from vstatics.pictures.schemes.axes.places import AxesPlaces, places
+from vstatics.pictures.schemes.axes.recognition import ParallelAxes
+from vstatics.pictures.schemes.axes.rows import axis_rows
+from vstatics.pictures.schemes.axes.search import arranged
+from vstatics.pictures.schemes.axes.sheet import (
+    AxesSheet,
+    draw_ends,
+    draw_links,
+    fixed_names,
+)
+from vstatics.pictures.schemes.axes.stations import stations_of
+from vstatics.pictures.schemes.axes.wheels import draw_pair
+from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_state
+from vstatics.pictures.schemes.signs import meanings
+from vstatics.pictures.schemes.titles import titles_of
+from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.sheet.head import sheet_head
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
+from vstatics.pictures.sheet.words import fault, gear_title, title
+from vstatics.statics.results import Results
+
+GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
+"""Between stations: the largest with which all fits into the width. [pt]"""
+PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5)
+"""Sizes of all but letters: the largest with which all fits into the width."""
+LETTERS, FEW_LETTERS = 12, 5
+"""Longer names are broken at blanks; where room is short, at all blanks."""
+
+
+def figures(
+    results: Results,
+    scheme: Scheme,
+    axes: ParallelAxes,
+    style: Style,
+    shown: Iterable[Sequence[int]],
+) -> Iterator[list[Figure]]:
+    """Figures of no gear or of one by its number from 1, everything at the same places.
+
+    Raises
+    ------
+    CaseError
+        If one is of several gears.
+    """
+    found = placed(scheme, axes, style)
+    labels = device_labels(found, fixed_names(found, scheme))
+    for gears in shown:
+        if len(gears) > 1:
+            raise CaseError("E410", "the picture of a scheme shows one gear at a time")
+        state, texts, own, gear = (
+            SchemeState(),
+            [style.text("stick diagram", "кинематическая схема")],
+            None,
+            None,
+        )
+        for gear in gears:
+            own = state_of(results, gear)
+            state = scheme_state(scheme, own)
+            texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
+        titles = titles_of(results, scheme, style, gear, own)
+        low, high = extent(found, scheme)
+        name = title(results.case, ", ".join(texts))
+        size = style.width, (high[1] - low[1]) / found.letters
+        head = sheet_head(name, "", meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
+        pen = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
+        pen = pen.fitted(low, high)._replace(letters=found.letters)
+        sheet = AxesSheet(pen, found, scheme, state, titles, labels)
+        draw_links(sheet)
+        for number, station in enumerate(found.board.stations):
+            (draw_pair if station.kind == "pair" else draw_station)(sheet, number)
+        draw_ends(sheet)
+        yield [sheet.pen.figure]
+
+
+def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
+    """Where everything stands in the width of a page."""
+    stations = stations_of(scheme, axes, style)
+    board = AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports)
+    chosen = arranged(board).chosen
+    for part, letters, gap in product(PARTS, (LETTERS, FEW_LETTERS), GAPS):
+        own = stations_of(scheme, axes, style, letters)
+        found = places(replace(board, stations=own, gap=gap), chosen)._replace(letters=1 / part)
+        low, high = extent(found, scheme)
+        if part * (high[0] - low[0]) <= style.width:
+            break
+    return found
+
+
+def extent(found: AxesPlaces, scheme: Scheme) -> tuple[Point, Point]:
+    """The lower left and the upper right corner with room for all but the head [pt]."""
+    names = fixed_names(found, scheme)
+    boxes = [*names, *(one.box for one in device_labels(found, names).values()), *solid(found)]
+    for link, span in found.spans.items():
+        for height in (span.height, -span.height):
+            y = found.y(found.axis_of(link), height)
+            boxes.append(Rectangle(span.left - 8, y, span.right + 8, y))
+    lefts, lows, rights, highs = zip(*boxes, strict=True)
+    margin = WIDE_MARGIN
+    return (min(lefts) - margin, min(lows) - margin), (max(rights) + margin, max(highs) + margin)

@@ -1,0 +1,248 @@
+"""A figure with the axes of a box in a state, and what is drawn of links: wires, ends, names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from vstatics.pictures.schemes.axes.labels import DeviceLabel, Rectangle
+from vstatics.pictures.schemes.axes.places import AxesPlaces
+from vstatics.pictures.schemes.axes.wires import LinkLines, WireCrossing, crossings, link_lines
+from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
+from vstatics.pictures.schemes.titles import Titles
+from vstatics.pictures.sheet.labels import Point, Segment
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import Pen
+
+ARROW = 16.0
+"""Length of the arrow at the end of a link. [pt]"""
+NAME_GAP = 3.0
+"""From an end to its name. [pt]"""
+AXIS_DASHES = (0, (12, 3, 2, 3))
+BRIDGE = 3.0
+"""Half the gap of a line where another one passes it. [pt]"""
+
+
+class AxesSheet(NamedTuple):
+    """A figure with everything at its place, in a state."""
+
+    pen: Pen
+    found: AxesPlaces
+    scheme: Scheme
+    state: SchemeState
+    titles: Titles
+    labels: Mapping[int, DeviceLabel]
+    """Names of devices at their places."""
+
+    def color(self, index: int) -> str:
+        """Of a device."""
+        style = self.pen.style
+        if index in self.state.engaged:
+            return style.engaged
+        return style.faint if index in self.state.idle else style.ink
+
+    def text_color(self, index: int) -> str:
+        """Of the name of a device."""
+        return self.pen.style.soft if index in self.state.idle else self.color(index)
+
+    def line_color(self, index: int, link: int) -> str:
+        """Of what leads from a link to a device."""
+        loaded = self.state.loaded
+        is_used = loaded is None or link in loaded[index]
+        return self.pen.style.ink if is_used else self.pen.style.faint
+
+    def rod_color(self, index: int) -> str:
+        """Of what leads to a sign."""
+        loaded = self.state.loaded
+        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
+
+    def said(self, index: int) -> str:
+        """What a device says when a pointer rests on it."""
+        return self.titles.devices.get(index, "")
+
+    def of_device(self, index: int) -> AxesSheet:
+        """The same, what it draws in the group of a device."""
+        device = self.scheme.devices[index]
+        kind = "element" if device.is_shift_element else "mechanism"
+        return self._replace(pen=self.pen.within(kind, name=device.name))
+
+    def name(self, index: int) -> None:
+        """The name of a device, if it has one."""
+        if index in self.labels:
+            label, device = self.labels[index], self.scheme.devices[index]
+            bold = index in self.state.engaged or not device.is_coupling
+            self.text(label.at, label.text, color=self.text_color(index), bold=bold)
+
+    def text(self, at: Point, text: str, **look: Any) -> None:
+        """Text over any line, by its middle."""
+        centred: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
+        self.pen.text(*at, text, **centred | {"over": True} | look)
+
+
+def draw_links(sheet: AxesSheet) -> None:
+    """The axes, the lines of all links on them, the places where these cross."""
+    found, pen = sheet.found, sheet.pen
+    for axis in dict.fromkeys(found.axis_of(link) for link in sorted(found.spans)):
+        left, right = ends_of(found, axis)
+        y = found.y(axis, 0.0)
+        look: Look = {"color": pen.style.faint, "linestyle": AXIS_DASHES, "zorder": 1, "width": 0.7}
+        pen.line((left - 8, y), (right + 8, y), kind="axis", data={"axis": str(axis + 1)}, **look)
+    lines = link_lines(found)
+    for link, own in lines.items():
+        _draw_link(sheet, link, own)
+    for crossing in crossings(lines):
+        _bridge(sheet, crossing)
+
+
+def ends_of(found: AxesPlaces, axis: int) -> tuple[float, float]:
+    """From where to where the links of an axis reach [pt]."""
+    own = [span for link, span in found.spans.items() if found.axis_of(link) == axis]
+    return min(one.left for one in own), max(one.right for one in own)
+
+
+def _draw_link(sheet: AxesSheet, link: int, own: LinkLines) -> None:
+    found, style = sheet.found, sheet.pen.style
+    axis, span = found.axis_of(link), found.spans[link]
+    pen = sheet.pen.within("link", name=sheet.scheme.name(link), axis=str(axis + 1))
+    title = sheet.titles.links.get(link, "")
+    look: Look = {"solid_capstyle": "projecting", "zorder": 3}
+    for line, is_used in pieces(sheet, link, own.level):
+        color = style.ink if is_used else style.faint
+        pen.line(*line, color=color, kind="wire", title=title, **look)
+        if span.level > 0:  # the other side of a hollow shaft
+            y = found.y(axis, -span.height)
+            pen.line(*((x, y) for x, _ in line), color=color, **look)
+    for device, path in own.upright:
+        color = sheet.line_color(device, link)
+        look["zorder"] = 3.3 if color == style.ink else 3.2
+        pen.line(*path, color=color, kind="wire", title=title, **look)
+
+
+def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment, bool]]:
+    """A line along an axis, in parts by whether torque passes them."""
+    (left, y), (right, _) = line
+    if sheet.state.loaded is None:
+        yield line, True
+        return
+    loaded, unused = sheet.state.loaded, {port.link for port in sheet.state.idle_ports}
+    used = [
+        one.x
+        for one in sheet.found.contacts
+        if one.link == link
+        and (link not in unused if one.device < 0 else link in loaded[one.device])
+    ]
+    low, high = (min(used), max(used)) if used else (right, right)
+    for start, end, is_used in ((left, low, False), (low, high, True), (high, right, False)):
+        if end > start:
+            yield ((start, y), (end, y)), is_used
+
+
+def _bridge(sheet: AxesSheet, crossing: WireCrossing) -> None:
+    """A gap in the line along the axis where an upright one passes."""
+    (x, y), paper = crossing.at, sheet.pen.style.paper
+    places = (x - BRIDGE, y), (x + BRIDGE, y)
+    sheet.pen.line(*places, kind="crossing", width=3.0, color=paper, zorder=3.1)
+
+
+def draw_ends(sheet: AxesSheet) -> None:
+    """Arrows of the ports with the names of their links, and of others where there is room."""
+    named: set[int] = set()
+    for port in sheet.scheme.ports:
+        span = sheet.found.spans[port.link]
+        way = 1 if port.link in sheet.found.chosen.rightward else -1
+        at = (
+            (span.right if way > 0 else span.left),
+            sheet.found.y(sheet.found.axis_of(port.link), sheet.found.port_height(port.link)),
+        )
+        is_port = port.role != "given"
+        pen = sheet.pen.within("port", port=port.role) if is_port else sheet.pen
+        _draw_port(sheet._replace(pen=pen), port, at, way)
+        named.add(port.link)
+    for link, at, aligned in free_names(sheet.found, sheet.scheme, named):
+        style = sheet.pen.style
+        color = style.soft if link in sheet.state.idle_links else style.ink
+        sheet.text(at, sheet.scheme.name(link), ha=aligned, color=color)
+
+
+def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
+    """The arrow goes where power goes, as far as is known."""
+    pen, (x, y), state = sheet.pen, at, sheet.state
+    color = pen.style.faint if port in state.idle_ports else pen.style.ink
+    end = x + way * ARROW
+    pen.line((x, y), (end, y), color=color, zorder=3)
+    ways = {state.leaving[port]} if port in state.leaving else {way > 0}
+    if port.role == "given" and port not in state.leaving:
+        ways = {True, False}
+    elif port.role == "output" and port not in state.leaving:
+        ways = {True}
+    for leaves in ways:
+        tip, back = (end, -8 * way) if leaves else (x + 5 * way, 8 * way)
+        head = (tip, y), (tip + back, y + 3.2), (tip + back, y - 3.2)
+        pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
+    name = sheet.scheme.name(port.link)
+    ink = pen.style.soft if port.link in state.idle_links else pen.style.ink
+    sheet.text((end + way * NAME_GAP, y), name, color=ink, ha="left" if way > 0 else "right")
+
+
+def free_names(
+    found: AxesPlaces, scheme: Scheme, named: set[int]
+) -> Iterator[tuple[int, Point, str]]:
+    """Names of links that have room at an end of their row, or on the other side of it."""
+    for axis, links in enumerate(found.board.axes.axes):
+        own = [link for link in sorted(links) if link in found.spans]
+        if not own:
+            continue
+        left, right = ends_of(found, axis)
+        for link in own:
+            span = found.spans[link]
+            y = found.y(axis, span.height)
+            has_port = {port.link for port in scheme.ports}
+            if link in named or link in has_port:
+                continue
+            if span.left == left:
+                named.add(link)
+                yield link, (left - 10 - NAME_GAP, y), "right"
+            elif span.right == right:
+                named.add(link)
+                yield link, (right + 10 + NAME_GAP, y), "left"
+            else:
+                place = _room(found, axis, link, found.wide(scheme.name(link)) + 4)
+                if place is not None:
+                    named.add(link)
+                    yield link, (place, found.y(axis, -found.bases[axis] - 7.5)), "center"
+
+
+def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
+    """The middle of the first gap on the other side of an axis that a name has room in."""
+    span = found.spans[link]
+    if span.level:
+        return None
+    taken = sorted(
+        x
+        for x, one in zip(found.xs, found.board.stations, strict=True)
+        if axis in one.axes and one.kind in ("pair", "differential")
+    )
+    stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
+    for start, end in pairwise(stops):
+        if end - start - 14 > wide:
+            return (start + end) / 2
+    return None
+
+
+def fixed_names(found: AxesPlaces, scheme: Scheme) -> list[Rectangle]:
+    """Of links, with the arrows of ports: what all other names keep clear of."""
+    boxes, tall = [], 5.0 * found.letters
+    for port in scheme.ports:
+        span, axis = found.spans[port.link], found.axis_of(port.link)
+        y, way = found.y(axis, found.port_height(port.link)), -1
+        if port.link in found.chosen.rightward:
+            way = 1
+        start = span.right if way > 0 else span.left
+        end = start + way * (ARROW + NAME_GAP + found.wide(scheme.name(port.link)))
+        boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
+    for link, (x, y), aligned in free_names(found, scheme, {port.link for port in scheme.ports}):
+        wide = found.wide(scheme.name(link))
+        left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
+        boxes.append(Rectangle(left, y - tall, left + wide, y + tall))
+    return boxes

@@ -1,0 +1,88 @@
+"""The wheels of pairs: both in one plane, each on its axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
+from vstatics.pictures.schemes.axes.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.stations import WHEEL
+from vstatics.pictures.schemes.glyphs import MESH, TOOTH
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.style import SMALL
+from vstatics.tables.numbers import typeset
+
+CONE = 3.5
+"""How much teeth of bevel wheels are slanted. [pt]"""
+
+
+def draw_pair(sheet: AxesSheet, number: int) -> None:
+    """Both wheels, what is between them, the name over the upper one."""
+    found, station = sheet.found, sheet.found.board.stations[number]
+    joint = station.joint
+    assert joint is not None  # noqa: S101 - a pair has one
+    index = station.devices[0]
+    own = sheet.of_device(index)
+    first, _, second = found.board.radii[number]
+    ys = [found.y(axis, 0.0) for axis in station.axes]
+    toward = 1 if ys[1] > ys[0] else -1
+    for place, radius in enumerate((first, second)):
+        _wheel(own, number, place, radius, toward if not place else -toward)
+    _between(own, number)
+    own.name(index)
+
+
+def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int) -> None:
+    """A wheel on its axis: teeth at both rims, the half of its web that no wire is."""
+    found, station = sheet.found, sheet.found.board.stations[number]
+    index, x, axis, link = (
+        station.devices[0],
+        found.xs[number],
+        station.axes[place],
+        station.links[place],
+    )
+    joint, device = station.joint, sheet.scheme.devices[index]
+    pen = sheet.pen.within("wheel", mechanism=device.name, link=sheet.scheme.name(link))
+    color, said = sheet.line_color(index, link), sheet.said(index)
+    y, side, span = found.y(axis, 0.0), found.board.rows.sides[axis], found.spans[link]
+    hub = span.height if span.level >= 0 else found.bases[axis] + 2
+    inner = y - side * hub
+    lines: list[Sequence[Point]] = [((x, inner), (x, y - side * radius))]
+    pen.lines(lines, color=color, zorder=3.2, title=said, solid_capstyle="butt")
+    slant = CONE if joint is not None and joint.kind in CROSSED else 0.0
+    slant *= -1 if place else 1
+    rims: list[Sequence[Point]] = []
+    for way in (-1, 1):
+        rim, tilt = y + way * radius, way * slant * toward
+        rims.append(((x - WHEEL, rim - tilt), (x + WHEEL, rim + tilt)))
+    pen.lines(rims, color=color, width=2.2 * TOOTH, zorder=3.5, title=said)
+    if pen.style.wheels and device.element is not None:
+        member = device.element.shape.toothed[-1 if place else 0]
+        teeth = typeset(f"{device.element.teeth[member]:g}")
+        at = x + 2.5, y - toward * min(radius - 5.0, radius * 0.7)
+        look: Look = {"size": SMALL, "ha": "left", "color": sheet.text_color(index)}
+        sheet._replace(pen=pen).text(at, teeth, **look)
+
+
+def _between(sheet: AxesSheet, number: int) -> None:
+    """An idler, a chain, or a dashed line where the wheels cannot touch."""
+    found, station = sheet.found, sheet.found.board.stations[number]
+    pen, color, x = sheet.pen, sheet.color(station.devices[0]), found.xs[number]
+    first, radius, second = found.board.radii[number]
+    ys = [found.y(axis, 0.0) for axis in station.axes]
+    toward = 1 if ys[1] > ys[0] else -1
+    low, high = sorted((ys[0] + toward * first, ys[1] - toward * second))
+    if station.joint is not None and station.joint.kind in FAR:
+        ends = ys[0] - toward * first, ys[1] + toward * second
+        lines = [((x + by, ends[0]), (x + by, ends[1])) for by in (-2.5, 2.5)]
+        pen.lines(lines, color=color, width=0.9, linestyle=(0, (3, 1.5)), zorder=2.9)
+    elif high - low > 2 * radius + MESH:
+        look: Look = {"linestyle": (0, (4, 2.5)), "zorder": 2.5}
+        pen.line((x, low), (x, high), color=color, width=0.8, **look)
+    elif radius:
+        middle = (low + high) / 2
+        edges = [((x - WHEEL, middle + by), (x + WHEEL, middle + by)) for by in (-radius, radius)]
+        pen.lines(edges, color=color, width=2.2 * TOOTH, zorder=3.5)
+        pen.line((x, middle - radius), (x, middle + radius), color=color, zorder=3.2)
+        pen.line((x - WHEEL - 2, middle), (x + WHEEL + 2, middle), color=color, zorder=3.2)
