@@ -19,6 +19,9 @@ test: .venv/dev.stamp ## the fast tests (ROOM=torsion: of a room; ABOVE=1: and o
 	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \
 	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow" $$tests
 
+pictures: .venv/dev.stamp ## draw the pictures of README.md and docs anew
+	$(BIN)/python -m tests.documented_pictures
+
 test-slow: ## the slow tests: test-beside, then test-alone
 	$(MAKE) test-beside
 	$(MAKE) test-alone

@@ -1,0 +1,42 @@
+"""The pictures that README.md and docs/ show are those that the program draws."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from tests.documented_pictures import ROOT, DocumentedPicture, documented
+from vstatics.pictures import PICTURES
+
+PICTURES_THERE = list(documented())
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+NEAR = 0.1
+"""So far may places be from one another where letters or processors differ. [pt]"""
+
+
+def marks(svg: bytes) -> Iterator[tuple[str, list[float]]]:
+    """What each element says without its numbers, and these."""
+    for element in ET.fromstring(svg).iter():  # noqa: S314 - our own
+        said = " ".join([element.tag, *map(" ".join, element.attrib.items()), element.text or ""])
+        yield NUMBER.sub("#", said), [float(one) for one in NUMBER.findall(said)]
+
+
+@pytest.mark.parametrize("one", PICTURES_THERE, ids=lambda one: one.file.stem)
+def test_a_picture_is_as_it_is_drawn(one: DocumentedPicture) -> None:
+    shown, drawn = list(marks(one.file.read_bytes())), list(marks(one.drawn()))
+    advice = "make pictures draws it anew"
+    assert [said for said, _ in shown] == [said for said, _ in drawn], advice
+    for (said, there), (_, here) in zip(shown, drawn, strict=True):
+        assert there == pytest.approx(here, abs=NEAR), f"{said}: {advice}"
+
+
+def test_the_first_page_has_a_stick_a_flow_and_a_shift() -> None:
+    kinds = [one.kind for one in PICTURES_THERE if one.document == ROOT / "README.md"]
+    assert kinds == ["stick", "flow", "shift"]
+
+
+def test_each_kind_of_picture_is_shown() -> None:
+    assert {one.kind for one in PICTURES_THERE} >= set(PICTURES)
