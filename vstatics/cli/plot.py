@@ -20,11 +20,12 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
-from vstatics.cli.frame.values import numbers, value, wrong_value
+from vstatics.cli.frame.values import numbers, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import FORMATS, OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, Format, render
-from vstatics.pictures.sheet.style import Excitation, Style
+from vstatics.pictures import FORMATS, OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, Format, pages
+from vstatics.pictures.sheet.lengths import page_width
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, Excitation, Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES
 from vstatics.pictures.sweeps.columns import DrawnColumns
 from vstatics.statics.results import Language, Results
@@ -53,7 +54,8 @@ _WITHOUT_GEARS = {
 )
 @arguments.required_output(
     "SVG, PNG or PDF by the suffix; - is standard output, for SVG; two cases go to one sheet, "
-    "several to a directory, as SVG."
+    "several to a directory, as SVG. Further pages are FILE-2.svg, FILE-3.svg, or in the same "
+    "PDF; - is one page of any height."
 )
 @arguments.some_gears
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
@@ -86,6 +88,14 @@ _WITHOUT_GEARS = {
     help="Of campbell and response: orders of the speed; else those of the engine.",
 )
 @click.option("--at", metavar="LINK", default="", help="Of a response: the link; else the input.")
+@click.option(
+    "--width",
+    metavar="LENGTH",
+    default="170mm",
+    show_default=True,
+    callback=value(told(page_width)),
+    help="Of a page: 80mm to 1200mm, in mm, cm, in or pt.",
+)
 @click.option("--dark", is_flag=True, help="Light on dark, for a screen.")
 @arguments.settings
 @arguments.language("axes and titles")
@@ -104,6 +114,7 @@ def plot(
     out: str,
     orders: list[float] | None,
     at: str,
+    width: float,
     dark: bool,
     settings: CaseOptions,
     lang: Language,
@@ -147,6 +158,9 @@ def plot(
     Two cases to one FILE are on one sheet, over one another, or beside each
     other where there is room: panels A and B.
 
+    Letters keep their size of 8 pt: what is wider than a page goes on below, what is
+    higher than 240 mm on a further page.
+
     \b
     Examples:
       vstatics plot gearbox.yaml --kind plan -o plan.svg
@@ -188,17 +202,18 @@ def plot(
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)
     to = formats.each_by_itself(output, cases, FORMATS, "a picture", most=2)
+    height = math.inf if is_stream(to.output) else PAGE_HEIGHT
+    style = Style(lang, dark, wheels=wheels, merged=merge, width=width, height=height)
     if ratios is not None:
-        return _plot_ratios(ratios, gears, to, Style(lang, dark))
+        return _plot_ratios(ratios, gears, to, style)
     if kind == BOXES:
-        return plot_boxes(cases, to, cast("Format", to.form), Style(lang, dark))
+        return plot_boxes(cases, to, cast("Format", to.form), style)
     if of_sweeps:
-        return _plot_sweep(cases, kind, to, cast("Format", to.form), Style(lang, dark), asked)
+        return _plot_sweep(cases, kind, to, cast("Format", to.form), style, asked)
     options = settings._replace(
         scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
     )
-    excited = Excitation(tuple(orders or ()), at)
-    style = Style(lang, dark, wheels=wheels, merged=merge, excited=excited)
+    style = style._replace(excited=Excitation(tuple(orders or ()), at))
     if len(cases) > 1 and not to.is_folder:
         return _plot_two(calculate(cases, options), kind, to, gears, out, style)
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, out=out, style=style)
@@ -233,8 +248,8 @@ def _plot_sweep(
         raise ReadError([of_file("E039", name, message)])
     sweep = sweep_tables.read(data, name)
     with files.problems_of_file(name):
-        [drawn] = render_sweep(sweep, kind, form, style, asked)
-    files.write_data(drawn, to.output)
+        drawn = render_sweep(sweep, kind, form, style, asked)
+    files.write_pages(drawn, to.output)
     return DONE
 
 
@@ -247,8 +262,8 @@ def _plot_ratios(
     with wrong_value("--ratios"):
         case = case_of_ratios(ratios)
     chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
-    drawn = render(solve(case), "plan", cast("Format", to.form), style, chosen)
-    files.write_data(drawn, to.output)
+    drawn = pages(solve(case), "plan", cast("Format", to.form), style, chosen)
+    files.write_pages(drawn, to.output)
     return DONE
 
 
@@ -293,8 +308,8 @@ def _plot_two(
             name = os.path.basename(outcome.file)  # noqa: PTH119
             both.append(PairedCase(name, outcome.results, chosen, motion))
     if len(both) == 2:
-        [drawn] = pair_pages(both, kind, cast("Format", to.form), style)
-        files.write_data(drawn, to.output)
+        drawn = pair_pages(both, kind, cast("Format", to.form), style)
+        files.write_pages(drawn, to.output)
     return FAILED if failed else DONE
 
 
@@ -321,7 +336,7 @@ def _shown(
     if kind in OF_ORDERS:
         style = _excited(outcome, results, style)
     try:
-        drawn = render(results, kind, cast("Format", form), style, chosen, motion=motion)
+        drawn = pages(results, kind, cast("Format", form), style, chosen, motion=motion)
     except CaseError as error:
         raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
     return texts.CaseOutput([], {form: lambda _: drawn})

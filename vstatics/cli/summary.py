@@ -195,7 +195,7 @@ def _side_by_side(
             for name in [summary.results.case.name]
         ]
         shown = texts.CaseOutput(titles, {}, lambda: contrasted([summary for _, summary in found]))
-        files.write_data(texts.alone(found[0][0].file, shown, to), to.output)
+        files.write_pages(texts.alone(found[0][0].file, shown, to), to.output)
     return FAILED if failed else DONE
 
 

@@ -14,13 +14,14 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
 from vstatics.jobs.files import appending, forget, replace
 from vstatics.jobs.lock import lock, unlock
+from vstatics.jobs.page_files import replace_pages
 
 Description = dict[str, Any]
 """Everything that finished work depends on, besides what is read."""
@@ -161,16 +162,29 @@ class FinishedCases:
         return all(_hash_of_file(name) == known for name, known in hashes.items())
 
     def put(
-        self, target: str, result: bytes, case: bytes, beside: Iterable[str], *, failed: bool
+        self,
+        target: str,
+        result: Sequence[bytes],
+        case: bytes,
+        beside: Iterable[str],
+        *,
+        failed: bool,
     ) -> None:
         """Write a result, and note of what case as it was read, and files beside it, it is.
 
+        Parameters
+        ----------
+        result : sequence of bytes
+            Its pages; a text has one.
+
         Raises
         ------
+        ReadError
+            If a page would overwrite a file of others.
         OSError
             If that is not possible.
         """
-        replace(target, result, self.mark)
+        replace_pages(target, result, self.mark)
         name, others = os.path.basename(target), {one: _hash_of_file(one) for one in beside}  # noqa: PTH119
         entry = [name, _hash(case), others, self._run, _state(target), failed]
         with appending(self.path) as write:

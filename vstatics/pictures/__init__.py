@@ -30,6 +30,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from vstatics.extras import require
+from vstatics.jobs.page_files import PAGE_KEY
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -142,10 +143,9 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     *,
     motion: Motion | None = None,
 ) -> list[bytes]:
-    """A picture of a result in files of a page each; parameters and errors as of `picture`."""
+    """A picture of a result as files: a page each, all in one PDF; as `picture` else."""
     [figures] = drawn_pages(results, kind, style, [gears], motion)
-    title = _alternative(results, kind, style, gears)
-    return [written(figure, form, style, title) for figure in figures]
+    return files_of(figures, form, style, _alternative(results, kind, style, gears))
 
 
 def of_each_gear(results: Results, kind: str, style: Style) -> list[list[bytes]]:
@@ -156,7 +156,7 @@ def of_each_gear(results: Results, kind: str, style: Style) -> list[list[bytes]]
     shown = [(number,) for number in range(1, len(results.case.gears) + 1)]
     titles = (_alternative(results, kind, style, gears) for gears in shown)
     return [
-        [written(figure, "svg", style, title) for figure in figures]
+        files_of(figures, "svg", style, title)
         for title, figures in zip(titles, drawn_pages(results, kind, style, shown), strict=True)
     ]
 
@@ -166,21 +166,44 @@ def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
     return (motion,) if kind in OF_RUNS else ()
 
 
-def written(figure: Figure, form: Format, style: Style, title: str) -> bytes:
-    """A figure as a file; the same figure gives the same bytes.
+def files_of(figures: Sequence[Figure], form: Format, style: Style, title: str) -> list[bytes]:
+    """Pages as files, all of them in one PDF; the same figures give the same bytes.
 
     Parameters
     ----------
     title : str
-        What it shows, for those who do not see it.
+        What they show, for those who do not see it.
     """
+    with settings_of(style):
+        if form == "pdf":
+            return [_pdf(figures)]
+        return [
+            written(figure, form, style, title, number) for number, figure in enumerate(figures, 1)
+        ]
+
+
+def _pdf(figures: Sequence[Figure]) -> bytes:
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    file = io.BytesIO()
+    with PdfPages(file, metadata=_METADATA["pdf"]) as pages_of_file:
+        for figure in figures:
+            figure.savefig(pages_of_file, format="pdf")
+    return file.getvalue()
+
+
+def written(figure: Figure, form: Format, style: Style, title: str, number: int = 1) -> bytes:
+    """A figure as a file, with the mark of a further page; as `files_of` else."""
+    if form == "pdf":
+        return _pdf([figure])
     with settings_of(style):
         if form == "svg":
             from vstatics.pictures.sheet.svg import written_as_svg
 
-            return written_as_svg(figure, title, style)
+            return written_as_svg(figure, title, style, number)
         file = io.BytesIO()
-        figure.savefig(file, format=form, dpi=DPI, metadata=_METADATA[form])
+        mark = {PAGE_KEY: str(number)} if number > 1 else {}
+        figure.savefig(file, format=form, dpi=DPI, metadata={**_METADATA[form], **mark})
         return file.getvalue()
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
-from vstatics.pictures import PICTURES, Format, drawn_pages, settings_of, written
+from vstatics.pictures import PICTURES, Format, drawn_pages, files_of, settings_of
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     said = f"{style.text(*KINDS[kind])}: {', '.join(one.name for one in both)}"
     with settings_of(style):
         figures = list(_sheets(both, kind, style))
-    return [written(figure, form, style, said) for figure in figures]
+    return files_of(figures, form, style, said)
 
 
 def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:

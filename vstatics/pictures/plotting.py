@@ -9,8 +9,16 @@ from typing import TYPE_CHECKING
 
 from vstatics.errors import nearest
 from vstatics.extras import require
-from vstatics.pictures import FORMATS, PICTURES, Format, picture, render
-from vstatics.pictures.sheet.style import Excitation, Style
+from vstatics.jobs.page_files import replace_pages
+from vstatics.pictures import FORMATS, PICTURES, pages, picture, render
+from vstatics.pictures.sheet.lengths import checked_width
+from vstatics.pictures.sheet.style import (
+    PAGE_HEIGHT,
+    PAGE_WIDTH,
+    POINTS_PER_MILLIMETRE,
+    Excitation,
+    Style,
+)
 from vstatics.statics.results import Language, Results, expect_results
 from vstatics.tables.suffixes import format_of, known
 
@@ -41,7 +49,8 @@ class Picture:
         return f"<Picture {kind} of {results!r}>"
 
     def _repr_svg_(self) -> str:
-        return self._as("svg").decode()
+        results, kind, style, gears = self._drawn
+        return render(results, kind, "svg", style, gears, motion=self._motion).decode()
 
     @property
     def figure(self) -> Figure:
@@ -51,22 +60,23 @@ class Picture:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it to a file: SVG, PNG or PDF by the suffix.
 
+        Further pages are files beside it, ``box-2.svg``, or in the same PDF.
+
         Raises
         ------
         ValueError
             For another suffix.
+        ReadError
+            If a further page would overwrite a file that is none.
         """
         form = format_of(os.fspath(path), FORMATS)
         if form is None:
             suffixes = ", ".join(known(FORMATS))
             raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
-        data = self._as(form)
-        with open(path, "wb") as file:  # noqa: PTH123
-            file.write(data)
-
-    def _as(self, form: Format) -> bytes:
         results, kind, style, gears = self._drawn
-        return render(results, kind, form, style, gears, motion=self._motion)
+        style = style._replace(height=PAGE_HEIGHT)
+        drawn = pages(results, kind, form, style, gears, motion=self._motion)
+        replace_pages(os.fspath(path), drawn)
 
 
 def plot(  # noqa: PLR0913 - all but the first by name
@@ -79,6 +89,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
     merge: bool = False,
     orders: Sequence[float] = (),
     at: int | str = "",
+    width: float = PAGE_WIDTH / POINTS_PER_MILLIMETRE,
     dark: bool = False,
     lang: Language = "en",
 ) -> Picture:
@@ -103,6 +114,8 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Of the speed, for the kinds `campbell` and `response`; else those of the engine.
     at : int or str, optional
         Number or name of the link of a `response`; else the input.
+    width : float, optional
+        Of a page, 80 to 1200; letters keep their size. [mm]
     dark : bool, optional
         Light on dark.
     lang : {"en", "ru"}, optional
@@ -118,7 +131,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     ValueError
-        If there is no such kind, gear or link, or an order is not above 0.
+        If there is no such kind, gear or link, an order is not above 0, or no page is so wide.
 
     Examples
     --------
@@ -137,5 +150,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         raise ValueError(f"read orders {[*orders]}, expected numbers above 0")
     link = str(results.case.link_number(at)) if at else ""
     excited = Excitation(tuple(map(float, orders)), link)
-    style = Style(lang, dark, wheels=wheels, merged=merge, excited=excited)
+    style = Style(
+        lang, dark, wheels=wheels, merged=merge, width=checked_width(width), excited=excited
+    )
     return Picture(results, kind, style, gears, motion)

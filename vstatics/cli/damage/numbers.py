@@ -46,5 +46,5 @@ def write(wanted: OutputOptions, answer: Answer, grid: Grid) -> int:
     to = one_text(wanted, [])
     json = dict.fromkeys(("json", "jsonl"), lambda _: as_json(answer, to.form))
     shown = texts.CaseOutput([], json, lambda: [grid])
-    files.write_data(texts.alone("", shown, to), to.output)
+    files.write_pages(texts.alone("", shown, to), to.output)
     return DONE

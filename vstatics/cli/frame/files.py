@@ -6,7 +6,7 @@ import contextlib
 import itertools
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 import click
@@ -149,6 +149,26 @@ def write_data(data: bytes, output: str | None) -> None:
     """Write what is no text, or is encoded already; as `write_output`."""
     with stream(output) as write:
         write(data)
+
+
+def write_pages(pages: Sequence[bytes], output: str | None) -> None:
+    """Write the pages of a picture, each to its file, all or none; to a stream there is one.
+
+    Raises
+    ------
+    ReadError
+        If one cannot be written, or would overwrite a file of others.
+    """
+    if output is None or is_stream(output):
+        [data] = pages
+        write_data(data, output)
+        return
+    from vstatics.jobs.page_files import replace_pages  # costs start-up time
+
+    try:
+        replace_pages(output, pages)
+    except OSError as error:
+        raise ReadError([unwritable(output, error)]) from None
 
 
 def write_coloured(text: str) -> None:

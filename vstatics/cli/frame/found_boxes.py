@@ -63,8 +63,8 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
     data, name = files.read_input(cases[0])
     listing, _ = read_document(data, name)
     with files.problems_of_file(name):
-        [drawn] = render_boxes(listing, form, style)
-    files.write_data(drawn, to.output)
+        drawn = render_boxes(listing, form, style)
+    files.write_pages(drawn, to.output)
     return DONE
 
 

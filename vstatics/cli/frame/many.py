@@ -18,8 +18,9 @@ from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import Problem, ReadError, of_file, plural
 from vstatics.jobs.alone import Rules
-from vstatics.jobs.files import OWN_FAULTS, STDOUT, is_stream, set_aside, unwritable
+from vstatics.jobs.files import OWN_FAULTS, STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
+from vstatics.jobs.page_files import set_pages_aside
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -248,10 +249,12 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         if task.target is None or job.finished is None:
             return Done(file, problems, case.failed, texts.among_several(case, shown, job.to))
         if shown is None or case.results is None:
-            return Done(file, problems, left=set_aside(task.target))
+            return Done(file, problems, left=set_pages_aside(task.target))
         result = texts.alone(file, shown, job.to)
         beside = {law.file for law in case.results.case.laws if law.file}
         job.finished.put(task.target, result, case.data, beside, failed=case.failed)
+    except ReadError as error:  # a page would overwrite a file of others
+        return Done(file, [*problems, *error.problems])
     except OSError as error:
         return Done(
             file,

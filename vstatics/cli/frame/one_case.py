@@ -158,7 +158,7 @@ def show(file: str, to: Destination, title: str, found: CaseAnswer) -> None:
     """Write what a command has of one case, in the format that is asked for."""
     name = file_name(file)
     shown = texts.CaseOutput([title or name], {}, found.grids, lambda: found.answer)
-    files.write_data(texts.alone(name, shown, to), to.output)
+    files.write_pages(texts.alone(name, shown, to), to.output)
 
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:

@@ -47,5 +47,5 @@ def carry_out(
     [outcome] = calculate(cases, job.options)
     if outcome.results is not None:
         shown = job.show(outcome, outcome.results)
-        files.write_data(texts.alone(outcome.file, shown, to), to.output)
+        files.write_pages(texts.alone(outcome.file, shown, to), to.output)
     return FAILED if outcome.failed else DONE

@@ -26,9 +26,9 @@ class CaseOutput(NamedTuple):
 
     titles: Sequence[str]
     """Over tables."""
-    by_format: Mapping[str, Callable[[str | None], str | bytes]]
+    by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
     """What is no table of `grids`, by format: a text, say. It is given the file of the case
-    where this is one of several in a stream."""
+    where this is one of several in a stream. A picture has pages, each for a file."""
     grids: Callable[[], Iterable[Grid]] | None = None
     answer: Callable[[], Answer] | None = None
     """What JSON is made of."""
@@ -64,13 +64,19 @@ FRAMES = {
 }
 
 
-def alone(file: str, shown: CaseOutput, to: Destination) -> bytes:
-    """The text of a case by itself."""
+def alone(file: str, shown: CaseOutput, to: Destination) -> Sequence[bytes]:
+    """The text of a case by itself, or the pages of its picture."""
     if to.form in shown.by_format:
-        return _bytes(shown.by_format[to.form](None), to)
+        return _pages(shown, to)
     if to.form in ("json", "jsonl"):
-        return _bytes(_json(file, shown, to), to)
-    return b"".join(_of_grids([_tables(file, shown, to)], to, several=False))
+        return [_bytes(_json(file, shown, to), to)]
+    return [b"".join(_of_grids([_tables(file, shown, to)], to, several=False))]
+
+
+def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Sequence[bytes]:
+    """What a case has besides tables, in its format."""
+    made = shown.by_format[to.form](file)
+    return [_bytes(made, to)] if isinstance(made, str | bytes) else made
 
 
 def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destination) -> Part:
@@ -82,9 +88,9 @@ def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destina
     if shown is None:
         return b""
     if to.form in shown.by_format:
-        made = _bytes(shown.by_format[to.form](file), to)
+        made = b"".join(_pages(shown, to, file))
     elif to.is_text:
-        made = alone(file, shown, to)
+        [made] = alone(file, shown, to)
     else:
         return _tables(file, shown, to)
     return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + made

@@ -173,4 +173,4 @@ def show(
         lambda: motion_answer(motion, read.scenario.case.name, targets=targets, damage=damage),
         lay_out,
     )
-    files.write_data(texts.alone(file_name(scenario), shown, to), to.output)
+    files.write_pages(texts.alone(file_name(scenario), shown, to), to.output)

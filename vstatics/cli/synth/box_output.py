@@ -81,7 +81,8 @@ class FoundBoxes:
         grids: Callable[[], Iterator[Grid]],
     ) -> bytes:
         shown = CaseOutput([self.title], own, grids)
-        return texts.alone(self.title, shown, Destination(form, None, style))
+        [made] = texts.alone(self.title, shown, Destination(form, None, style))
+        return made
 
 
 class BoxFiles(NamedTuple):

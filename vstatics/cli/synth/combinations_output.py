@@ -104,7 +104,7 @@ def show(search: CombinationSearch, case: str, to: Destination, telling: Telling
         title = search.case.name or file_name(case)
         found = (one for batch in _watched(search, advance) for one in batch.each())
         shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
-        files.write_data(texts.alone(file_name(case), shown, to), to.output)
+        files.write_pages(texts.alone(file_name(case), shown, to), to.output)
 
 
 def show_ports(
@@ -126,7 +126,7 @@ def show_ports(
         grids = [grid for search in searches for grid in _port_grids(search, advance)]
         title = searches[0].case.name or file_name(case)
         shown = texts.CaseOutput([title], {}, lambda: grids)
-        files.write_data(texts.alone(file_name(case), shown, to), to.output)
+        files.write_pages(texts.alone(file_name(case), shown, to), to.output)
 
 
 def _ports(search: CombinationSearch) -> tuple[str, str]:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
-from vstatics.pictures import Format, settings_of, written
+from vstatics.pictures import Format, files_of, settings_of, written
 from vstatics.pictures.boxes.points import (
     POINTS_SCALE_WIDTH,
     draw_points,
@@ -82,7 +82,7 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]
     require("plot", "a picture")
     with settings_of(style):
         figures = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
-    return [written(figure, form, style, "found boxes") for figure in figures]
+    return files_of(figures, form, style, "found boxes")
 
 
 def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:

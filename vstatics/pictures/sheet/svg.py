@@ -26,6 +26,7 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Text
 
+from vstatics.jobs.page_files import PAGE_KEY
 from vstatics.pictures.sheet.style import FAMILIES, SIZE, Style
 
 SVG = "http://www.w3.org/2000/svg"
@@ -107,13 +108,15 @@ def halo(style: Style) -> dict[str, Any]:
     return {"path_effects": [withStroke(linewidth=HALO, foreground=style.paper)]}
 
 
-def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
+def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) -> bytes:
     """A figure as SVG; the same figure gives the same bytes.
 
     Parameters
     ----------
     title : str
         Of the whole picture, its alternative text.
+    number : int, optional
+        Of the page; further ones have a mark.
     """
     file = io.BytesIO()
     with _letters_kept(figure):
@@ -133,6 +136,8 @@ def written_as_svg(figure: Figure, title: str, style: Style) -> bytes:
         "stroke-linejoin": "round",
         "role": "img",
     }
+    if number > 1:
+        root.set(PAGE_KEY, str(number))
     del root.attrib["version"]
     _add_title(root, title)
     ET.register_namespace("", SVG)

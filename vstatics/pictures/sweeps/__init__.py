@@ -50,9 +50,9 @@ def render_sweep(
         If there is no such column, nothing to draw, or matplotlib is not installed.
     """
     require("plot", "a picture")
-    from vstatics.pictures import settings_of, written
+    from vstatics.pictures import files_of, settings_of
 
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
         figures = module.draw(sweep, style, asked)
-    return [written(figure, form, style, f"sweep: {kind}") for figure in figures]
+    return files_of(figures, form, style, f"sweep: {kind}")

@@ -1,0 +1,132 @@
+"""Pictures of several pages as files, and the width that they are drawn for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from matplotlib.figure import Figure
+
+from tests.commands import CASES, vstatics
+from vstatics import ReadError, load, solve
+from vstatics.pictures.flow import efficiency
+from vstatics.pictures.plotting import plot
+from vstatics.pictures.sheet.style import Style
+from vstatics.statics.results import Results
+
+UMDM = CASES / "umdm.yaml"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder, the current one."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many pages a picture of efficiencies has, where pages have a height."""
+    wanted = [3]
+
+    def draw(_: Results, style: Style, gears: Sequence[int]) -> list[Figure]:
+        assert not gears
+        number = wanted[0] if style.height < style.width * 10 else 1
+        return [Figure((style.width / 72, 1 + page / 100)) for page in range(number)]
+
+    monkeypatch.setattr(efficiency, "draw", draw)
+    return wanted
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def wide(svg: str) -> float:
+    """The width of an SVG [pt]."""
+    found = re.search(r'<svg [^>]*?\bwidth="([\d.]+)pt"', svg)
+    assert found, svg[:200]
+    return float(found[1])
+
+
+@pytest.mark.parametrize("form", ["svg", "png"])
+def test_each_page_is_a_file_and_stale_ones_go(folder: Path, count: list[int], form: str) -> None:
+    for number in (3, 2, 1, 3):
+        count[0] = number
+        said = vstatics("plot", UMDM, "-k", "efficiency", "-o", f"box.{form}")
+        assert (said.status, said.all) == (0, "")
+        further = [f"box-{page}.{form}" for page in range(2, number + 1)]
+        assert names(folder) == [*further, f"box.{form}"]
+
+
+def test_a_pdf_has_all_pages_and_stdout_has_one(folder: Path, count: list[int]) -> None:
+    assert vstatics("plot", UMDM, "-k", "efficiency", "-o", "box.pdf").status == 0
+    assert (folder / "box.pdf").read_bytes().count(b"/Type /Page ") == count[0]
+    first = (folder / "box.pdf").read_bytes()
+    vstatics("plot", UMDM, "-k", "efficiency", "-o", "box.pdf")
+    assert (folder / "box.pdf").read_bytes() == first
+    assert names(folder) == ["box.pdf"]
+    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-")
+    assert said.out.count("<svg ") == 1
+
+
+def test_cases_of_a_directory_have_their_pages(folder: Path, count: list[int]) -> None:
+    """A case that is named as a page of another does not lose its picture without a word."""
+    for name in ("box", "box-2", "gear"):
+        (folder / f"{name}.yaml").write_bytes(UMDM.read_bytes())
+    said = vstatics("plot", "box.yaml", "gear.yaml", "-k", "efficiency", "-o", "out/")
+    assert said.status == 0
+    shown = [one for one in names(folder / "out") if not one.startswith(".")]
+    assert shown == [f"{name}{n}.svg" for name in ("box", "gear") for n in ("-2", "-3", "")]
+    said = vstatics("plot", "box.yaml", "box-2.yaml", "-k", "efficiency", "-o", "out/")
+    assert said.status == 1
+    assert "out/box-2.svg: error: is page 2 of out/box.svg: expected another name" in said.err
+    count[0] = 1
+    said = vstatics("plot", "box-2.yaml", "box.yaml", "-k", "efficiency", "-o", "new/")
+    assert said.status == 0
+
+
+@pytest.mark.usefixtures("count")
+def test_python_saves_pages_of_a_width(folder: Path) -> None:
+    results = solve(load(UMDM))
+    made = plot(results, "efficiency", width=100)
+    made.save("box.svg")
+    assert names(folder) == ["box-2.svg", "box-3.svg", "box.svg"]
+    assert wide(Path("box.svg").read_text("utf-8")) == pytest.approx(100 / 25.4 * 72, abs=0.01)
+    assert 'data-page="3"' in Path("box-3.svg").read_text("utf-8")
+    Path("own-2.svg").write_text("mine", encoding="utf-8")
+    with pytest.raises(ReadError, match=r"own-2\.svg: error: is there"):
+        made.save("own.svg")
+    for wrong in (79.0, 1201.0, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="expected a width of 80mm to 1200mm"):
+            plot(results, "efficiency", width=wrong)
+
+
+@pytest.mark.usefixtures("count")
+@pytest.mark.parametrize(
+    ("width", "points"),
+    [("85mm", 85 / 25.4 * 72), ("8.5 cm", 85 / 25.4 * 72), ("6.5in", 468.0), ("500pt", 500.0)],
+)
+def test_a_width_has_its_unit(width: str, points: float) -> None:
+    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
+    assert wide(said.out) == pytest.approx(points, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("width", "why"),
+    [
+        ("170", "expected a length in mm, cm, in, pt, such as 170mm"),
+        ("-170mm", "expected a length in mm"),
+        ("1e3mm", "expected a length in mm"),
+        ("17м", "expected a length in mm"),
+        ("79mm", "expected a width of 80mm to 1200mm"),
+        ("48in", "expected a width of 80mm to 1200mm"),
+        ("999999999in", "expected a width of 80mm to 1200mm"),
+    ],
+)
+def test_a_width_that_is_none_is_told_with_what_is_expected(width: str, why: str) -> None:
+    said = vstatics("plot", UMDM, "-k", "efficiency", "-o", "-", "--width", width)
+    assert said.status == 2
+    assert f"Invalid value for '--width': read `{width}`, {why}" in said.err
