@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -169,12 +170,17 @@ def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
             assert not [line for line in lines if touch(inside, line)], text.get_text()
 
 
+ONE_ROW = {"structure": inf, "stick": Style().width}
+"""Widths in which a picture has one row."""
+
+
 def check(scheme: Scheme, placement: Placement, results: Results, kind: str) -> None:
     """The picture of a case, without a gear in English and with its first in Russian."""
     assert_joins(scheme, placement)
     assert_apart(placement)
     for gear in (None, 1):
-        figure = picture(results, kind, Style("ru" if gear else "en"), [gear] if gear else [])
+        style = Style("ru" if gear else "en", width=ONE_ROW[kind])
+        figure = picture(results, kind, style, [gear] if gear else [])
         assert overlaps(figure) == []
         if gear is None:
             assert_clear(figure, placement, scheme)
@@ -405,8 +411,8 @@ def test_arms_without_torque_are_pale() -> None:
 @pytest.mark.parametrize("path", some(CASES), ids=lambda path: path.name)
 def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
-    scheme, style = scheme_of(results.case), Style()
-    is_drawn = path in DRAWN
+    scheme, is_drawn = scheme_of(results.case), path in DRAWN
+    style = Style(width=ONE_ROW["stick" if is_drawn else "structure"])
     placement = stick.place(scheme, style).placement if is_drawn else structure.place(scheme, style)
     by_number = range(1, len(results.case.gears) + 1)
     figures = (stick if is_drawn else structure).each(results, style, [(n,) for n in by_number])

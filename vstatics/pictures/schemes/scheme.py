@@ -66,7 +66,18 @@ class SchemePort(NamedTuple):
 
     link: int
     role: str
-    """``input``, ``output``, or ``given`` where a gear gives its speed or torque."""
+    """``input``, ``output``, or ``given`` where a gear gives its speed or torque; ``before`` or
+    ``behind`` where the link goes on in an earlier or a later row of the picture."""
+
+    @property
+    def is_left(self) -> bool:
+        """Whether it is at the left end of the picture."""
+        return self.role in ("input", "before")
+
+    @property
+    def is_further(self) -> bool:
+        """Whether the link goes on in another row."""
+        return self.role in ("before", "behind")
 
 
 @dataclass(frozen=True)
@@ -94,6 +105,15 @@ class Scheme:
     links: Sequence[str]
     devices: Sequence[Device]
     ports: Sequence[SchemePort]
+    is_part: bool = False
+    """Whether it has some devices of another one, and only their links."""
+
+    @property
+    def wires(self) -> list[int]:
+        """The links that are drawn, by their numbers."""
+        used = {link for device in self.devices for link in device.links}
+        every = range(1, len(self.links) + 1)
+        return [link for link in every if link in used or not self.is_part]
 
     def name(self, link: int) -> str:
         """The name of a link."""
@@ -105,11 +125,11 @@ class Scheme:
 
         A link that fewer than two devices join goes to an end too, where its name can stand.
         """
-        left = [port.link for port in self.ports if port.role == "input"]
-        right = [port.link for port in self.ports if port.role != "input"]
+        left = [port.link for port in self.ports if port.is_left]
+        right = [port.link for port in self.ports if not port.is_left]
         for link in range(1, len(self.links) + 1):
             joined = sum(link in device.links for device in self.devices)
-            if joined < 2 and link not in [*left, *right]:
+            if self.is_part <= joined < 2 and link not in [*left, *right]:
                 right.append(link)
         return left, list(dict.fromkeys(right))
 

@@ -48,6 +48,9 @@ BRAKE_NAME_GAP = 14.0
 AXIS = 6.0
 """From the last track below to the axis. [pt]"""
 
+FURTHER = (0, (1.5, 1.5))
+"""Dashes of a wire that goes on in another row."""
+
 DrawDevice = Callable[["Sheet", int], None]
 """Draws a mechanism or an element by its index."""
 
@@ -114,25 +117,56 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
         If one is of several gears.
     """
     for gears in shown:
-        if len(gears) > 1:
-            raise CaseError("E410", "the picture of a scheme shows one gear at a time")
-        state, texts, own, gear = SchemeState(), [subject], None, None
-        for gear in gears:
-            own = state_of(results, gear)
-            state = scheme_state(scheme, own)
-            texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
+        told = told_of(results, scheme, style, gears, subject=subject, note=note)
         sheet = wired(
             scheme,
             placement,
             style,
             draw,
-            state,
-            titles=titles_of(results, scheme, style, gear, own),
-            name=title(results.case, ", ".join(texts)),
+            told.state,
+            titles=told.titles,
+            name=told.name,
             note=note,
             is_coaxial=is_coaxial,
         )
         yield [sheet.pen.figure]
+
+
+class SchemeTold(NamedTuple):
+    """What a picture of a scheme says besides the scheme."""
+
+    state: SchemeState
+    titles: Titles
+    name: str
+    """Of the picture."""
+    note: str = ""
+
+
+def told_of(  # noqa: PLR0913 - what is drawn, and how
+    results: Results,
+    scheme: Scheme,
+    style: Style,
+    gears: Sequence[int],
+    *,
+    subject: str,
+    note: str = "",
+) -> SchemeTold:
+    """What is said of no gear, or of one by its number from 1.
+
+    Raises
+    ------
+    CaseError
+        If there are several gears.
+    """
+    if len(gears) > 1:
+        raise CaseError("E410", "the picture of a scheme shows one gear at a time")
+    state, texts, own, gear = SchemeState(), [subject], None, None
+    for gear in gears:
+        own = state_of(results, gear)
+        state = scheme_state(scheme, own)
+        texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
+    titles = titles_of(results, scheme, style, gear, own)
+    return SchemeTold(state, titles, title(results.case, ", ".join(texts)), note)
 
 
 def wired(  # noqa: PLR0913 - what is drawn, and how
@@ -204,8 +238,8 @@ def _ends(sheet: Sheet) -> None:
     named: set[int] = set()
     sides = (placement.from_left, -1, 0.0), (placement.to_right, 1, placement.row.width)
     for wires, way, x in sides:
-        ports = [port for port in sheet.scheme.ports if (port.role == "input") == (way < 0)]
-        lowest = min(wires, key=lambda wire: placement.y(placement.end_of(wire)))
+        ports = [port for port in sheet.scheme.ports if port.is_left == (way < 0)]
+        lowest = min(wires, key=lambda wire: placement.y(placement.end_of(wire)), default=0)
         for wire in wires:
             own = [port for port in ports if port.link == wire]
             at = x, placement.y(placement.end_of(wire))
@@ -213,7 +247,7 @@ def _ends(sheet: Sheet) -> None:
                 sheet.pen.line(at, (x, sheet.axis), color=_end_color(sheet, own), zorder=3)
                 at = x, sheet.axis
             _end(sheet, own, at, way)
-            if wire not in named:
+            if wire not in named or any(port.is_further for port in own):
                 name = (at[0] + way * (TERMINAL + 4), at[1]), sheet.scheme.name(wire)
                 ha = "left" if way > 0 else "right"
                 sheet.text(*name, color=sheet.name_color(wire), ha=ha)
@@ -231,6 +265,9 @@ def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None
     """The line that leaves the picture, with its arrow: where power goes, as far as is known."""
     pen, (x, y) = sheet.pen, at
     color, end = _end_color(sheet, ports), x + way * TERMINAL
+    if any(port.is_further for port in ports):
+        pen.line((x, y), (end, y), color=color, zorder=3, linestyle=FURTHER)
+        return
     pen.line((x, y), (end, y), color=color, zorder=3)
     ways = {sheet.state.leaving[port] for port in ports if port in sheet.state.leaving}
     if ports and not ways:  # input and output as they are meant, others may take and give

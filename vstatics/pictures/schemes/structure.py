@@ -6,6 +6,8 @@ This is the form of figure 5b of the source: it serves every case, drawn or not.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
+from itertools import pairwise
 
 from matplotlib.figure import Figure
 
@@ -14,13 +16,25 @@ from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching, lines_of
 from vstatics.pictures.schemes.placing import Placement, placed
+from vstatics.pictures.schemes.rows import SchemeRow, rows_of
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
-from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, coupling_item, figures
-from vstatics.pictures.sheet.labels import Segment, width
+from vstatics.pictures.schemes.sheet import (
+    FURTHER,
+    HEIGHT,
+    SchemeTold,
+    Sheet,
+    coupling_item,
+    extent,
+    told_of,
+    wired,
+)
+from vstatics.pictures.schemes.signs import meanings
+from vstatics.pictures.sheet.head import SheetHead, sheet_head
+from vstatics.pictures.sheet.labels import Point, Segment, title_width, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import corners
-from vstatics.pictures.sheet.style import SMALL, Style
+from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
 from vstatics.tables.numbers import typeset
@@ -29,6 +43,12 @@ HALF_BOX = 30.0
 """Half the height of a box. [pt]"""
 BOX_NAME_LETTERS = 18
 """The names of boxes are broken at. [letters]"""
+LEAST_BOX = 40.0
+"""The width of a box with a short name, without its margins. [pt]"""
+BOX_GAP = 12.0
+"""Between boxes, where nothing else is told. [pt]"""
+ROW_GAP = 10.0
+"""Between rows. [pt]"""
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
@@ -46,25 +66,97 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
     scheme, subject = scheme_of(results.case), style.text("structure", "структура")
-    drawn = scheme, place(scheme, style), style, draw_box
-    yield from figures(results, *drawn, shown=shown, subject=subject)
+    made = rows(scheme, style)
+    for gears in shown:
+        told = told_of(results, scheme, style, gears, subject=subject)
+        cuts = _pages(made, told, style)
+        yield [_page(made[start:end], told, made, style) for start, end in cuts]
+
+
+def rows(scheme: Scheme, style: Style) -> list[SchemeRow]:
+    """What stands in each row; the same for all gears of a case.
+
+    >>> from vstatics import Gear, Mechanism, Transmission
+    >>> pairs = [Mechanism(link, link + 1, 0, -2) for link in range(1, 4)]
+    >>> found = rows(scheme_of(Transmission(4, [], pairs, [Gear()])), Style(width=200))
+    >>> [[device.name for device in row.scheme.devices] for row in found]
+    [['D1'], ['D2'], ['D3']]
+    >>> [(port.link, port.role) for port in found[1].scheme.ports]
+    [(2, 'before'), (3, 'behind')]
+    """
+    return rows_of(scheme, partial(place, style=style), _wide, style.width)
+
+
+def _wide(scheme: Scheme, placement: Placement) -> float:
+    """The width of a row with what leaves it at both ends [pt]."""
+    low, high = extent(scheme, placement)
+    return high[0] - low[0]
+
+
+def _size(row: SchemeRow) -> Point:
+    low, high = extent(row.scheme, row.placement)
+    return high[0] - low[0], high[1] - low[1]
+
+
+def _head(told: SchemeTold, rows: Sequence[SchemeRow], style: Style) -> tuple[float, SheetHead]:
+    """The width of the pages, and what stands over each."""
+    least = title_width(told.name) + 2 * WIDE_MARGIN if style.titled else 0.0
+    wide = max(*(_size(row)[0] for row in rows), min(least, style.width))
+    look = {"color": style.ink, "linestyle": FURTHER}
+    further = len(rows) > 1, "goes on in another row", "продолжается в другом ряду", look
+    signs = [*meanings(told.state, style), further]
+    return wide, sheet_head(told.name, told.note, signs, wide - 2 * WIDE_MARGIN, style)
+
+
+def _pages(rows: Sequence[SchemeRow], told: SchemeTold, style: Style) -> list[tuple[int, int]]:
+    """The first row of each page, and that after its last one."""
+    _, head = _head(told, rows, style)
+    cuts, high = [0], 0.0
+    for number, row in enumerate(rows):
+        own = _size(row)[1] + ROW_GAP
+        if number > cuts[-1] and high + own > style.height - head.high - 2 * WIDE_MARGIN:
+            cuts.append(number)
+            high = 0.0
+        high += own
+    return list(pairwise([*cuts, len(rows)]))
+
+
+def _page(
+    shown: Sequence[SchemeRow], told: SchemeTold, rows: Sequence[SchemeRow], style: Style
+) -> Figure:
+    """Some rows, one below the other."""
+    wide, head = _head(told, rows, style)
+    y = sum(_size(row)[1] + ROW_GAP for row in shown) - ROW_GAP
+    page = head.over((wide, y), WIDE_MARGIN * bool(head.high), style)
+    for row in shown:
+        size = _size(row)
+        y -= size[1]
+        wired(
+            row.scheme,
+            row.placement,
+            style,
+            draw_box,
+            row.state(told.state),
+            titles=row.titles(told.titles),
+            name=told.name,
+            within=page.panel((0.0, y), size),
+            is_coaxial=False,
+        )
+        y -= ROW_GAP
+    return page.figure
 
 
 def place(scheme: Scheme, style: Style) -> Placement:
-    """Where everything stands in the picture; the same for all gears of a case."""
+    """Where everything stands in one row; the same for all gears of a case."""
     items = [row_item(index, one, (0,), style) for index, one in enumerate(scheme.devices)]
-    board = Board(items, range(1, len(scheme.links) + 1), *scheme.ends)
+    board = Board(items, scheme.wires, *scheme.ends, gap=BOX_GAP)
     return placed(board, arranged(board, is_free=True), HALF_BOX, named_on_tracks(scheme))
 
 
 def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     """Widths of the names of links that reach no end of the picture [pt]."""
-    from_left, to_right = scheme.ends
-    return {
-        link: width(name)
-        for link, name in enumerate(scheme.links, 1)
-        if link not in from_left and link not in to_right
-    }
+    at_ends = {link for own in scheme.ends for link in own}
+    return {link: width(scheme.name(link)) for link in scheme.wires if link not in at_ends}
 
 
 def row_item(index: int, device: Device, sides: Sequence[int], style: Style) -> Item:
@@ -77,9 +169,9 @@ def row_item(index: int, device: Device, sides: Sequence[int], style: Style) -> 
     """
     if device.is_coupling:
         return coupling_item(index, device, sides)
-    slot = max(width(member_text(device, one, style), SMALL) for one in device.members) + 9
+    slot = max(width(member_text(device, one, style)) for one in device.members) + 9
     name = width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
-    inner = max(name, width(word(device.kind, style), SMALL), 60.0) + 10
+    inner = max(name, width(word(device.kind, style)), LEAST_BOX) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
         own = (ABOVE, BELOW) if link == HOUSING else sides
@@ -118,11 +210,11 @@ def draw_box(sheet: Sheet, index: int) -> None:
         y -= 0.95 * HEIGHT
     is_bare = device.kind == "mechanism"
     note = ratio_text(device.ratio) if is_bare else word(device.kind, style)
-    sheet.text((middle, y), note, size=SMALL, **look)
+    sheet.text((middle, y), note, **look)
     grounds: list[Segment] = []
     for tap in sheet.taps(index):
         text = member_text(device, tap.label, style)
-        sheet.text((tap.x, tap.side * (HALF_BOX - 8)), text, size=SMALL, **look)
+        sheet.text((tap.x, tap.side * (HALF_BOX - 8)), text, **look)
         if tap.reach == "none":
             end = tap.x, tap.side * (HALF_BOX + 8)
             grounds += [((tap.x, tap.side * HALF_BOX), end), *ground(end, tap.side)]

@@ -88,7 +88,7 @@ def _ends(placement: Placement, scheme: Scheme, state: SchemeState) -> Iterator[
             yield tap.wire, (tap.x, tap.y if tap.reach == "row" else placement.edge(tap.side))
     for port in scheme.ports:
         if port not in state.idle_ports:
-            x = 0.0 if port.role == "input" else placement.row.width
+            x = 0.0 if port.is_left else placement.row.width
             yield port.link, (x, placement.y(placement.end_of(port.link)))
 
 
