@@ -13,8 +13,11 @@ from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.cli.frame.texts import Job
+from vstatics.cli.frame.values import each, named, separated, value
+from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -27,9 +30,40 @@ if TYPE_CHECKING:
     "Write to this file, whole or not at all; several cases to this directory; - is "
     "standard output."
 )
+@click.option(
+    "--sections",
+    metavar="NAME,...",
+    multiple=True,
+    callback=value(each(section)),
+    help=f"These only, on the screen and in print: {', '.join(SECTIONS)}.",
+)
+@click.option(
+    "--gears",
+    metavar="G,...",
+    multiple=True,
+    callback=value(separated),
+    help="Of these gears only, by names or numbers.",
+)
+@click.option("--all", "prints_all", is_flag=True, help="Print all that the screen shows.")
+@click.option(
+    "--stamp",
+    metavar="NAME=TEXT,...",
+    multiple=True,
+    callback=value(named("NAME=TEXT", str)),
+    help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
+)
 @formats.digits
 @arguments.settings
-def report(cases: tuple[str, ...], output: str, digits: int | None, settings: CaseOptions) -> int:
+def report(
+    cases: tuple[str, ...],
+    output: str,
+    sections: tuple[str, ...],
+    gears: list[str],
+    prints_all: bool,
+    stamp: dict[str, str],
+    digits: int | None,
+    settings: CaseOptions,
+) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
 
     A scenario may stand for its case; then the page has its run, too. For what `synth box -f
@@ -39,6 +73,10 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     of the one that is chosen, the input and all tables, which can be sorted and copied. It loads
     nothing from elsewhere, can be printed, and carries the result as JSON.
 
+    In print it has at most ten pages of A4: the overview, gears with their stick diagrams,
+    power flow, efficiency, largest values, and what the case has of vibration and a run;
+    --all prints all of it, --sections what it names.
+
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
 
@@ -46,31 +84,47 @@ def report(cases: tuple[str, ...], output: str, digits: int | None, settings: Ca
     Examples:
       vstatics report gearbox.yaml -o gearbox.html
       vstatics report upshift.yaml -o upshift.html
+      vstatics report gearbox.yaml --sections overview,gears,flow --gears 1,R -o first.html
+      vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
     \b
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
+    refuse(
+        (sections and prints_all, "--sections: what it names is printed, without --all"),
+    )
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
-        return report_boxes(*found, cases[0], output, digits)
-    show = partial(_shown, digits=digits, quiet=settings.telling.quiet)
+        asked_of_cases = sections or gears or prints_all
+        refuse((asked_of_cases, "--sections, --gears, --all: found boxes have a page of their own"))
+        return report_boxes(*found, cases[0], output, digits, stamp)
+    asked = AskedPage(sections, gears, prints_all, stamp)
+    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked)
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
     )
 
 
 def _shown(
-    outcome: CalculatedCase, results: Results, digits: int | None, quiet: bool
+    outcome: CalculatedCase,
+    results: Results,
+    digits: int | None,
+    quiet: bool,
+    asked: AskedPage,
 ) -> texts.CaseOutput:
     """The page of a case."""
+    chosen = arguments.gear_indices(results.case, asked.gears) if asked.gears else ()
+    own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(results, outcome.problems, digits, run_of(outcome), _naming(outcome))
+        material = gather(
+            results, outcome.problems, digits, run_of(outcome), _naming(outcome), asked=own
+        )
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:

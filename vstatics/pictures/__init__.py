@@ -148,12 +148,11 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     return files_of(figures, form, style, _alternative(results, kind, style, gears))
 
 
-def of_each_gear(results: Results, kind: str, style: Style) -> list[list[bytes]]:
-    """The pages of each gear as SVG, in the order of the gears.
-
-    Parameters and errors as of `picture`.
-    """
-    shown = [(number,) for number in range(1, len(results.case.gears) + 1)]
+def of_each_gear(
+    results: Results, kind: str, style: Style, gears: Sequence[int]
+) -> list[list[bytes]]:
+    """The pages of each gear as SVG, in their order; parameters and errors as of `picture`."""
+    shown = [(number,) for number in gears]
     titles = (_alternative(results, kind, style, gears) for gears in shown)
     return [
         files_of(figures, "svg", style, title)

@@ -9,11 +9,13 @@ from typing import Any
 from vstatics.errors import CaseError
 from vstatics.extras import missing
 from vstatics.pictures.sheet.style import Style
+from vstatics.report.asked import EVERYTHING
 from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
-from vstatics.report.html_page import framed
+from vstatics.report.html_page import framed, stamped
 from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
+from vstatics.report.sections import Part
 from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
 from vstatics.tables.answer import plain_data
 from vstatics.tables.html import Markup, joined, table, tag
@@ -46,7 +48,10 @@ def box_pages(listing: BoxListing) -> dict[str, bytes]:
 
 
 def boxes_page(
-    listing: BoxListing, document: Mapping[str, Any] | None = None, digits: int | None = None
+    listing: BoxListing,
+    document: Mapping[str, Any] | None = None,
+    digits: int | None = None,
+    stamp: Mapping[str, str] = EVERYTHING.stamp,
 ) -> str:
     """The page, as HTML; without matplotlib it has no pictures.
 
@@ -56,6 +61,8 @@ def boxes_page(
         From which the listing was read; the page carries it, with the boxes that it lists.
     digits : int, optional
         After the point, where they are not those that suit a number.
+    stamp : mapping of str to str, optional
+        A head: who made it, for what, when.
 
     Raises
     ------
@@ -68,16 +75,16 @@ def boxes_page(
         raise CaseError("E009", "no box was found, so there is nothing to show")
     without = missing("plot", "a picture")
     parts = [
-        ("Overview", list(_overview(listing, without))),
-        ("Boxes", list(_tables(listing, digits))),
-        ("Diagrams", list(_diagrams(listing, without, digits))),
+        Part("Overview", list(_overview(listing, without))),
+        Part("Boxes", list(_tables(listing, digits))),
+        Part("Diagrams", list(_diagrams(listing, without, digits))),
     ]
     found = len(listing.boxes)
     title = f"{found} found {'box' if found == 1 else 'boxes'}"
     data = document or plain_data(listing._replace(boxes=()))
     boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
     listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
-    return framed(title, _about(listing), parts, listed)
+    return framed(title, [*stamped(stamp), *_about(listing)], parts, listed)
 
 
 def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:

@@ -9,21 +9,25 @@ from textwrap import dedent
 from vstatics.errors import CaseError
 from vstatics.explain import explain_gear
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.grids import matrix
 from vstatics.explain.text import MATRIX, RATIO, sections
 from vstatics.extras import missing
 from vstatics.report.material import Material
-from vstatics.tables.grid import Cell
-from vstatics.tables.html import Markup, bare, scrolled, tag
+from vstatics.tables.html import Markup, scrolled, tag
 
 
 def explained(material: Material) -> list[Sequence[Markup]]:
-    """Of each gear, in their order: its ratio as a formula, matrix, equations and signs.
+    """Of each gear that is shown: its ratio as a formula, equations and signs.
+
+    The matrix, which gears have in common, stands among the tables.
 
     What is the same for all gears, that there is no formula, `no_formula` says once.
     """
-    gears = range(1, len(material.results.case.gears) + 1)
-    return [list(_explained(material, gear)) for gear in gears]
+    gears = enumerate(material.results.case.gears, 1)
+    return [
+        list(_explained(material, number))
+        for number, gear in gears
+        if material.asked.shows(gear.name)
+    ]
 
 
 def _explained(material: Material, gear: int) -> Iterator[Markup]:
@@ -45,17 +49,12 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
         one = one._replace(reason="")
     parts = sorted(sections(one, digits), key=lambda part: part.heading not in RATIO)
     for part in parts:
-        shown = _matrix(one, digits) if part.heading == MATRIX else _lines(part.lines)
+        if part.heading == MATRIX:
+            continue
+        shown = _lines(part.lines)
         name, colon, rest = part.heading.partition(":")
         note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
         yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
-
-
-def _matrix(one: Explanation, digits: int | None) -> Markup:
-    """A link that a device does not have is left blank."""
-    grid = matrix(one).with_digits(digits)
-    rows = [[Cell("") if cell.value == 0 else cell for cell in row] for row in grid.cells]
-    return bare(grid._replace(rows=rows))
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.resources import files
 from typing import Any
 
 from vstatics.pictures.sheet.style import FAMILIES
+from vstatics.report.asked import SECTIONS
 from vstatics.report.material import Material
 from vstatics.report.page_pictures import palette, shared
-from vstatics.report.parts import chooser
-from vstatics.report.sections import RUN, Part, sections
+from vstatics.report.parts import SCREEN, chooser
+from vstatics.report.sections import Part, sections
 from vstatics.tables.html import Markup, joined, printed, tag
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -30,8 +31,10 @@ def page(material: Material) -> str:
     case = material.results.case
     title = material.naming.title(case.name, runs=material.run is not None)
     parts = list(sections(material))
-    choice = chooser([gear.name for gear in case.gears]) if case.gears else NOTHING
-    return framed(title, _about(material), parts, material.document, choice)
+    names = [gear.name for gear in case.gears if material.asked.shows(gear.name)]
+    choice = chooser(names) if names else NOTHING
+    about = [*stamped(material.asked.stamp), *_about(material)]
+    return framed(title, about, parts, material.document, choice)
 
 
 def framed(
@@ -52,11 +55,11 @@ def framed(
     choice : Markup, optional
         Stays in sight: what is chosen for several sections.
     """
-    links = (tag("a", name, href=f"#{_id(name)}") for name, _ in parts)
+    links = (tag("a", part.name, href=f"#{_id(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
     shown = tag(
         "main",
-        *(tag("section", tag("h2", name), *inner, id=_id(name)) for name, inner in parts),
+        *map(_section, parts),
     )
     main, looks = shared(printed(shown, _names(document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
@@ -80,12 +83,32 @@ def framed(
     return f"<!DOCTYPE html>\n{tag('html', head, body, lang='en')}\n"
 
 
+def _section(part: Part) -> Markup:
+    look = False if part.is_printed else SCREEN
+    return tag("section", tag("h2", part.name), *part.shown, id=_id(part.name), class_=look)
+
+
+def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
+    """The head that says whose a page is, if anything does.
+
+    >>> print(*stamped({"author": "A < B"}))
+    <dl class="stamp"><div><dt>author</dt><dd>A &lt; B</dd></div></dl>
+    """
+    if stamp:
+        shown = (tag("div", tag("dt", name), tag("dd", text)) for name, text in stamp.items())
+        yield tag("dl", *shown, class_="stamp")
+
+
 def _about(material: Material) -> Iterator[Markup]:
     case = material.results.case
     if material.run:
-        link = tag("a", RUN, href=f"#{_id(RUN)}")
+        link = tag("a", SECTIONS["run"], href=f"#{_id(SECTIONS['run'])}")
         said = f": {material.naming.description}" if material.naming.description else ""
         yield tag("p", "Scenario, see ", link, said, class_="told")
+    if material.asked.gears:
+        names = ", ".join(material.asked.gears)
+        told = f"Shown of {len(case.gears)} gears: {names}. Figures of the whole are of all gears."
+        yield tag("p", told, class_="told")
     if case.description:
         yield tag("p", case.description, class_="told")
     if case.source:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
+from vstatics.report.asked import EVERYTHING, AskedPage
 from vstatics.report.motion import RunSection, run_section
 from vstatics.report.page_pictures import Pictures, pictures
 from vstatics.report.vibration import Vibration, vibration
@@ -71,14 +72,22 @@ class Material(NamedTuple):
     run: RunSection | None = None
     """Of a scenario."""
     naming: Naming = UNNAMED
+    asked: AskedPage = EVERYTHING
+
+    @property
+    def shown_flows(self) -> Sequence[GearFlow]:
+        """Of the gears that are shown."""
+        return [one for one in self.flows if self.asked.shows(one.gear)]
 
 
-def gather(
+def gather(  # noqa: PLR0913 - what there is, and how it is shown
     results: Results,
     problems: Iterable[Problem] = (),
     digits: int | None = None,
     motion: Motion | None = None,
     naming: Naming = UNNAMED,
+    *,
+    asked: AskedPage = EVERYTHING,
 ) -> Material:
     """What the page of a case shows.
 
@@ -95,10 +104,12 @@ def gather(
         A run of the case.
     naming : Naming, optional
         What the case does not say of itself: the name of its file, the scenario.
+    asked : AskedPage, optional
+        What of it the page has.
     """
     without, drawn = "", Pictures()
     try:
-        drawn = pictures(results)
+        drawn = pictures(results, asked)
     except CaseError as error:
         without = str(error)
     told = []
@@ -114,10 +125,13 @@ def gather(
         drawn,
         [*told, *map(str, results.messages)],
         without,
-        vibration(results, has_pictures=not without),
+        vibration(results, asked, has_pictures=not without) if asked.has("vibration") else None,
         digits,
-        None if motion is None else run_section(results, motion, has_pictures=not without),
+        run_section(results, motion, has_pictures=not without)
+        if motion is not None and asked.has("run")
+        else None,
         naming,
+        asked,
     )
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.errors import printable
 from vstatics.report.page_pictures import Drawn, picture_of
-from vstatics.report.parts import figures
+from vstatics.report.parts import figures, on_screen
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact
@@ -45,8 +45,16 @@ def run_section(results: Results, motion: Motion, *, has_pictures: bool) -> RunS
     return RunSection(motion, course, plan)
 
 
-def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
-    """All of it; why the run stopped, if it did, comes first."""
+def shown_run(
+    section: RunSection, digits: int | None, *, in_full: bool = False
+) -> Iterator[Markup]:
+    """All of it; why the run stopped, if it did, comes first.
+
+    Parameters
+    ----------
+    in_full : bool
+        Whether its plan is printed, too.
+    """
     from vstatics.simulation.record.grids import motion_grids
 
     motion = section.motion
@@ -58,7 +66,8 @@ def shown_run(section: RunSection, digits: int | None) -> Iterator[Markup]:
         yield from figures(section.course, "Run over time")
     yield from tables(in_figures(grid).with_digits(digits) for grid in motion_grids(motion))
     if section.plan:
-        yield from figures(section.plan, "Run in the kinematic plan")
+        shown = figures(section.plan, "Run in the kinematic plan")
+        yield from shown if in_full else [on_screen(shown)]
 
 
 def in_figures(grid: Grid) -> Grid:

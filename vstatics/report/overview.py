@@ -46,7 +46,7 @@ def _gears(material: Material) -> Iterator[tuple[str, str]]:
     made = material.summary.design
     yield "gears", str(len(made.gears))
     if len(made.forward) > 1:
-        first, last = (gear_link(one) for one in (made.forward[0], made.forward[-1]))
+        first, last = (_link(material, one, one) for one in (made.forward[0], made.forward[-1]))
         spread = _number(material, made.spread)
         yield "spread", joined(spread, ", gear ", first, " to ", last)
 
@@ -56,7 +56,10 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
     known = [one for one in material.summary.design.gears if not math.isnan(one.efficiency)]
     if known:
         worst = min(known, key=lambda one: one.efficiency)
-        yield "lowest efficiency", _in_gear(_number(material, worst.efficiency), worst.gear)
+        yield (
+            "lowest efficiency",
+            _in_gear(material, _number(material, worst.efficiency), worst.gear),
+        )
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
@@ -69,7 +72,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
             if found is not None and found.gear:
                 unit = f" {UNITS[shown.unit].en}" if shown.unit else " × input"
                 value = rounded(abs(found.value), shown.decimals, material.digits)
-                said = _in_gear(f"{value}{unit}, {found.row}", found.gear)
+                said = _in_gear(material, f"{value}{unit}, {found.row}", found.gear)
                 yield "largest element torque", said
                 return
 
@@ -81,7 +84,7 @@ def _circulation(material: Material) -> Iterator[tuple[str, str]]:
     if known:
         share, gear = max(known, key=itemgetter(0))
         said = f"{rounded(100 * share, 1, material.digits)} % of the input power"
-        yield "largest circulation", _in_gear(said, gear) if share > 0 else "none"
+        yield "largest circulation", _in_gear(material, said, gear) if share > 0 else "none"
 
 
 def _alerts(messages: Sequence[str]) -> Markup:
@@ -99,8 +102,13 @@ def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
     return [one for one in messages if one.startswith(f"{weight}:")]
 
 
-def _in_gear(said: str, gear: str) -> Markup:
-    return joined(said, ", ", gear_link(gear, f"gear {gear}"))
+def _in_gear(material: Material, said: str, gear: str) -> Markup:
+    return joined(said, ", ", _link(material, gear, f"gear {gear}"))
+
+
+def _link(material: Material, gear: str, text: str) -> str:
+    """A link to a gear that the page shows, else its name alone."""
+    return gear_link(gear, text) if material.asked.shows(gear) else text
 
 
 def _number(material: Material, value: float) -> str:

@@ -11,11 +11,12 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from vstatics.errors import CaseError
+from vstatics.errors import CaseError, plural
 from vstatics.extras import require
 from vstatics.pictures import of_each_gear, pages
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.sheet.words import KINDS
+from vstatics.report.asked import EVERYTHING, AskedPage
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
@@ -35,9 +36,13 @@ _COLOURED = ("style", "fill", "stroke")
 
 NAMES = {kind: english for kind, (english, _) in KINDS.items()}
 """What a kind of picture is called."""
-OF_EACH_GEAR = ("stick", "flow", "lever")
 OF_ALL_GEARS = ("efficiency", "plan")
-PAGE = Style(titled=False, height=PAGE_HEIGHT)
+PRINTED_WIDTH = 182.0
+"""Between the margins of A4, as the style sheet has them. [mm]"""
+COLUMN_GAP = 4.0
+"""Between two pictures side by side. [mm]"""
+PAGE = Style(titled=False, width=PRINTED_WIDTH * POINTS_PER_MILLIMETRE, height=PAGE_HEIGHT)
+HALF = PAGE._replace(width=(PRINTED_WIDTH - COLUMN_GAP) / 2 * POINTS_PER_MILLIMETRE)
 
 
 class Drawn(NamedTuple):
@@ -53,12 +58,18 @@ class Pictures(NamedTuple):
     """Those of a case but for vibration and motion, by their kind."""
 
     of_gears: Mapping[str, Sequence[Drawn]] = {}
-    """One of each gear."""
+    """One of each gear that is shown."""
     of_all: Mapping[str, Drawn] = {}
+    small_sticks: Sequence[Drawn] = ()
+    """One of each gear that is shown, for print."""
+    bare_stick: Drawn | None = None
+    """Of no gear, for print."""
+    flows: Drawn | None = None
+    """Of all gears that are shown, for print."""
 
 
-def pictures(results: Results) -> Pictures:
-    """All pictures of a case but those of vibration and motion.
+def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
+    """All pictures of a case that its page has, but those of vibration and motion.
 
     Where no stick diagram can be drawn, the structure of each gear stands for it.
 
@@ -68,37 +79,72 @@ def pictures(results: Results) -> Pictures:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    of_gears = {kind: of_each(results, kind) for kind in OF_EACH_GEAR}
-    if not any(one.sheets for one in of_gears["stick"]):
-        of_gears["stick"] = of_each(results, "structure")
-    return Pictures(of_gears, {kind: picture_of(results, kind) for kind in OF_ALL_GEARS})
+    gears = [n for n, gear in enumerate(results.case.gears, 1) if asked.shows(gear.name)]
+    chosen = gears if asked.gears else ()
+    sticks, small, bare = _sticks(results, asked, gears)
+    of_gears = {
+        kind: of_each(results, kind, gears) for kind in ("flow", "lever") if asked.has(kind)
+    }
+    of_all = {kind: picture_of(results, kind, chosen) for kind in OF_ALL_GEARS if asked.has(kind)}
+    has_flows = asked.has("flow") and not asked.in_full("flow") and len(gears) > 1
+    flows = picture_of(results, "flow", chosen) if has_flows else None
+    return Pictures({"stick": sticks, **of_gears}, of_all, small, bare, flows)
 
 
-def of_each(results: Results, kind: str) -> list[Drawn]:
-    """A picture of each gear, or why a gear has none."""
-    gears = results.case.gears
+def _sticks(
+    results: Results, asked: AskedPage, gears: Sequence[int]
+) -> tuple[Sequence[Drawn], Sequence[Drawn], Drawn | None]:
+    """Stick diagrams of gears, small ones for print, and that of none; or structures."""
+    in_full = asked.in_full("overview")
+    for kind in ("stick", "structure"):
+        sticks = of_each(results, kind, gears) if asked.has("overview") else []
+        has_small = asked.has("gears") and not in_full and len(gears) > 1
+        small = of_each(results, kind, gears, HALF) if has_small else []
+        bare = picture_of(results, kind) if asked.has("overview") and not in_full else None
+        if any(one.sheets for one in (*sticks, *small)):
+            break
+    return sticks, small, bare
+
+
+def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PAGE) -> list[Drawn]:
+    """A picture of each of some gears, or why one has none."""
     try:
-        made = of_each_gear(results, kind, PAGE)
+        made = of_each_gear(results, kind, style, gears)
     except CaseError:  # of one of them, perhaps
-        return [picture_of(results, kind, number) for number in range(1, len(gears) + 1)]
-    labels = (f"{NAMES[kind]}, gear {gear.name}" for gear in gears)
+        return [picture_of(results, kind, [number], style=style) for number in gears]
+    end = ", small" * (style is HALF)
+    labels = (f"{_label(results, kind, [number])}{end}" for number in gears)
     return [
-        Drawn(kind, _inlined(svgs, f"{kind}{number}", label))
-        for number, (svgs, label) in enumerate(zip(made, labels, strict=True), 1)
+        Drawn(kind, _inlined(svgs, _own(kind, [number], style), label))
+        for number, svgs, label in zip(gears, made, labels, strict=True)
     ]
 
 
+def _own(kind: str, gears: Sequence[int], style: Style) -> str:
+    """What ids of a picture begin with, unlike those of the others of a page."""
+    return ".".join(["small"] * (style is HALF) + [kind, *map(str, gears)])
+
+
+def _label(results: Results, kind: str, gears: Sequence[int]) -> str:
+    names = [results.case.gears[number - 1].name for number in gears]
+    return (
+        f"{NAMES[kind]}, {plural('gear', len(names))} {', '.join(names)}" if names else NAMES[kind]
+    )
+
+
 def picture_of(
-    results: Results, kind: str, gear: int | None = None, motion: Motion | None = None
+    results: Results,
+    kind: str,
+    gears: Sequence[int] = (),
+    motion: Motion | None = None,
+    style: Style = PAGE,
 ) -> Drawn:
-    """A picture of a case, of one gear by its number from 1, or of a run."""
+    """A picture of a case, of some of its gears by their numbers from 1, or of a run."""
     try:
-        made = pages(results, kind, "svg", PAGE, () if gear is None else (gear,), motion=motion)
+        made = pages(results, kind, "svg", style, gears, motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
-    own, label = f"{kind}{gear or ''}", NAMES[kind]
-    if gear is not None:
-        label = f"{label}, gear {results.case.gears[gear - 1].name}"
+    own, label = _own(kind, gears, style), _label(results, kind, gears)
     if motion is not None:
         own, label = f"run-{own}", f"{label}, run"
     return Drawn(kind, _inlined(made, own, label))

@@ -5,29 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from urllib.parse import quote
 
+from vstatics.errors import plural
 from vstatics.report.page_pictures import Drawn
+from vstatics.report.sheets import MOST_SHEETS, left_out, with_room
 from vstatics.tables.html import Markup, scrolled, tag
 
 
-def figure(name: str, picture: Markup, *, captioned: bool = True) -> Markup:
+def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:
     """A picture with its name.
 
     Parameters
     ----------
     captioned : bool
         False where headings say the name.
+    scrolls : bool
+        False on paper.
     """
     caption = [tag("figcaption", name)] * captioned
-    return tag("figure", *caption, scrolled(picture, name))
+    return tag("figure", *caption, scrolled(picture, name) if scrolls else picture)
 
 
-def figures(drawn: Drawn, name: str, *, captioned: bool = True) -> Iterator[Markup]:
+def figures(
+    drawn: Drawn, name: str, *, captioned: bool = True, scrolls: bool = True
+) -> Iterator[Markup]:
     """A picture with its name, in as many parts as it has, or why there is none."""
     if drawn.why:
         yield tag("p", f"{name}: not drawn. {drawn.why}")
     for number, sheet in enumerate(drawn.sheets, 1):
         several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
-        yield figure(f"{name}{several}", sheet, captioned=captioned)
+        yield figure(f"{name}{several}", sheet, captioned=captioned, scrolls=scrolls)
 
 
 def chooser(gears: Iterable[str]) -> Markup:
@@ -46,16 +52,50 @@ def gear_link(gear: str, text: str = "") -> Markup:
     return tag("a", text or gear, href=f"#{address('gear', gear)}", data_choose=gear)
 
 
-def of_gear(section: str, gear: str, shown: Sequence[Markup]) -> Markup:
+def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: bool = True) -> Markup:
     """What a section shows of a gear, below its name.
 
     Parameters
     ----------
     section : str
         What stands before the name of the gear in the address of this part.
+    is_printed : bool
+        False for what stays on the screen.
     """
     head = tag("h3", f"Gear {gear}")
-    return tag("div", head, *shown, id=address(section, gear), data_gear=gear)
+    look = False if is_printed else SCREEN
+    return tag("div", head, *shown, id=address(section, gear), data_gear=gear, class_=look)
+
+
+SCREEN, PAPER = "screen", "paper"
+"""Classes of what stays on the screen, and of what stands on paper in its place."""
+
+
+def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
+    """A picture that is printed only, up to so many sheets."""
+    kept = drawn._replace(sheets=drawn.sheets[:most])
+    shown = [*figures(kept, name, captioned=False, scrolls=False)]
+    rest = len(drawn.sheets) - len(kept.sheets)
+    if rest:
+        said = f"{rest} more {plural('sheet', rest)} with --all."
+        shown.append(tag("p", said, class_="note"))
+    return tag("div", *shown, class_=PAPER)
+
+
+def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
+    """Small pictures of gears that are printed only, as far as they have room."""
+    count = with_room(drawn)
+    shown = (
+        part
+        for gear, one in zip(gears[:count], drawn, strict=False)
+        for part in figures(one, f"Gear {gear}", scrolls=False)
+    )
+    return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")
+
+
+def on_screen(shown: Iterable[Markup]) -> Markup:
+    """What is not printed."""
+    return tag("div", *shown, class_=SCREEN)
 
 
 def address(section: str, gear: str) -> str:

@@ -4,28 +4,37 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
+from vstatics.report.asked import SECTIONS
 from vstatics.report.explained import explained, no_formula
 from vstatics.report.given import given
 from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
 from vstatics.report.page_pictures import NAMES, Drawn
-from vstatics.report.parts import figures, gear_link, of_gear
+from vstatics.report.parts import figures, gear_link, of_gear, on_paper, on_screen, side_by_side
+from vstatics.report.sheets import flow_sheets
 from vstatics.report.vibration import shown_vibration
-from vstatics.summary.grids import Marks, element_signs
+from vstatics.summary.grids import WITH_LOAD, Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results, without_missing, without_zeros
 from vstatics.tables.html import Markup, table, tables, tag, terms
 from vstatics.tables.numbers import ROUNDED_NUMBER
+from vstatics.tables.ports import port_tables
 
-Part = tuple[str, Sequence[Markup]]
-"""The name of a section, and what it shows."""
-RUN = "Run"
-"""The section on the run of a scenario."""
+
+class Part(NamedTuple):
+    """A section of a page."""
+
+    name: str
+    shown: Sequence[Markup]
+    is_printed: bool = True
+
+
 ALREADY = ("ETA", "ratio")
 """Columns of the results by gear that the table of gears has."""
 WELL = {
@@ -34,8 +43,8 @@ WELL = {
     "locked": (0.0, "none locked by friction"),
 }
 """Of columns of the results by gear: the number that says that all is well, and it in words."""
-MATRIX = "AJK"
-"""The table that the equations of each gear have."""
+PORTS, LARGEST = "ports", ("planets", "shift elements")
+"""Tables of ports, and of largest values; these have a key in units, too."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
 """The table that the overview says in words."""
@@ -45,35 +54,49 @@ SHIFTS = ("transitions", "margins", "margins by gear")
 
 def sections(material: Material) -> Iterator[Part]:
     """Each section with its name; those that would be empty are left out."""
-    pictures = material.pictures.of_all
-    gears, *others = (one.with_digits(material.digits) for one in summary_grids(material.summary))
+    asked, pictures = material.asked, material.pictures.of_all
+    gears, *others = (
+        asked.cut(one).with_digits(material.digits) for one in summary_grids(material.summary)
+    )
     conventions = material.document["conventions"]
     every: dict[str, Iterable[Markup]] = {
-        "Overview": _overview(material),
-        RUN: shown_run(material.run, material.digits) if material.run else (),
-        "Gears": _gears(material, gears),
-        NAMES["flow"]: _flows(material),
-        NAMES["lever"]: _of_gears(material, "lever"),
-        "Equations": _equations(material),
+        "overview": _overview(material),
+        "run": _run(material),
+        "gears": _gears(material, gears),
+        "flow": _flows(material),
+        "lever": _of_gears(material, "lever"),
+        "equations": _equations(material),
         **{
-            NAMES[kind]: figures(pictures[kind], NAMES[kind], captioned=False)
+            kind: figures(pictures[kind], NAMES[kind], captioned=False)
             for kind in ("efficiency", "plan")
-            if kind in pictures
+            if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
-        "Vibration": (
+        "vibration": (
             shown_vibration(material.vibration, material.digits) if material.vibration else ()
         ),
-        "Shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
-        "Input": given(material.results.case, material.document["case"], material.digits),
-        "Tables": _tables(material, others),
-        "Conventions": [
+        "largest": _largest(others),
+        "shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
+        "input": given(material.results.case, material.document["case"], material.digits),
+        "tables": _tables(material, others),
+        "conventions": [
             terms((name.replace("_", " "), text) for name, text in conventions.items())
         ],
     }
-    for name, parts in every.items():
-        inner = list(parts)
+    for key, name in SECTIONS.items():
+        inner = list(every[key]) if asked.has(key) and key in every else []
         if inner:
-            yield name, inner
+            yield Part(name, inner, asked.prints(key))
+
+
+def _run(material: Material) -> Iterator[Markup]:
+    if material.run:
+        in_full = material.asked.in_full("run")
+        yield from shown_run(material.run, material.digits, in_full=in_full)
+
+
+def _has_run_plan(material: Material) -> bool:
+    """Whether the plan stands with the run in it already."""
+    return bool(material.run and material.run.plan and material.run.plan.sheets)
 
 
 def _overview(material: Material) -> Iterator[Markup]:
@@ -81,7 +104,12 @@ def _overview(material: Material) -> Iterator[Markup]:
     yield from overview(material)
     if material.without:
         yield tag("p", f"There are no pictures: {material.without}")
-    yield from _of_gears(material, "stick")
+    bare = material.pictures.bare_stick
+    if bare is None:
+        yield from _of_gears(material, "stick")
+    else:
+        yield on_paper(bare, NAMES[bare.kind])
+        yield on_screen(_of_gears(material, "stick"))
     yield from alerts(material.messages)
 
 
@@ -96,13 +124,18 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     grid = _without_last_step(grid)
     rows = [
         [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
-        for index, (gear, row) in enumerate(zip(results.case.gears, grid.rows, strict=True))
+        for row in grid.cells
+        for index, gear in enumerate(results.case.gears)
+        if gear.name == row[0].text
     ]
     yield table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
     if results.case.freewheels:
         yield tag(
             "p", f"{MARKS.engaged} engaged, {MARKS.holds} freewheel that holds", class_="note"
         )
+    small = material.pictures.small_sticks
+    if any(one.sheets for one in small):
+        yield side_by_side([flow.gear for flow in material.shown_flows], small)
 
 
 def _without_last_step(grid: Grid) -> Grid:
@@ -122,7 +155,7 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
     if drawn and not _differ(drawn):
         yield from figures(drawn[0], NAMES[drawn[0].kind])
         return
-    names = [flow.gear for flow in material.flows]
+    names = [flow.gear for flow in material.shown_flows]
     for name, one in zip(names, drawn, strict=bool(drawn)):
         section = "gear" if kind == "stick" else kind
         shown = figures(one, f"{NAMES[one.kind]}, gear {name}", captioned=False)
@@ -139,12 +172,16 @@ def _flows(material: Material) -> Iterator[Markup]:
     drawn = material.pictures.of_gears.get("flow", ())
     has_stick = _differ(material.pictures.of_gears.get("stick", ()))
     section = "flow" if has_stick else "gear"  # where the links to a gear lead
-    for number, flow in enumerate(material.flows):
+    whole = material.pictures.flows
+    if whole is not None:
+        most = flow_sheets(has_run=bool(material.run), has_vibration=bool(material.vibration))
+        yield on_paper(whole, NAMES["flow"], most=most)
+    for number, flow in enumerate(material.shown_flows):
         shown = list(_power(flow, material.digits))
         if drawn and flow.ideal is not None:
             name = f"{NAMES['flow']}, gear {flow.gear}"
             shown = [*figures(drawn[number], name, captioned=False), *shown]
-        yield of_gear(section, flow.gear, shown)
+        yield of_gear(section, flow.gear, shown, is_printed=whole is None)
 
 
 def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
@@ -162,16 +199,28 @@ def _equations(material: Material) -> Iterator[Markup]:
     without = no_formula()
     if without:
         yield tag("p", f"There are no formulas: {without}")
-    for flow, shown in zip(material.flows, explained(material), strict=True):
+    for flow, shown in zip(material.shown_flows, explained(material), strict=True):
         yield of_gear("equations", flow.gear, shown)
+
+
+def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
+    """The largest speeds and torques; those in units are printed, if there are such."""
+    own = [one for one in summary if one.key.removesuffix(WITH_LOAD) in LARGEST]
+    loaded = [one for one in own if one.key.endswith(WITH_LOAD)]
+    if loaded:
+        yield on_screen(tables(one for one in own if one not in loaded))
+    yield from tables(loaded or own)
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     """What the summary has besides the gears, then all results, each number once."""
-    results = of_results(material.results, blanks=True)
+    asked = material.asked
+    results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (one.with_digits(material.digits) for one in results)
-    told = (one for one in summary if one.key not in (SPREAD, *SHIFTS))
-    rest = (one for one in others if one.key != MATRIX or not material.flows)
+    elsewhere = {SPREAD, *SHIFTS, *LARGEST, *(f"{one}{WITH_LOAD}" for one in LARGEST)}
+    if not _has_further_ports(material):
+        elsewhere.add(PORTS)
+    told = (one for one in summary if one.key not in elsewhere)
     well = _well(by_gear)
     if well:
         yield tag("p", f"In all gears: {', '.join(WELL[one][1] for one in well)}.")
@@ -181,7 +230,15 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     )
     with_columns = [besides] * (len(besides.columns) > 1)
     told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
-    yield from tables([*told, *with_columns, *rest])
+    yield from tables([*told, *with_columns, *others])
+
+
+def _has_further_ports(material: Material) -> bool:
+    """Whether a gear has more than an input and an output, which ratio and efficiency tell."""
+    return any(len(one.rows) > INPUT_AND_OUTPUT for one in port_tables(material.results))
+
+
+INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:

@@ -12,6 +12,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics.report.asked import EVERYTHING, AskedPage
 from vstatics.report.page_pictures import NAMES, Drawn, picture_of
 from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results
@@ -29,7 +30,9 @@ class Vibration(NamedTuple):
     shapes: Sequence[Drawn] = ()
     """Of each gear; nothing where there are no pictures."""
     campbell: Drawn | None = None
-    """Of all gears."""
+    """Of all gears that are shown."""
+    in_full: bool = True
+    """Whether what is shown of each gear is printed."""
     without: str = ""
     """Why all this is left out, else nothing."""
 
@@ -50,11 +53,15 @@ def vibrates(case: Transmission) -> bool:
     return heavy and (bool(case.springs) or any(one.stiffness is not None for one in parts))
 
 
-def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
+def vibration(
+    results: Results, asked: AskedPage = EVERYTHING, *, has_pictures: bool
+) -> Vibration | None:
     """The natural modes of a case; nothing if it does not vibrate.
 
     Parameters
     ----------
+    asked : AskedPage
+        Which gears are shown, and what is printed of them.
     has_pictures : bool
         Whether anything can be drawn.
     """
@@ -67,11 +74,13 @@ def vibration(results: Results, *, has_pictures: bool) -> Vibration | None:
         return Vibration(without=str(error))
     from vstatics.torsion.vibration.gear_modes import modes
 
-    found = modes(case)
+    numbers = [n for n, gear in enumerate(case.gears, 1) if asked.shows(gear.name)]
+    found = [gear for gear in modes(case) if asked.shows(gear.name)]
     if not has_pictures or not any(gear.modes for gear in found):
         return Vibration(found)
-    shapes = [picture_of(results, "modes", number) for number in range(1, len(found) + 1)]
-    return Vibration(found, shapes, picture_of(results, "campbell"))
+    shapes = [picture_of(results, "modes", [number]) for number in numbers]
+    campbell = picture_of(results, "campbell", numbers if asked.gears else ())
+    return Vibration(found, shapes, campbell, asked.in_full("vibration"))
 
 
 OF_GEAR = ("frequencies", "energy")
@@ -92,7 +101,8 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
         yield from figures(found.campbell, NAMES[found.campbell.kind])
     for number, gear in enumerate(found.gears):
         drawn = found.shapes[number] if found.shapes else None
-        yield of_gear("modes", gear.name, list(_gear(gear, drawn, digits)))
+        shown = list(_gear(gear, drawn, digits))
+        yield of_gear("modes", gear.name, shown, is_printed=found.in_full)
 
 
 def frequencies(gears: Sequence[GearModes]) -> Grid:

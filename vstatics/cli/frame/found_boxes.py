@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -69,7 +69,12 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
 
 
 def report_boxes(
-    listing: BoxListing, document: dict[str, Any], file: str, output: str, digits: int | None
+    listing: BoxListing,
+    document: dict[str, Any],
+    file: str,
+    output: str,
+    digits: int | None,
+    stamp: Mapping[str, str],
 ) -> int:
     """Write the page of found boxes; the exit status.
 
@@ -81,7 +86,7 @@ def report_boxes(
     from vstatics.report.boxes import boxes_page
 
     with files.problems_of_file(file):
-        page = boxes_page(listing, document, digits)
+        page = boxes_page(listing, document, digits, stamp)
     files.write_data(files.encoded(page), output)
     return DONE
 
