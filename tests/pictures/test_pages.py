@@ -21,7 +21,7 @@ SCENARIOS = [
     path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
 ]
 OF_SCENARIOS = ("shift", "plan")
-VIBRATION = ("modes", "campbell")
+VIBRATION = ("modes", "campbell", "response", "dump")
 QUICK = ("umdm.yaml", "power-split.yaml", "tarasik-set-upshift.yaml")
 """Files that are looked at each time; of the vibration the next one."""
 QUICK_DRIVELINE = "moskvich412.yaml"
@@ -70,7 +70,7 @@ def drawn(file: Path, kind: str, folder: Path, *options: str) -> Iterator[bytes]
         yield path.read_bytes()
 
 
-NOT_YET = {"plan", "lever", "flow", "stick", "modes", "campbell", "shift", "map", "boxes"}
+NOT_YET = {"plan", "lever", "flow", "stick", "shift", "map", "boxes"}
 """Kinds that are not drawn for a page yet."""
 
 
