@@ -32,6 +32,7 @@ LEAST, LEAST_OF_WORDS, ROUNDED_LETTERS = 7.0, 8.0, 0.01
 WORD = re.compile(r"[^\W\d_]{3}")
 """What is in no number with its unit."""
 SWEPT = ("simpson.yaml", "--vary", "P1.ratio=-3:-1.5:31", "--vary", "P2.ratio=-3:-1.5:31")
+OPTIONS = {"map": ("--z", "efficiency[1]"), "curves": ("--x", "P1.ratio", "--y", "ratio[1]")}
 FOUND = (
     "--sets",
     2,
@@ -61,10 +62,10 @@ def files_of(kind: str, folder: Path) -> list[Path]:
     return [*SHIPPED * (kind != "shift"), *SCENARIOS * (kind in OF_SCENARIOS)]
 
 
-def drawn(file: Path, kind: str, folder: Path, *options: str) -> Iterator[bytes]:
+def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
     """The pages of a picture; none where there is nothing to draw."""
     target = folder / "drawn.svg"
-    said = vstatics("plot", file, "--kind", kind, "-o", target, *options)
+    said = vstatics("plot", file, "--kind", kind, "-o", target, *OPTIONS.get(kind, ()))
     assert said.status in (0, 1), said.err
     for path in [target, *map(Path, further_pages(str(target)))] if said.status == 0 else ():
         yield path.read_bytes()
