@@ -71,7 +71,7 @@ def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
         yield path.read_bytes()
 
 
-NOT_YET = {"plan", "lever", "flow", "stick", "shift", "map", "boxes"}
+NOT_YET = {"plan", "lever", "stick", "shift", "curves", "boxes"}
 """Kinds that are not drawn for a page yet."""
 
 
