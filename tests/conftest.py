@@ -72,9 +72,12 @@ def regenerate(request: pytest.FixtureRequest) -> bool:
 CHROMIUM = shutil.which("chromium")
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    """Debian's chromium, driven by playwright; skipped without them."""
+    """Debian's chromium, driven by playwright; skipped without them.
+
+    It ends with its module: while its thread runs, no process can be forked for other tests.
+    """
     if CHROMIUM is None:
         pytest.skip("needs chromium")
     sync_api = pytest.importorskip("playwright.sync_api")
