@@ -25,7 +25,7 @@ EXTRAS = {
     "boxes": "numba",
 }
 """By extra: the package that it brings."""
-BESIDES = {"boxes": ("networkx",)}
+BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages of an extra."""
 
 

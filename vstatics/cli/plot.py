@@ -61,6 +61,12 @@ _WITHOUT_GEARS = {
 @click.option("--wheels", is_flag=True, help="Stick diagrams: names and teeth of wheels.")
 @click.option("--merge", is_flag=True, help="Levers: two sets with two common links are one.")
 @click.option(
+    "--order",
+    type=click.Choice(["free", "as-given"]),
+    default="free",
+    help="Stick diagrams: sets stand in the order of the case.",
+)
+@click.option(
     "--ratios",
     metavar="U,...",
     callback=value(numbers("ratios of gears such as 2.6,1.7,-4", -math.inf)),
@@ -106,6 +112,7 @@ def plot(
     gears: tuple[str, ...],
     wheels: bool,
     merge: bool,
+    order: str,
     ratios: list[float] | None,
     x: str,
     y: tuple[str, ...],
@@ -186,6 +193,7 @@ def plot(
     refuse(
         (merge and kind != "lever", "--merge: only levers can be merged"),
         (wheels and kind != "stick", "--wheels: only stick diagrams name them"),
+        (order != "free" and kind != "stick", "--order: only stick diagrams have sets in a row"),
         (ratios and kind != "plan", "--ratios: only a plan follows from ratios alone"),
         (out and kind != "shift", "--out: only shift has columns of a run"),
         (orders and kind not in OF_ORDERS, "--orders: only campbell and response have orders"),
@@ -204,6 +212,7 @@ def plot(
     to = formats.each_by_itself(output, cases, FORMATS, "a picture", most=2)
     height = math.inf if is_stream(to.output) else PAGE_HEIGHT
     style = Style(lang, dark, wheels=wheels, merged=merge, width=width, height=height)
+    style = style._replace(ordered=order == "as-given")
     if ratios is not None:
         return _plot_ratios(ratios, gears, to, style)
     if kind == BOXES:

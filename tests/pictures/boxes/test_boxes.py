@@ -11,18 +11,19 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from tests.pictures.drawn import texts, titled
-from tests.pictures.schemes.test_schemes import assert_apart, assert_clear, assert_joins, overlaps
+from tests.pictures.schemes.test_coaxial import assert_connected, bridges, crossings, wires
+from tests.pictures.schemes.test_schemes import overlaps
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
-from vstatics.pictures import settings_of
+from vstatics.pictures import settings_of, written
 from vstatics.pictures.boxes.picture import draw_boxes, render_boxes
 from vstatics.pictures.boxes.points import box_scale
 from vstatics.pictures.boxes.stick import stick_diagram
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import box_case
+from vstatics.synthesis.boxes.figures import box_case, box_is_planar
 from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
 
 
@@ -52,10 +53,10 @@ def test_a_held_link_and_meshed_planets_are_drawn() -> None:
     """Lepelletier: one sun stands for good, one set has two rows of planets."""
     [box] = listing_of(zf_6hp()).boxes
     with settings_of(Style()):
-        sheet = bare_stick(box.transmission(), Style()).drawn()
-    held = [tap for tap in sheet.placement.row.taps if tap.reach == "none"]
-    assert [tap.label for tap in held] == ["sun"]
-    said = {text.get_text() for text in sheet.pen.figure.texts}
+        figure = bare_stick(box.transmission(), Style()).drawn().figure
+        svg = written(figure, "svg", Style(), "box")
+    assert list(wires(svg)).count("housing") == 1
+    said = {text.get_text() for text in figure.texts}
     assert {"P1", "P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
     assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
 
@@ -76,11 +77,11 @@ def test_diagrams_can_be_read_and_join_what_the_case_joins(
     case = box_case(box, search.targets, 0.98)
     with settings_of(Style()):
         stick = bare_stick(case, Style(), is_small=is_small)
-        sheet = stick.drawn("" if is_small else case.name)
-    assert_joins(stick.scheme, sheet.placement)
-    assert_apart(sheet.placement)
-    assert_clear(sheet.pen.figure, sheet.placement, stick.scheme)
-    assert overlaps(sheet.pen.figure) == []
+        figure = stick.drawn("" if is_small else case.name).figure
+        svg = written(figure, "svg", Style(), "box")
+    assert crossings(svg) == bridges(svg) == (0 if box_is_planar(case) else 1)
+    assert_connected(svg)
+    assert overlaps(figure) == []
 
 
 def numbers(figure: Figure) -> list[Text]:

@@ -26,5 +26,5 @@ def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
     style = Style()
     with settings_of(style):
         shown = case.name if title is None else title
-        figure = bare_stick(case, style).drawn(shown).pen.figure
+        figure = bare_stick(case, style).drawn(shown).figure
     return written(figure, "svg", style, shown)

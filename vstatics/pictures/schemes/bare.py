@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
+from vstatics.pictures.schemes.coaxial.drawing import CoaxialLayout, extent, laid_out
+from vstatics.pictures.schemes.coaxial.picture import painted
+from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
-from vstatics.pictures.schemes.sheet import Sheet, extent, wired
-from vstatics.pictures.schemes.stick import StickLayout, as_sets, draw_mechanism, place
+from vstatics.pictures.schemes.stick import as_sets, sections_of
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.pen import Pen
@@ -19,21 +20,19 @@ from vstatics.summary.contrast import letters
 class BareStick(NamedTuple):
     """A stick diagram whose parts have their places, but which is not drawn yet."""
 
-    scheme: Scheme
-    layout: StickLayout
+    layout: CoaxialLayout
     style: Style
 
     @property
     def size(self) -> Point:
         """Width and height, in points."""
-        low, high = extent(self.scheme, self.layout.placement)
+        low, high = extent(self.layout)
         return high[0] - low[0], high[1] - low[1]
 
-    def drawn(self, title: str = "", within: Pen | None = None) -> Sheet:
+    def drawn(self, title: str = "", within: Pen | None = None) -> Pen:
         """The diagram by itself, or at a place of another figure."""
-        draw = partial(draw_mechanism, self.layout)
-        drawn = self.scheme, self.layout.placement, self.style, draw, SchemeState()
-        return wired(*drawn, titles=Titles(), name=title, within=within, is_coaxial=True)
+        how = self.layout, self.style, SchemeState(), Titles(), title
+        return painted(*how, within=within)
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:
@@ -49,12 +48,12 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
-    >>> sheet = bare_stick(case, Style(), is_small=True).drawn()
-    >>> sorted(text.get_text() for text in sheet.pen.figure.texts)
+    >>> pen = bare_stick(case, Style(), is_small=True).drawn()
+    >>> sorted(text.get_text() for text in pen.figure.texts)
     ['1', '3', 'A', 'D1']
     """
     drawn = scheme_of(case)
-    devices, glyphs = as_sets(drawn.devices, case.mechanisms)
+    devices, _ = as_sets(drawn.devices, case.mechanisms)
     names = iter(letters(len(devices)))
     if is_small:
         devices = [
@@ -62,5 +61,7 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
             for device in devices
         ]
     scheme = Scheme(drawn.links, devices, drawn.ports)
-    layout = place(scheme, style, glyphs, is_small=is_small, is_quick=True)
-    return BareStick(scheme, layout, style)
+    own = coaxial_scheme(scheme, sections_of(scheme, case, style))
+    if own is None:
+        raise TypeError(case)
+    return BareStick(laid_out(own, is_small=is_small, is_quick=True), style)

@@ -19,23 +19,21 @@ STARTS = 3
 """Attempts at most, until one is without crossings."""
 LARGE, WORK = 120, 480_000
 """Items and wires for one attempt, which starts less hot; their number times steps, at most."""
-QUICK_STEPS = 2000
-"""Steps where there are many diagrams: a tenth more crossings, in half the time."""
 CHANGE_SWEEPS = 10
 """Through all single changes at the end, at most."""
 HOT, MILD, COLD = 300.0, 30.0, 6.0
 """Temperatures at the start, of a large board, and at the end, in points of length of wire."""
 
 
-def arranged(board: Board, *, is_free: bool, is_quick: bool = False) -> Arrangement:
+def arranged(board: Board, *, is_free: bool) -> Arrangement:
     """An arrangement with few crossings and short wires.
 
     Wires that are free choose their side; else the variants of the items do.
     """
     size = len(board.items) + len(board.wires)
-    steps = min(STEPS * size, QUICK_STEPS if is_quick else MOST_STEPS, WORK // size)
+    steps = min(STEPS * size, MOST_STEPS, WORK // size)
     ends = []
-    for seed in range(1 if is_quick or size > LARGE else STARTS):
+    for seed in range(1 if size > LARGE else STARTS):
         found = _annealed(board, Random(seed), steps, is_free=is_free)  # noqa: S311
         ends.append(_settled(board, *found))
         if not board.crossings(ends[-1][0]):

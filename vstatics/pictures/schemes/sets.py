@@ -15,7 +15,7 @@ from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
 from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
-from vstatics.pictures.sheet.labels import Point, Span, width
+from vstatics.pictures.sheet.labels import Point, Segment, Span, width
 from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
@@ -171,6 +171,43 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]
     return columns
 
 
+def axles(
+    section: HalfSection, *, is_left: bool, is_right: bool
+) -> tuple[list[Segment], list[Segment]]:
+    """Axles of planets, and the upright arms that join them, at the sides where they are met.
+
+    An axle that is barred there leaves to the other side.
+    """
+    wanted = [side for side, there in ((LEFT, is_left), (RIGHT, is_right)) if there]
+    if not wanted and len(section.levels) > 1:
+        wanted = [RIGHT]  # a carrier that nothing else joins
+    chosen = {planet: _arm_ends(section, planet, wanted) for planet in section.levels}
+    used = {side for sides in chosen.values() for side in sides}
+    if wanted and not any(sides >= used for sides in chosen.values()):  # nothing joins both arms
+        planet = min(chosen, key=lambda one: sum(section.barred(one, side) for side in used))
+        chosen[planet] = used
+    pins: list[Segment] = []
+    heights: dict[int, list[float]] = {LEFT: [], RIGHT: []}
+    for planet, sides in chosen.items():
+        planes, y = section.planes(planet), section.y(section.levels[planet])
+        left = 0.0 if LEFT in sides else section.x(planes[0]) - 5
+        right = section.width if RIGHT in sides else section.x(planes[-1]) + 5
+        pins.append(((left, y), (right, y)))
+        for side in sides:
+            heights[side].append(y)
+    ends = {LEFT: 0.0, RIGHT: section.width}
+    arms = [((ends[s], min(own)), (ends[s], max(own))) for s, own in heights.items() if own]
+    return pins, arms
+
+
+def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[int]:
+    """The sides of those wanted to which an axle leaves; another one if it is barred there."""
+    sides = {side for side in wanted if not section.barred(planet, side)}
+    if wanted and not sides:
+        sides = {min((LEFT, RIGHT), key=lambda side: section.barred(planet, side))}
+    return sides
+
+
 def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
     """All ways to draw a group: as it is and turned about, its carrier to either side.
 
@@ -186,9 +223,9 @@ def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[
 
 
 def _glyphs(section: HalfSection) -> Iterator[Glyph]:
-    fixed, wheels = _planet_strokes(section), list(_wheels(section))
+    fixed, wheels = planet_strokes(section), list(wheel_taps(section))
     strokes = [*fixed, *(teeth(tap.x, tap.side * tap.depth) for tap in wheels)]
-    planets, texts = section.group.planets, list(_texts(section, wheels))
+    planets, texts = section.group.planets, list(wheel_texts(section, wheels))
     for sides in _arm_sides(section):
         arms = dict(zip(planets, sides, strict=True))
         bars, ends = _arms(section, arms)
@@ -236,7 +273,7 @@ def _arms(
     return strokes, ends
 
 
-def _planet_strokes(section: HalfSection) -> list[Stroke]:
+def planet_strokes(section: HalfSection) -> list[Stroke]:
     """Rims and their webs; rims of one planet are joined by a sleeve."""
     strokes: list[Stroke] = []
     for planet, rims in section.group.planets.items():
@@ -255,7 +292,7 @@ def _planet_strokes(section: HalfSection) -> list[Stroke]:
     return strokes
 
 
-def _wheels(section: HalfSection) -> Iterator[Tap]:
+def wheel_taps(section: HalfSection) -> Iterator[Tap]:
     """Where suns and rings meet the planets."""
     for number, column in enumerate(section.columns):
         low, high = min(column.rims), max(column.rims)
@@ -265,7 +302,7 @@ def _wheels(section: HalfSection) -> Iterator[Tap]:
                 yield member_tap(wheel.member, wheel.link, way, section.x(number), y)
 
 
-def _texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
+def wheel_texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
     """Names of wheels beside their meshes, of rims beside their planes."""
     for tap in wheels:
         if tap.label in section.names:

@@ -97,17 +97,18 @@ class Sheet(NamedTuple):
         return [tap for tap in self.placement.row.taps if tap.item == index]
 
 
+Painted = Callable[[SchemeState, Titles, str], Pen]
+"""Draws a scheme in a state, with what is told of its parts, under a title."""
+
+
 def figures(  # noqa: PLR0913 - what is drawn, and how
     results: Results,
     scheme: Scheme,
-    placement: Placement,
     style: Style,
-    draw: DrawDevice,
+    paint: Painted,
     *,
     shown: Iterable[Sequence[int]],
     subject: str,
-    note: str = "",
-    is_coaxial: bool = False,
 ) -> Iterator[list[Figure]]:
     """Figures with room for everything, of no gear or of one by its number from 1.
 
@@ -117,19 +118,8 @@ def figures(  # noqa: PLR0913 - what is drawn, and how
         If one is of several gears.
     """
     for gears in shown:
-        told = told_of(results, scheme, style, gears, subject=subject, note=note)
-        sheet = wired(
-            scheme,
-            placement,
-            style,
-            draw,
-            told.state,
-            titles=told.titles,
-            name=told.name,
-            note=note,
-            is_coaxial=is_coaxial,
-        )
-        yield [sheet.pen.figure]
+        told = told_of(results, scheme, style, gears, subject=subject)
+        yield [paint(told.state, told.titles, told.name).figure]
 
 
 class SchemeTold(NamedTuple):

@@ -23,20 +23,23 @@ from vstatics.model.parts import Mechanism
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.schemes.axes.picture import figures as axes_figures
 from vstatics.pictures.schemes.axes.recognition import parallel_axes
-from vstatics.pictures.schemes.board import ITEM_GAP, Board
+from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Tap
+from vstatics.pictures.schemes.coaxial.drawing import laid_out
+from vstatics.pictures.schemes.coaxial.picture import painted
+from vstatics.pictures.schemes.coaxial.section import CoaxialScheme, coaxial_scheme
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, Glyph, ground, hatching, lines_of
 from vstatics.pictures.schemes.pairs import pair_glyphs
 from vstatics.pictures.schemes.placing import Placement, placed
-from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, SchemeState, scheme_of
 from vstatics.pictures.schemes.search import arranged
-from vstatics.pictures.schemes.sets import set_glyphs
-from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, figures
+from vstatics.pictures.schemes.sets import HalfSection, section_of, set_glyphs
+from vstatics.pictures.schemes.sheet import HEIGHT, Painted, Sheet, figures, wired
 from vstatics.pictures.schemes.structure import draw_box, named_on_tracks, row_item
-from vstatics.pictures.schemes.titles import teeth_of
+from vstatics.pictures.schemes.titles import Titles, teeth_of
 from vstatics.pictures.sheet.labels import Point, width
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH
+from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen
 from vstatics.pictures.sheet.style import SMALL, Style
 from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results
@@ -47,8 +50,6 @@ BRIDGE = 6.0
 """Width of a wall that joins a shaft to a drum. [pt]"""
 ELEMENT_NAME_GAP = 7.0
 """From the name of an element to its drawing. [pt]"""
-ROW_GAP = 9.0
-"""Between what stands in the row of a small diagram. [pt]"""
 
 
 class StickLayout(NamedTuple):
@@ -78,22 +79,59 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         yield from axes_figures(results, scheme, axes, style, shown)
         return
     scheme, glyphs = _shown(results.case)
-    layout = place(scheme, style, glyphs)
+    subject = style.text("stick diagram", "кинематическая схема")
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
         "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
     )
-    yield from figures(
-        results,
-        scheme,
-        layout.placement,
-        style,
-        partial(draw_mechanism, layout),
-        shown=shown,
-        subject=style.text("stick diagram", "кинематическая схема"),
-        note="" if glyphs is None else note,
-        is_coaxial=all(map(_is_coaxial, scheme.devices)),
-    )
+    note = "" if glyphs is None else note
+    own = coaxial_scheme(scheme, sections_of(scheme, results.case, style))
+    paint = _coaxial(own, style, note) if own else _row(scheme, glyphs, style, note)
+    yield from figures(results, scheme, style, paint, shown=shown, subject=subject)
+
+
+def _coaxial(own: CoaxialScheme, style: Style, note: str) -> Painted:
+    """The half-section of what turns about one axis."""
+    layout = laid_out(own, style.width, is_ordered=style.ordered)
+
+    def paint(state: SchemeState, titles: Titles, name: str) -> Pen:
+        return painted(layout, style, state, titles, name, note)
+
+    return paint
+
+
+def _row(
+    scheme: Scheme, glyphs: Mapping[int, list[Glyph]] | None, style: Style, note: str
+) -> Painted:
+    """Elements side by side, where there are several axes."""
+    layout = place(scheme, style, glyphs)
+    draw = partial(draw_mechanism, layout)
+
+    def paint(state: SchemeState, titles: Titles, name: str) -> Pen:
+        drawn = scheme, layout.placement, style, draw, state
+        is_coaxial = all(map(_is_coaxial, scheme.devices))
+        return wired(*drawn, titles=titles, name=name, note=note, is_coaxial=is_coaxial).pen
+
+    return paint
+
+
+def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
+    """The planetary sets of a scheme by their places, also mechanisms that may be some."""
+    found = {}
+    for index, device in enumerate(scheme.devices):
+        element = device.element
+        names: dict[str, str] = {}
+        if element is not None and isinstance(element.shape, Planetary):
+            group = group_of(element)
+            if style.wheels:
+                teeth = teeth_of(element).items()
+                names = {one: f"{word(one, style)}: {count:g}" for one, count in teeth}
+        elif element is None and ("carrier" in device.members or can_be_set(device)):
+            group = bare_group(case.mechanisms[device.numbers[0]])
+        else:
+            continue
+        found[index] = replace(section_of(group), names=names)
+    return found
 
 
 def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
@@ -117,9 +155,6 @@ def place(
     scheme: Scheme,
     style: Style,
     glyphs: Mapping[int, list[Glyph]] | None = None,
-    *,
-    is_small: bool = False,
-    is_quick: bool = False,
 ) -> StickLayout:
     """Where everything stands in the picture; the same for all gears of a case.
 
@@ -127,10 +162,6 @@ def place(
     ----------
     glyphs : mapping of int to list of Glyph, optional
         All ways to draw what is no box, by its index; those of the elements if not given.
-    is_small : bool
-        It stands beside others: it is narrow, and links have no names but those at the ends.
-    is_quick : bool
-        It is one of many; elements stand in any order.
     """
     if glyphs is None:
         glyphs = {
@@ -139,7 +170,7 @@ def place(
             if device.element is not None and not device.is_on_housing
         }
     items = [
-        _element_item(index, device, glyphs[index], style, None if is_quick else index)
+        _element_item(index, device, glyphs[index], style, index)
         if index in glyphs
         else replace(
             row_item(index, device, (ABOVE, BELOW), style),
@@ -151,11 +182,10 @@ def place(
     for wire in wires:
         wall = [Tap(wire, ABOVE, BRIDGE / 2), Tap(wire, BELOW, BRIDGE / 2)]
         items.append(Item(len(items), [BRIDGE], [wall], bridge=wire))
-    board = Board(items, wires, *scheme.ends, ROW_GAP if is_small else ITEM_GAP)
-    arrangement = arranged(board, is_free=False, is_quick=is_quick)
+    board = Board(items, wires, *scheme.ends)
+    arrangement = arranged(board, is_free=False)
     half = max([LEAST_HALF, *(glyph.half + 8 for ways in glyphs.values() for glyph in ways)])
-    names = {} if is_small else named_on_tracks(scheme)
-    return StickLayout(placed(board, arrangement, half, names), glyphs)
+    return StickLayout(placed(board, arrangement, half, named_on_tracks(scheme)), glyphs)
 
 
 def _glyphs_of(element: Element, style: Style) -> list[Glyph]:

@@ -45,12 +45,7 @@ def wire_lines(placement: Placement, scheme: Scheme, state: SchemeState) -> dict
         runs = [(line, True) for line in own]
         points = {at for line in own for at in line}
         if state.loaded is not None:
-            met = {*ends.get(wire, ())}
-            split = [_split(line, own, met) for line in own]
-            steps = [step for points in split for step in pairwise(points)]
-            kept = _between(met, [*steps, *inside.get(wire, [])])
-            points = {at for step in kept for at in step}
-            runs = [run for along in split for run in _runs(along, kept)]
+            runs, points = passed(own, {*ends.get(wire, ())}, inside.get(wire, []))
         pieces = [
             (piece, there)
             for line, there in runs
@@ -59,6 +54,28 @@ def wire_lines(placement: Placement, scheme: Scheme, state: SchemeState) -> dict
         loaded, pale = ([piece for piece, one in pieces if one == there] for there in (True, False))
         found[wire] = WireLines(loaded, pale, points)
     return found
+
+
+def passed(
+    lines: Sequence[Segment], met: set[Point], inside: Iterable[Segment] = ()
+) -> tuple[list[tuple[Segment, bool]], set[Point]]:
+    """Lines in pieces, and whether torque passes each; the points of those that it passes.
+
+    Parameters
+    ----------
+    met : set of Point
+        Where something that carries torque meets the lines.
+    inside : iterable of Segment
+        Further ways of torque, which are not drawn.
+
+    >>> passed([((0, 0), (4, 0)), ((2, 0), (2, 3))], {(0, 0), (2, 3)})[0]
+    [(((0, 0), (2, 0)), True), (((2, 0), (4, 0)), False), (((2, 0), (2, 3)), True)]
+    """
+    split = [_split(line, lines, met) for line in lines]
+    steps = [step for points in split for step in pairwise(points)]
+    kept = _between(met, [*steps, *inside])
+    runs = [run for along in split for run in _runs(along, kept)]
+    return runs, {at for step in kept for at in step}
 
 
 def _level(placement: Placement) -> Iterator[tuple[int, Segment]]:

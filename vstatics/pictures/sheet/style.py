@@ -86,6 +86,8 @@ class Style(NamedTuple):
         Stick diagrams with names and teeth of wheels.
     merged : bool
         Two sets with two common links are one lever.
+    ordered : bool
+        Sets of stick diagrams stand in the order of the case.
     width, height : float
         That no page exceeds; an endless height is one page. [pt]
     excited : Excitation
@@ -97,6 +99,7 @@ class Style(NamedTuple):
     titled: bool = True
     wheels: bool = False
     merged: bool = False
+    ordered: bool = False
     width: float = PAGE_WIDTH
     height: float = math.inf
     excited: Excitation = Excitation()

@@ -295,17 +295,19 @@ def _figures(
 
 
 Edge = tuple[int, int]
+AXIS = -1
+"""A vertex beside the links and the housing."""
 MOST_ENDS = 2
 """Links that an elastic device joins; one of a single link stands on the housing."""
 
 
 def box_is_planar(case: Transmission) -> bool:
-    """Whether the graph of links and housing is planar.
+    """Whether the graph of links, housing and axis is planar.
 
     Its edges are sun to carrier and carrier to ring of each set, each shift element, and the
-    input and each output to the housing. Two shafts that are one inside the other leave a case on
-    the same side, so ports count as edges. Of a pair of gears both links go to the housing, which
-    holds their shafts; wheels that share planets are sets of one carrier.
+    axis to the housing, the input and each output: these leave at the ends of the axis, where
+    they, the axis and the housing lie on one face. Of a pair of gears both links go to the
+    housing, which holds their shafts; wheels that share planets are sets of one carrier.
 
     Parameters
     ----------
@@ -327,7 +329,7 @@ def box_is_planar(case: Transmission) -> bool:
     ports = {own.input, own.output, *own.outputs}
     for gear in own.gears:
         ports |= {own.gear_input(gear), own.gear_output(gear)}
-    edges: list[Edge] = [(port, HOUSING) for port in ports]
+    edges: list[Edge] = [(AXIS, port) for port in (HOUSING, *ports)]
     for one in own.mechanisms:
         edges += [(one.first, one.third), (one.third, one.second)]
     edges += [element.links for element in own.shift_elements]

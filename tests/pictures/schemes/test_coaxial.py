@@ -1,0 +1,199 @@
+"""Half-sections of what turns about one axis: no two links cross where none need."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from itertools import combinations, pairwise
+from pathlib import Path
+from random import Random
+
+import networkx as nx
+import pytest
+
+import vstatics
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.elements.drawing import drawing_of
+from vstatics.pictures import picture, render, settings_of, written
+from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
+from vstatics.pictures.sheet.style import Style
+from vstatics.synthesis import box_is_planar
+
+SVG = "{http://www.w3.org/2000/svg}"
+SHIPPED = Path(__file__).parents[3] / "cases"
+FAST = ["zf-6hp26", "simpson-th400", "ravigneaux-aod", "wheel-hub"]
+SLOW = [
+    *("aisin-6speed", "aisin-8speed", "allison-6speed", "belaz7516", "ford-10r80", "ford-6r80"),
+    *("ford-model-t", "gm-6t70", "gm-8l90", "gm-thm440", "mercedes-5g", "mercedes-7g"),
+    *("mercedes-9g", "mzkt7922", "ravigneaux-gf4a", "simpson", "tarasik-box", "tarasik-set"),
+    *("umdm-reduced", "wilson-preselector", "wolfrom", "zf-8hp70", "zf-9hp48"),
+]
+every_case = pytest.mark.parametrize(
+    "name", [*FAST, *(pytest.param(one, marks=pytest.mark.slow) for one in SLOW)]
+)
+Line = tuple[float, float, float, float]
+
+
+def wires(svg: bytes) -> dict[str, list[Line]]:
+    """By link, the level and upright lines of its wires: x, y of the lower left end, of the other."""
+    found: dict[str, list[Line]] = {}
+    for group in ET.fromstring(svg).iter(f"{SVG}g"):  # noqa: S314 - our own
+        if group.get("class") != "link":
+            continue
+        own = found.setdefault(group.attrib["data-name"], [])
+        for path in group.iter(f"{SVG}path"):
+            if path.get("class") == "wire":
+                own += lines_of(path.attrib["d"])
+    return found
+
+
+def lines_of(data: str) -> list[Line]:
+    assert set(re.findall("[A-Za-z]", data)) <= set("MLHV")
+    lines: list[Line] = []
+    x = y = 0.0
+    for letter, numbers in re.findall(r"([MLHV])([^MLHV]*)", data):
+        values = [float(one) for one in re.findall(r"-?[\d.]+", numbers)]
+        for one, other in zip(values[::2], values[1::2], strict=True):
+            if letter == "L":
+                lines.append((min(x, one), min(y, other), max(x, one), max(y, other)))
+            x, y = one, other
+    return lines
+
+
+def touch(one: Line, other: Line, by: float = 0.05) -> bool:
+    level = one[0] <= other[2] + by and other[0] <= one[2] + by
+    return level and one[1] <= other[3] + by and other[1] <= one[3] + by
+
+
+def crossings(svg: bytes) -> int:
+    own = wires(svg)
+    return sum(
+        touch(first, second)
+        for one, other in combinations(own, 2)
+        for first in own[one]
+        for second in own[other]
+    )
+
+
+def bridges(svg: bytes) -> int:
+    paths = ET.fromstring(svg).iter(f"{SVG}path")  # noqa: S314 - our own
+    return sum(path.get("class") == "crossing" for path in paths)
+
+
+def assert_connected(svg: bytes) -> None:
+    for link, lines in wires(svg).items():
+        graph: nx.Graph[int] = nx.Graph()
+        graph.add_nodes_from(range(len(lines)))
+        graph.add_edges_from(
+            (a, b) for a, b in combinations(range(len(lines)), 2) if touch(lines[a], lines[b])
+        )
+        if link != "housing":
+            assert nx.number_connected_components(graph) == 1, link
+
+
+@every_case
+def test_no_links_of_a_gearbox_cross_and_each_hangs_together(name: str) -> None:
+    # gearboxes that exist are bodies of revolution one inside another
+    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    svg = render(results, "stick", "svg", Style())
+    assert crossings(svg) == bridges(svg) == 0
+    assert_connected(svg)
+    said = {text.get_text() for text in picture(results, "stick", Style()).texts}
+    assert not any("crossing" in text for text in said)
+    names = " ".join(" ".join(said).split())
+    for link in results.case.link_names[: results.case.own_links]:
+        assert link in names
+    for element in results.case.shift_elements:
+        assert " ".join(element.name.split()) in names
+
+
+@every_case
+def test_a_half_section_is_no_wider_than_a_page(name: str) -> None:
+    style = Style()
+    figure = picture(vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")), "stick", style)
+    assert 72 * figure.get_size_inches()[0] <= style.width + 0.1
+    assert min(float(text.get_fontsize()) for text in figure.texts) >= 7
+
+
+def random_box(chance: Random) -> Transmission | None:
+    """Two or three sets with links of each other, a few elements."""
+    sets = chance.choice([2, 3])
+    links = chance.randint(sets + 2, 2 * sets + 1)
+    mechanisms = [
+        Mechanism(first, second, third, chance.choice([-2.5, -1.7, 2.1]))
+        for first, second, third in (chance.sample(range(1, links + 1), 3) for _ in range(sets))
+    ]
+    used = sorted({link for one in mechanisms for link in one.links})
+    if used != list(range(1, links + 1)):
+        return None
+    elements = [ShiftElement(link) for link in chance.sample(used, 2)]
+    pairs = [chance.sample(used, 2) for _ in range(chance.randint(1, 3))]
+    elements += [ShiftElement(one, other) for one, other in pairs]
+    return Transmission(links, elements, mechanisms, [Gear([1])], input=1, output=links)
+
+
+def axis_graph(case: Transmission) -> nx.Graph[object]:
+    """Each body subdivided, so that nothing of `box_is_planar` is used."""
+    graph: nx.Graph[object] = nx.Graph([("axis", 0), ("axis", case.input), ("axis", case.output)])
+    for number, one in enumerate(case.mechanisms):
+        for wheel in (one.first, one.second):
+            nx.add_path(graph, [one.third, (number, wheel), wheel])
+    for number, element in enumerate(case.shift_elements):
+        nx.add_path(graph, [element.first, ("element", number), element.second])
+    return graph
+
+
+def drawn(case: Transmission) -> tuple[bytes, str]:
+    style = Style()
+    with settings_of(style):
+        figure = bare_stick(case, style).drawn("box").figure
+    return written(figure, "svg", style, "box"), figure.texts[0].get_text()
+
+
+@pytest.mark.parametrize(
+    "seed", [*range(4), *(pytest.param(one, marks=pytest.mark.slow) for one in range(4, 40))]
+)
+def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
+    chance = Random(seed)  # noqa: S311
+    case = None
+    while case is None:
+        case = random_box(chance)
+    is_planar = nx.check_planarity(axis_graph(case))[0]
+    assert box_is_planar(case) == is_planar
+    svg, title = drawn(case)
+    count = crossings(svg)
+    assert count == bridges(svg)
+    told = re.search(r"(\d+) crossing", title)
+    assert count == (int(told[1]) if told else 0)
+    assert_connected(svg)
+    if is_planar:
+        assert not count
+        assert "through the housing" not in title
+    elif not count:
+        assert "through the housing" in title
+
+
+def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:
+    results = vstatics.solve(vstatics.load(SHIPPED / "simpson-th400.yaml"))
+    figure = picture(results, "stick", Style(ordered=True))
+    drawing = drawing_of(results.case)
+    assert drawing is not None
+    names = [one.name for one in drawing.elements]
+    at = {text.get_text(): text.get_position()[0] for text in figure.texts}
+    assert all(at[one] < at[other] for one, other in pairwise(names))
+
+
+def test_planes_of_a_set_are_in_one_order() -> None:
+    # sun 4 of the third plane is held, the input sun of the first and the output ring of the
+    # third close the axis round it
+    planes = Planes(3, [(1, 4), (0, 5), (2, 6)])
+    assert not CoaxialTrain([planes], [(1, 2)], [3, 4, 2, 5], 1, 6).is_planar
+    assert CoaxialTrain([planes], [(1, 2)], [3, 4, 5], 1, 6).is_planar
+
+
+def test_a_sun_is_below_its_planets_and_its_ring_above() -> None:
+    results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
+    figure = picture(results, "stick", Style(wheels=True))
+    at = {text.get_text(): text.get_position()[1] for text in figure.texts}
+    assert at["sun: 26"] < at["ring: 64"]

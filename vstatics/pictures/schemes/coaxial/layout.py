@@ -1,0 +1,217 @@
+"""From steps to bars and uprights: which bar each upright meets. Nothing has a place yet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.moves import Bars, SweepStep
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
+
+
+@dataclass(eq=False)
+class Bar:
+    """A level line of a link: a shaft, or a drum."""
+
+    link: int
+    is_above: bool
+    """Whether it lies above the row of planets."""
+    first: int = 0
+    last: int = 0
+    """The uprights between which it lies, by their places from left to right."""
+
+
+@dataclass(eq=False)
+class Upright:
+    """What stands at a place along the axis."""
+
+    kind: str
+    """``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` at the axis."""
+    index: int
+    bars: Sequence[Bar]
+    """The lower and the upper one; only one of them for tops and ends."""
+    is_turned: bool = False
+    wheels: Sequence[tuple[Bar | None, Bar | None]] = ()
+    """Of the planes of a set from left to right, those of sun and ring."""
+    left: tuple[Bar | None, Bar | None] = (None, None)
+    """To which the left arm of a carrier leads below and above."""
+    right: tuple[Bar | None, Bar | None] = (None, None)
+
+    @property
+    def all_bars(self) -> list[Bar]:
+        """All that it meets."""
+        pairs = (*self.wheels, self.left, self.right)
+        return [*self.bars, *(bar for pair in pairs for bar in pair if bar is not None)]
+
+
+class Neighbours(NamedTuple):
+    """Bars of one side of the row that lie over one another somewhere, from the axis outward."""
+
+    low: Bar
+    high: Bar
+
+
+@dataclass
+class SectionFrame:
+    """The bars and uprights of a half-section."""
+
+    uprights: list[Upright] = field(default_factory=list)
+    rows: list[tuple[list[Bar], list[Bar]]] = field(default_factory=list)
+    """All that lay below and above the row of planets, at a place each."""
+
+    @property
+    def bars(self) -> list[Bar]:
+        """All, as they begin."""
+        return list(dict.fromkeys(bar for up in self.uprights for bar in up.all_bars))
+
+    def neighbours(self) -> Iterator[Neighbours]:
+        """All pairs of neighbours."""
+        found = {
+            Neighbours(low, high)
+            for rows in self.rows
+            for row in rows
+            for low, high in pairwise(row)
+        }
+        order = {bar: place for place, bar in enumerate(self.bars)}
+        yield from sorted(
+            (one for one in found if one.low in order and one.high in order),
+            key=lambda one: (order[one.low], order[one.high]),
+        )
+
+
+def framed(train: CoaxialTrain, steps: Sequence[SweepStep]) -> SectionFrame:
+    """The bars and uprights of the steps of a train.
+
+    Examples
+    --------
+    >>> from vstatics.pictures.schemes.coaxial.sweep import swept
+    >>> from vstatics.pictures.schemes.coaxial.train import Planes
+    >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [], [2], 1, 3)
+    >>> frame = framed(train, swept(train).steps)
+    >>> [(up.kind, [bar.link for bar in up.all_bars]) for up in frame.uprights]
+    [('start', [1]), ('set', [1, 2, 3]), ('top', [2]), ('end', [3])]
+    """
+    builder = _FrameMaker(train)
+    for step in steps:
+        builder.add(step)
+    return builder.finished()
+
+
+class _FrameMaker:
+    def __init__(self, train: CoaxialTrain) -> None:
+        self.train, self.frame = train, SectionFrame()
+        self.below: list[Bar] = []
+        self.above: list[Bar] = []
+        self.is_started = False
+
+    def add(self, step: SweepStep) -> None:
+        if not self.is_started:
+            self._start(step)
+        self._go_to(*step.bars[0])
+        if step.kind == "set":
+            self._set(step)
+        elif step.kind == "top":
+            self._stand(Upright("top", step.number, [self._top(self.train.tops[step.number])]))
+        else:
+            pair = (
+                self.train.pairs[step.number] if step.kind == "pair" else (step.number, step.number)
+            )
+            self._stand(Upright(step.kind, step.number, self._nearest(*pair, step.place)))
+
+    def finished(self) -> SectionFrame:
+        ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
+        if not ends:  # it ended with the last step, as nothing but the axis was left
+            ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
+        if self.train.end:
+            self._stand(Upright("end", 0, ends[:1]))
+        return self.frame
+
+    def _start(self, step: SweepStep) -> None:
+        below, _ = step.bars[0]
+        is_low = any(bar >> 3 == self.train.start for bar in below)
+        bar = Bar(self.train.start, not is_low)
+        (self.below if is_low else self.above).append(bar)
+        self._note()
+        self._stand(Upright("start", 0, [bar]))
+        self.is_started = True
+
+    def _stand(self, upright: Upright) -> None:
+        place = len(self.frame.uprights)
+        for bar in upright.all_bars:
+            if not any(bar in up.all_bars for up in self.frame.uprights):
+                bar.first = place
+            bar.last = place
+        self.frame.uprights.append(upright)
+
+    def _note(self) -> None:
+        self.frame.rows.append(([*self.below], [*self.above]))
+
+    def _go_to(self, below: Bars, above: Bars) -> None:
+        """The bars there: those that go on, and those that begin."""
+        self.below = _aligned(self.below, [bar >> 3 for bar in below], is_above=False)
+        self.above = _aligned(self.above, [bar >> 3 for bar in above], is_above=True)
+        self._note()
+
+    def _set(self, step: SweepStep) -> None:
+        left = self._arms(*step.left)
+        wheels: list[tuple[Bar | None, Bar | None]] = []
+        planes = self.train.sets[step.number].wheels
+        for (sun, ring), bars in zip(
+            planes[::-1] if step.is_turned else planes, step.bars[1:-1], strict=True
+        ):
+            self._go_to(*bars)
+            wheels.append((self.below[-1] if sun else None, self.above[0] if ring else None))
+            if sun and wheels[-1][0] is not None and self.below[-1].link != sun:
+                wheels[-1] = self._last_of(self.below, sun), wheels[-1][1]
+            if ring and self.above[0].link != ring:
+                wheels[-1] = wheels[-1][0], self._last_of(self.above[::-1], ring)
+        self._go_to(*step.bars[-1])
+        right = self._arms(*step.right)
+        self._stand(Upright("set", step.number, [], step.is_turned, wheels, left, right))
+
+    @staticmethod
+    def _last_of(row: Sequence[Bar], link: int) -> Bar:
+        return next(bar for bar in row[::-1] if bar.link == link)
+
+    def _arms(self, is_low: bool, is_high: bool) -> tuple[Bar | None, Bar | None]:  # noqa: FBT001
+        return self.below[-1] if is_low else None, self.above[0] if is_high else None
+
+    def _top(self, link: int) -> Bar:
+        return self._last_of(self.below + self.above, link)
+
+    def _nearest(self, one: int, other: int, place: int) -> list[Bar]:
+        """Two neighbours; or the bars of two links that lie nearest to each other."""
+        if place >= 0:
+            return (self.below + self.above)[place : place + 2]
+        bars = list(enumerate(self.below + self.above))
+        ways = [
+            (b - a, a, low, high)
+            for a, low in bars
+            for b, high in bars[a + 1 :]
+            if {low.link, high.link} == {one, other} and low is not high
+        ]
+        _, _, low, high = min(ways, key=lambda way: way[:2])
+        return [low, high]
+
+
+def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:
+    """Bars of these links, as many of the old ones as keep their order."""
+    most = [[0] * (len(links) + 1) for _ in range(len(old) + 1)]
+    for a in range(len(old) - 1, -1, -1):
+        for b in range(len(links) - 1, -1, -1):
+            most[a][b] = max(
+                most[a + 1][b], most[a][b + 1], (old[a].link == links[b]) * (1 + most[a + 1][b + 1])
+            )
+    found: list[Bar] = []
+    a = 0
+    for b, link in enumerate(links):
+        while a < len(old) and old[a].link != link and most[a + 1][b] == most[a][b]:
+            a += 1
+        if a < len(old) and old[a].link == link and most[a][b] == 1 + most[a + 1][b + 1]:
+            found.append(old[a])
+            a += 1
+        else:
+            found.append(Bar(link, is_above))
+    return found

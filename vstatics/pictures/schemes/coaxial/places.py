@@ -1,0 +1,204 @@
+"""Where bars and uprights stand [pt]: y is 0 in the middle of the row of planets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
+
+PITCH, SIGN_PITCH = 13.0, 27.0
+"""From bar to bar, and where a sign stands between them. [pt]"""
+CLEARANCE = 9.0
+"""From the row to the bars next to it. [pt]"""
+HOUSING_BAND = 24.0
+"""From the outermost drum to the housing. [pt]"""
+GAP = 5.0
+"""Between what stands side by side. [pt]"""
+NAME_PAD = 5.0
+"""Beside the name of a link on its bar. [pt]"""
+
+
+class SignRoom(NamedTuple):
+    """A rectangle that something needs, from the place of its upright [pt]."""
+
+    left: float
+    right: float
+    low: float
+    high: float
+
+
+class Needs(NamedTuple):
+    """What must be known of the signs and letters of a half-section to give it places."""
+
+    half: float
+    """Half the height of the row of planets."""
+    signed: frozenset[int]
+    """Pairs by number with a sign between their bars."""
+    names: Mapping[int, float]
+    """Widths of the names of links that stand on their bars."""
+
+
+@dataclass
+class SectionPlaces:
+    """All places."""
+
+    frame: SectionFrame
+    half: float
+    heights: dict[Bar, float] = field(default_factory=dict)
+    axis: float = 0.0
+    housing: float = 0.0
+    at: list[float] = field(default_factory=list)
+    """Of uprights."""
+    names: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """Middle of the name of each link that has one on a bar."""
+
+    def span(self, bar: Bar, offsets: Mapping[int, Mapping[Bar, Sequence[float]]]) -> list[float]:
+        """Where uprights meet a bar, from left to right."""
+        return sorted(
+            self.at[place] + off for place, own in offsets.items() for off in own.get(bar, ())
+        )
+
+
+def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
+    """The heights of bars, of the axis, and of the housing."""
+    places = SectionPlaces(frame, needs.half)
+    signed = [{*up.bars} for up in frame.uprights if up.kind == "pair" and up.index in needs.signed]
+    pinned = set(_pinned(frame))
+    rises: dict[Bar, list[tuple[Bar, float]]] = {}
+    for low, high in frame.neighbours():
+        if low not in pinned and high not in pinned:
+            step = SIGN_PITCH if {low, high} in signed else PITCH
+            rises.setdefault(high, []).append((low, step))
+    ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}
+
+    def rise(bar: Bar) -> float:
+        if bar not in found:
+            least = 0.0 if bar.is_above or bar in ends else PITCH
+            found[bar] = max([least, *(rise(low) + step for low, step in rises.get(bar, []))])
+        return found[bar]
+
+    found: dict[Bar, float] = {}
+    bars = [bar for bar in frame.bars if bar not in pinned]
+    depth = max((rise(bar) for bar in bars if not bar.is_above), default=0.0)
+    places.axis = -needs.half - CLEARANCE - max(depth, PITCH)
+    start = needs.half + CLEARANCE
+    places.heights = {
+        bar: rise(bar) + (start if bar.is_above else places.axis) for bar in bars
+    } | dict.fromkeys(pinned, 0.0)
+    places.housing = max([start - PITCH, *places.heights.values()]) + HOUSING_BAND
+    return places
+
+
+def _pinned(frame: SectionFrame) -> Iterator[Bar]:
+    """Bars between neighbouring sets, or from a set to what stands beside it: at the pins."""
+    for bar in frame.bars:
+        own = frame.uprights[bar.first : bar.last + 1]
+        met = [up for up in own if bar in up.all_bars]
+        arms = [up for up in met if up.kind == "set"]
+        if not arms or any(bar in pair for up in arms for pair in up.wheels):
+            continue
+        if any(up is not own[0] and up is not own[-1] for up in arms):
+            continue
+        side = 1 if bar.is_above else 0
+        if any(
+            bar in arm and arm[1 - side] is not None for up in arms for arm in (up.left, up.right)
+        ):
+            continue
+        ends_well = all(
+            (up is own[0] and bar in up.right and bar not in up.left)
+            or (up is own[-1] and bar in up.left and bar not in up.right)
+            for up in arms
+        )
+        passed = any(_spans_row(up) for up in own if bar not in up.all_bars)
+        rows = [row for rows in frame.rows for row in (rows[side],) if bar in row]
+        is_next = all(row[0 if bar.is_above else -1] is bar for row in rows)
+        goes_off = any(
+            up.kind in ("start", "end") or (up.kind == "top" and not bar.is_above and False)
+            for up in met
+        )
+        if ends_well and not passed and is_next and not goes_off and len(met) > 1:
+            yield bar
+
+
+def _spans_row(up: Upright) -> bool:
+    if up.kind == "set":
+        return True
+    if up.kind == "top":
+        return not up.bars[0].is_above
+    return len({bar.is_above for bar in up.bars}) > 1
+
+
+def placed_along(
+    places: SectionPlaces,
+    rooms: Sequence[Sequence[SignRoom]],
+    offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
+    needs: Needs,
+) -> None:
+    """Give uprights their places along the axis, as close as rooms and names of links let them.
+
+    Parameters
+    ----------
+    rooms : sequence of sequence of SignRoom
+        Of each upright.
+    offsets : mapping
+        By upright and bar, where they meet, from the place of the upright.
+    """
+    apart: dict[tuple[int, int], float] = {}
+    for _ in range(3 * len(needs.names) + 1):
+        _closed_up(places, rooms, apart)
+        places.names, lack = _named(places, offsets, needs, apart)
+        if not lack:
+            return
+
+
+def _closed_up(
+    places: SectionPlaces,
+    rooms: Sequence[Sequence[SignRoom]],
+    apart: Mapping[tuple[int, int], float],
+) -> None:
+    at: list[float] = []
+    for place, own in enumerate(rooms):
+        x = 0.0
+        for other, theirs in enumerate(rooms[:place]):
+            if (other, place) in apart:
+                x = max(x, at[other] + apart[other, place])
+            for room in own:
+                for there in theirs:
+                    if room.low < there.high and there.low < room.high:
+                        x = max(x, at[other] + there.right + GAP - room.left)
+        at.append(x)
+    places.at = at
+
+
+def _named(
+    places: SectionPlaces,
+    offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
+    needs: Needs,
+    apart: dict[tuple[int, int], float],
+) -> tuple[dict[int, tuple[float, float]], bool]:
+    """Where names of links stand; and whether room for one had to be made."""
+    names: dict[int, tuple[float, float]] = {}
+    for link, width in needs.names.items():
+        gaps = []
+        for bar in places.frame.bars:
+            if bar.link != link:
+                continue
+            met = sorted(
+                (places.at[place] + off, place)
+                for place, own in offsets.items()
+                for off in own.get(bar, ())
+            )
+            gaps += [(b[0] - a[0], bar, a, b) for a, b in pairwise(met) if a[1] != b[1]]
+        if not gaps:
+            continue
+        long, bar, left, right = max(gaps, key=lambda gap: gap[0])
+        lack = width + 2 * NAME_PAD - long
+        if lack > 0.01:
+            pair = (left[1], right[1]) if left[1] < right[1] else (right[1], left[1])
+            apart[pair] = places.at[pair[1]] - places.at[pair[0]] + lack
+            return names, True
+        names[link] = (left[0] + right[0]) / 2, places.heights[bar]
+    return names, False

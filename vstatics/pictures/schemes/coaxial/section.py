@@ -1,0 +1,113 @@
+"""A scheme whose links all turn about one axis, as a train that is to be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
+from vstatics.pictures.schemes.scheme import Device, Scheme, SchemePort
+from vstatics.pictures.schemes.sets import HalfSection
+
+
+class TopMeaning(NamedTuple):
+    """What goes to the housing or through it."""
+
+    device: int = -1
+    """Its place in the scheme, or -1."""
+    port: SchemePort | None = None
+
+
+@dataclass(frozen=True)
+class CoaxialScheme:
+    """A scheme and its train; links beyond those of the scheme are fixed members of sets."""
+
+    scheme: Scheme
+    train: CoaxialTrain
+    sections: Mapping[int, HalfSection]
+    """The sets by their places in the scheme."""
+    sets: Sequence[int]
+    """Their places in the scheme, in the order of the train."""
+    pairs: Sequence[int]
+    tops: Sequence[TopMeaning]
+
+    def is_housing(self, link: int) -> bool:
+        """Whether it is a fixed member of a set."""
+        return link > len(self.scheme.links)
+
+
+def coaxial_scheme(scheme: Scheme, sections: Mapping[int, HalfSection]) -> CoaxialScheme | None:
+    """A scheme as a train; None if a device is neither a set nor a coupling.
+
+    Parameters
+    ----------
+    sections : mapping of int to HalfSection
+        The devices that are sets, by their places in the scheme.
+    """
+    pairs: list[int] = []
+    tops: list[int] = []
+    others: list[int] = []
+    for place, device in enumerate(scheme.devices):
+        if place in sections:
+            continue
+        (tops if device.is_on_housing else pairs if device.is_coupling else others).append(place)
+    if others or not scheme.ports:
+        return None
+    held = _HeldMembers(len(scheme.links))
+    planes = [held.planes(section) for section in sections.values()]
+    own: list[tuple[TopMeaning, int]] = [
+        (TopMeaning(place), next(iter(scheme.devices[place].links))) for place in tops
+    ]
+    own += [(TopMeaning(), link) for link in range(len(scheme.links) + 1, held.last + 1)]
+    start, end, further = _ports(scheme)
+    own += [(TopMeaning(port=port), port.link) for port in further]
+    coupled = [_ends(scheme.devices[place]) for place in pairs]
+    train = CoaxialTrain(planes, coupled, [link for _, link in own], start, end)
+    if end and not train.is_planar and all(len(one.wheels) == 1 for one in planes):
+        port = next(p for p in scheme.ports if p.link == end and p.role != "input")
+        through = replace(train, tops=[*train.tops, end], end=0)
+        if through.is_planar:
+            train, own = through, [*own, (TopMeaning(port=port), end)]
+    meanings = [meaning for meaning, _ in own]
+    return CoaxialScheme(scheme, train, sections, [*sections], pairs, meanings)
+
+
+def _ends(device: Device) -> tuple[int, int]:
+    one, other = device.members.values()
+    return one, other
+
+
+def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
+    """The links that come along the axis and go along it, and all other ports."""
+    start = next((port for port in scheme.ports if port.role == "input"), scheme.ports[0])
+    outputs = (port for port in scheme.ports if port.role != "input" and port.link != start.link)
+    end = next(outputs, None)
+    along = {start.link, end.link if end else start.link}
+    further = {port.link: port for port in scheme.ports if port.link not in along}
+    return start.link, end.link if end else start.link, [*further.values()]
+
+
+class _HeldMembers:
+    """Numbers for members that stand still: each is a tube of its own, with a support."""
+
+    def __init__(self, links: int) -> None:
+        self.last = links
+
+    def _link(self, link: int) -> int:
+        if link != HOUSING:
+            return link
+        self.last += 1
+        return self.last
+
+    def planes(self, section: HalfSection) -> Planes:
+        carrier = self._link(section.group.carrier)
+        wheels = [
+            (
+                self._link(column.sun.link) if column.sun else 0,
+                self._link(column.ring.link) if column.ring else 0,
+            )
+            for column in section.columns
+        ]
+        return Planes(carrier, wheels)

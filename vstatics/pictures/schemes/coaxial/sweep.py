@@ -1,0 +1,210 @@
+"""The order along the axis in which things stand, by a search that is the same every time.
+
+States are taken by what they cost so far and what they will at least (A*, the rest weighted more
+to be soon at an end). What joins two neighbouring bars stands there at once: this is never worse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from heapq import heappop, heappush
+from itertools import count, pairwise
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.moves import (
+    PAIR,
+    SET,
+    TOP,
+    WALL,
+    Bars,
+    Moves,
+    SectionState,
+    SweepStep,
+    fresh,
+)
+from vstatics.pictures.schemes.coaxial.remainder import can_go_on
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
+
+TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)
+QUICK_TRIES = (5.0, 400), (10.0, 2500), (3.0, 2500)
+"""How much what the rest will cost at least is weighted, and how many states are gone on from."""
+LAST = 40.0, 200_000
+"""With crossings, where nothing else led to an end."""
+MOST_FURTHER = 2
+"""Bars at one place beyond one of each link."""
+BARS_OF_REST = 2
+"""In the estimate of what the rest will cost."""
+_Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
+
+
+class Swept(NamedTuple):
+    """The steps from left to right, and how they were found."""
+
+    steps: Sequence[SweepStep]
+    is_ordered: bool = True
+    """False if sets should stand as they are given, but no way was found."""
+
+
+def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = False) -> Swept:
+    """The steps of a train from left to right.
+
+    Parameters
+    ----------
+    is_ordered : bool
+        Sets stand as they are given, if a way is found soon.
+    is_quick : bool
+        It is one of many.
+
+    Examples
+    --------
+    >>> from vstatics.pictures.schemes.coaxial.train import Planes
+    >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [], [2], 1, 3)
+    >>> [step.kind for step in swept(train).steps]
+    ['set', 'top']
+    """
+    tries = QUICK_TRIES if is_quick else TRIES
+    orders = [True, False] if is_ordered else [False]
+    for crosses in [False, True] if train.is_planar else [True]:
+        for ordered in orders:
+            for weight, most in tries:
+                steps = _SweepSearch(Moves(train, crosses, ordered), weight).steps(most)
+                if steps is not None:
+                    return Swept(steps, ordered or not is_ordered)
+    steps = _SweepSearch(Moves(train, crosses=True), LAST[0]).steps(LAST[1])
+    if steps is not None:
+        return Swept(steps, not is_ordered)
+    raise AssertionError(train)
+
+
+class _SweepSearch(NamedTuple):
+    moves: Moves
+    weight: float
+
+    def steps(self, most: int) -> list[SweepStep] | None:  # noqa: C901 - one loop
+        """The steps to the end; None if it is not reached with so many states."""
+        train, number = self.moves.train, count()
+        waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
+        best: dict[SectionState, int] = {}
+        closed: set[SectionState] = set()
+
+        def add(state: SectionState, cost: int, trace: _Trace) -> None:
+            if state not in closed and best.get(state, cost + 1) > cost:
+                best[state] = cost
+                guess = cost + self.weight * self._rest(state.done)
+                heappush(waiting, (guess, next(number), cost, state, trace))
+
+        for below, above in (((8 * train.start,), ()), ((), (8 * train.start,))):
+            for state, steps, cost in self._settled(SectionState(below, above, 0)):
+                add(state, cost, (steps, None))
+        while waiting and len(closed) < 8 * most:
+            _, _, cost, state, trace = heappop(waiting)
+            if state in closed:
+                continue
+            closed.add(state)
+            bars = state.below + state.above
+            if not self.moves.crosses and not can_go_on(train, bars, state.done):
+                continue
+            ends = {8 * train.end} if train.end else set()
+            if state.done == train.all_bits and set(bars) == ends:
+                return _unrolled(trace)
+            most -= 1
+            if most < 0:
+                return None
+            for move in self.moves.after(state):
+                wide = move.length * max(1, len(move.state.below) + len(move.state.above))
+                for settled, steps, more in self._settled(move.state):
+                    add(settled, cost + wide + move.cost + more, ((move.step, *steps), trace))
+        return None
+
+    def _rest(self, done: int) -> int:
+        train = self.moves.train
+        sets = zip(train.sets, train.carrier_bits, strict=True)
+        value = sum(SET * len(one.wheels) for one, bit in sets if not done & bit)
+        return BARS_OF_REST * (value + PAIR * sum(not done & bit for bit in train.pair_bits))
+
+    def _settled(
+        self, state: SectionState
+    ) -> Iterator[tuple[SectionState, tuple[SweepStep, ...], int]]:
+        """A state after all that stands between neighbours; also with fewer bars of a link."""
+        steps: tuple[SweepStep, ...] = ()
+        cost = 0
+        while True:
+            state = self._ended(state)
+            found = self._next(state)
+            if found is None:
+                break
+            state, step, length = found
+            steps, cost = (*steps, step), cost + length * len(state.below + state.above)
+        for below, above in _thinned(state.below, state.above):
+            yield SectionState(*_numbered(below, above), state.done), steps, cost
+
+    def _ended(self, state: SectionState) -> SectionState:
+        """Without the bars of links that nothing more joins."""
+        below, above, done = state
+        masks, bars = self.moves.train.masks, below + above
+        kept = {b for b in bars if masks[b >> 3] & ~done or fresh(b >> 3, bars) is None}
+        low, high = (tuple(bar for bar in row if bar in kept) for row in (below, above))
+        return SectionState(low, high, done)
+
+    def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:
+        """What joins two neighbours, or the outermost bar and the housing."""
+        train, (below, above, done) = self.moves.train, state
+        bars, here = below + above, [(below, above)]
+        for place, (one, other) in enumerate(pairwise(bars)):
+            if one >> 3 == other >> 3 and one != other:
+                low, high = (tuple(one if b == other else b for b in row) for row in (below, above))
+                return SectionState(low, high, done), SweepStep("wall", one >> 3, here, place), WALL
+            for index, (pair, bit) in enumerate(zip(train.pairs, train.pair_bits, strict=True)):
+                if not done & bit and {*pair} == {one >> 3, other >> 3}:
+                    return (
+                        state._replace(done=done | bit),
+                        SweepStep("pair", index, here, place),
+                        PAIR,
+                    )
+        for index, (link, bit) in enumerate(zip(train.tops, train.top_bits, strict=True)):
+            if bars and not done & bit and link == bars[-1] >> 3:
+                return state._replace(done=done | bit), SweepStep("top", index, here), TOP
+        return None
+
+
+def _unrolled(trace: _Trace | None) -> list[SweepStep]:
+    found: list[SweepStep] = []
+    while trace is not None:
+        steps, trace = trace
+        found[:0] = steps
+    return found
+
+
+def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
+    """All bars, or one only of those that hang together; few links have several."""
+    bars, low = below + above, len(below)
+    links = {bar >> 3 for bar in bars}
+    if len(links) == len(bars):
+        yield below, above
+        return
+    ways = [tuple(range(len(bars)))]
+    for bar in dict.fromkeys(bars):
+        own = [place for place, one in enumerate(bars) if one == bar]
+        if len(own) > 1:
+            ways += [
+                tuple(place for place in way if place not in own or place == kept)
+                for way in ways
+                for kept in own
+            ]
+    for way in ways:
+        if len(way) - len(links) <= MOST_FURTHER:
+            rows = [p for p in way if p < low], [p for p in way if p >= low]
+            under, over = (tuple(bars[place] for place in row) for row in rows)
+            yield under, over
+
+
+def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
+    """Parts of links numbered as they come."""
+    names: dict[int, int] = {}
+    parts: dict[int, int] = {}
+    for bar in below + above:
+        if bar not in names:
+            link = bar >> 3
+            names[bar] = 8 * link + parts.get(link, 0)
+            parts[link] = parts.get(link, 0) + 1
+    return tuple([names[bar] for bar in below]), tuple([names[bar] for bar in above])
