@@ -73,7 +73,7 @@ def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
         yield path.read_bytes()
 
 
-NOT_YET = {"stick", "shift", "boxes"}
+NOT_YET = {"stick"}
 """Kinds that are not drawn for a page yet."""
 
 

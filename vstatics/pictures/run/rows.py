@@ -12,7 +12,7 @@ from vstatics.pictures.sheet.head import Meaning
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, Span, height, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look, mixed, thing_look
 from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import LEADER_WIDTH, SMALL_NUMBER, Style, number
+from vstatics.pictures.sheet.style import LEADER_WIDTH, SIZE, Style, number
 from vstatics.simulation.record.motion import Event
 
 GEAR_ROW_HEIGHT, GEAR_BAR_HEIGHT = 17.0, 12.0
@@ -188,7 +188,7 @@ def _draw_row(pen: Pen, low: float, row: RunRow, numbers: Mapping[str, int]) -> 
             word.middle,
             top + 4.0,
             word.text,
-            size=SMALL_NUMBER,
+            size=SIZE,
             ha="center",
             va="baseline",
             over=True,
