@@ -15,7 +15,8 @@ from matplotlib.text import Text
 from tests.commands import SHIPPED
 from vstatics import CaseError, load, solve
 from vstatics.model.vehicle import Vehicle
-from vstatics.pictures import drawn_pages, settings_of
+from vstatics.pictures import drawn_pages
+from vstatics.pictures.sheet.files import settings_of
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 KINDS = ("flow", "efficiency", "traction", "sawtooth", "steps")

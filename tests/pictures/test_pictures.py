@@ -19,7 +19,8 @@ from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
-from vstatics.pictures import FORMATS, PICTURES, Format, picture, render, settings_of
+from vstatics.pictures import PICTURES, picture, render
+from vstatics.pictures.sheet.files import FORMATS, Format, settings_of
 from vstatics.pictures.sheet.style import Style
 from vstatics.simulation.record.motion import Motion
 

@@ -23,7 +23,8 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import FORMATS, OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, Format, pages
+from vstatics.pictures import OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, pages
+from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import page_width
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Excitation, Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES

@@ -21,16 +21,13 @@ for the pages of several lists of gears.
 
 from __future__ import annotations
 
-import io
 import math
-import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING
 
 from vstatics.extras import require
-from vstatics.jobs.page_files import PAGE_KEY
+from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -38,9 +35,6 @@ if TYPE_CHECKING:
 
     from vstatics.pictures.sheet.style import Style
     from vstatics.simulation.record.motion import Motion
-
-Format = Literal["svg", "png", "pdf"]
-FORMATS: tuple[Format, ...] = get_args(Format)
 
 PICTURES = {
     "plan": "vstatics.pictures.plan.picture",
@@ -65,15 +59,6 @@ OF_VIBRATION = ("modes", "campbell", "response", "dump")
 """Kinds that show vibration: a converter may be open."""
 OF_ORDERS = ("campbell", "response")
 """Kinds that are over orders of a speed: `Style.excited` tells which."""
-
-DPI = 200
-"""Of PNG. [1/inch]"""
-
-# nothing that differs from run to run: the same case gives the same bytes
-_METADATA: dict[str, dict[str, Any]] = {
-    "png": {"Software": None},
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-}
 
 
 def picture(
@@ -165,62 +150,9 @@ def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
     return (motion,) if kind in OF_RUNS else ()
 
 
-def files_of(figures: Sequence[Figure], form: Format, style: Style, title: str) -> list[bytes]:
-    """Pages as files, all of them in one PDF; the same figures give the same bytes.
-
-    Parameters
-    ----------
-    title : str
-        What they show, for those who do not see it.
-    """
-    with settings_of(style):
-        if form == "pdf":
-            return [_pdf(figures)]
-        return [
-            written(figure, form, style, title, number) for number, figure in enumerate(figures, 1)
-        ]
-
-
-def _pdf(figures: Sequence[Figure]) -> bytes:
-    from matplotlib.backends.backend_pdf import PdfPages
-
-    file = io.BytesIO()
-    with PdfPages(file, metadata=_METADATA["pdf"]) as pages_of_file:
-        for figure in figures:
-            figure.savefig(pages_of_file, format="pdf")
-    return file.getvalue()
-
-
-def written(figure: Figure, form: Format, style: Style, title: str, number: int = 1) -> bytes:
-    """A figure as a file, with the mark of a further page; as `files_of` else."""
-    if form == "pdf":
-        return _pdf([figure])
-    with settings_of(style):
-        if form == "svg":
-            from vstatics.pictures.sheet.svg import written_as_svg
-
-            return written_as_svg(figure, title, style, number)
-        file = io.BytesIO()
-        mark = {PAGE_KEY: str(number)} if number > 1 else {}
-        figure.savefig(file, format=form, dpi=DPI, metadata={**_METADATA[form], **mark})
-        return file.getvalue()
-
-
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
     from vstatics.pictures.sheet.words import KINDS, gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
     return title(results.case, ", ".join([style.text(*KINDS[kind]), *names]))
-
-
-@contextmanager
-def settings_of(style: Style) -> Iterator[None]:
-    """The settings of a style for a while; the user's own would move texts."""
-    import matplotlib as mpl
-
-    with mpl.rc_context(), warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box stands for it
-        mpl.rcdefaults()
-        mpl.rcParams.update(style.settings)
-        yield

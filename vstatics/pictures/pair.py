@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
-from vstatics.pictures import PICTURES, Format, drawn_pages, files_of, settings_of
+from vstatics.pictures import PICTURES, drawn_pages
+from vstatics.pictures.sheet.files import Format, files_of, settings_of
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:

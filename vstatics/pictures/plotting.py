@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from vstatics.errors import nearest
 from vstatics.extras import require
 from vstatics.jobs.page_files import replace_pages
-from vstatics.pictures import FORMATS, PICTURES, pages, picture, render
+from vstatics.pictures import PICTURES, pages, picture, render
+from vstatics.pictures.sheet.files import FORMATS
 from vstatics.pictures.sheet.lengths import checked_width
 from vstatics.pictures.sheet.style import (
     PAGE_HEIGHT,

@@ -16,11 +16,11 @@ from tests.pictures.schemes.test_schemes import overlaps
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
-from vstatics.pictures import settings_of, written
 from vstatics.pictures.boxes.picture import draw_boxes, render_boxes
 from vstatics.pictures.boxes.points import box_scale
 from vstatics.pictures.boxes.stick import stick_diagram
 from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import box_case, box_is_planar

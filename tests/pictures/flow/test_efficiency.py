@@ -8,8 +8,9 @@ from tests.commands import CASES
 from tests.pictures.drawn import texts, titled
 from tests.pictures.test_pictures import overlaps
 from vstatics import Gear, Mechanism, Transmission, load, solve
-from vstatics.pictures import picture, settings_of
+from vstatics.pictures import picture
 from vstatics.pictures.flow.efficiency import draw, loss_shares
+from vstatics.pictures.sheet.files import settings_of
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 

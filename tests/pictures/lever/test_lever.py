@@ -18,13 +18,14 @@ from tests.chance import some
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, solve
-from vstatics.pictures import picture, render, settings_of
+from vstatics.pictures import picture, render
 from vstatics.pictures.lever.gear import in_gear
 from vstatics.pictures.lever.joined import LeverRoute, routes
 from vstatics.pictures.lever.order import ordered
 from vstatics.pictures.lever.picture import each
 from vstatics.pictures.lever.places import LeverPage, page_of
 from vstatics.pictures.lever.points import levers, shafts
+from vstatics.pictures.sheet.files import settings_of
 from vstatics.pictures.sheet.labels import Segment
 from vstatics.pictures.sheet.style import Style
 

@@ -14,9 +14,10 @@ import pytest
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.elements.drawing import drawing_of
-from vstatics.pictures import picture, render, settings_of, written
+from vstatics.pictures import picture, render
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
+from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import Style
 from vstatics.synthesis import box_is_planar
 

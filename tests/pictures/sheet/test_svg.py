@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from tests.commands import CASES
 from vstatics import load, solve
 from vstatics.model.vehicle import Vehicle
-from vstatics.pictures import OF_VIBRATION, PICTURES, render, settings_of
+from vstatics.pictures import OF_VIBRATION, PICTURES, render
+from vstatics.pictures.sheet.files import settings_of
 from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.svg import halo, told, written_as_svg

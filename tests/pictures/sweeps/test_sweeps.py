@@ -12,7 +12,7 @@ from tests.chance import generator
 from tests.commands import CASES, vstatics
 from tests.pictures.drawn import texts, titled
 from vstatics.errors import CaseError
-from vstatics.pictures import settings_of
+from vstatics.pictures.sheet.files import settings_of
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.pictures.sweeps import curves, histogram, map  # noqa: A004
 from vstatics.pictures.sweeps.columns import DrawnColumns

@@ -14,7 +14,8 @@ from tests.pictures import drawn
 from tests.pictures.test_pictures import STYLES, overlaps
 from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, load, solve
 from vstatics.errors import CaseError
-from vstatics.pictures import PICTURES, Format, picture, render, settings_of
+from vstatics.pictures import PICTURES, picture, render
+from vstatics.pictures.sheet.files import Format, settings_of
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.vibration.shapes.links import mode_links
 from vstatics.pictures.vibration.shown_modes import modes_of

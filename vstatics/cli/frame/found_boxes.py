@@ -17,7 +17,7 @@ from vstatics.errors import ReadError, of_file
 from vstatics.statics.solve import solve
 
 if TYPE_CHECKING:
-    from vstatics.pictures import Format
+    from vstatics.pictures.sheet.files import Format
     from vstatics.pictures.sheet.style import Style
     from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 

@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Transmission
-from vstatics.pictures import Format, files_of, settings_of, written
 from vstatics.pictures.boxes.points import (
     POINTS_SCALE_WIDTH,
     draw_points,
@@ -19,6 +18,7 @@ from vstatics.pictures.boxes.points import (
     points_words,
 )
 from vstatics.pictures.schemes.bare import BareStick, bare_stick
+from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
 from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point, wrapped
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import MARGIN, SIZE, SMALL_NUMBER, Style, number

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures import settings_of, written
 from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import Style
 
 

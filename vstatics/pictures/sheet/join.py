@@ -41,7 +41,7 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = Fals
 
     Examples
     --------
-    >>> from vstatics.pictures import settings_of
+    >>> from vstatics.pictures.sheet.files import settings_of
     >>> with settings_of(Style()):
     ...     pens = [blank(100.0, 50.0, Style()) for _ in "AB"]
     ...     parts = [LetteredFigure(*names, pen.figure) for *names, pen in zip("AB", "xy", pens)]

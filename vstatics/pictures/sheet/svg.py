@@ -3,7 +3,7 @@
 An artist carries what its picture in SVG shall have besides as its ``gid``, made by `told`:
 
 >>> from matplotlib.figure import Figure
->>> from vstatics.pictures import settings_of
+>>> from vstatics.pictures.sheet.files import settings_of
 >>> from vstatics.pictures.sheet.style import Style
 >>> figure = Figure(figsize=(1, 1))
 >>> with settings_of(Style()):

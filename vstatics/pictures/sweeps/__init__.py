@@ -21,7 +21,7 @@ from vstatics.extras import require
 from vstatics.pictures.sweeps.columns import DrawnColumns
 
 if TYPE_CHECKING:
-    from vstatics.pictures import Format
+    from vstatics.pictures.sheet.files import Format
     from vstatics.pictures.sheet.style import Style
     from vstatics.tables.written_results import WrittenSweep
 
@@ -50,7 +50,7 @@ def render_sweep(
         If there is no such column, nothing to draw, or matplotlib is not installed.
     """
     require("plot", "a picture")
-    from vstatics.pictures import files_of, settings_of
+    from vstatics.pictures.sheet.files import files_of, settings_of
 
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
