@@ -36,10 +36,11 @@ def panels(root: ET.Element) -> dict[str, ET.Element]:
 
 
 @pytest.mark.parametrize("kind", ["stick", "structure", "lever", "plan", "flow", "steps"])
-def test_each_panel_has_what_the_picture_of_its_case_has(kind: str, tmp_path: Path) -> None:
-    to = tmp_path / "both.svg"
-    assert vstatics("plot", ONE, OTHER, "-k", kind, "-o", to).status == 0
-    both = panels(parsed(to.read_bytes()))
+def test_each_panel_has_what_the_picture_of_its_case_has(kind: str) -> None:
+    """On one page of any height; a file goes on on further pages."""
+    cases = [PairedCase(path.name, solve(load(path))) for path in (ONE, OTHER)]
+    [svg] = pair_pages(cases, kind, "svg", Style())
+    both = panels(parsed(svg))
     assert [*both] == ["A", "B"]
     for letter, path in zip("AB", (ONE, OTHER), strict=True):
         alone = words(parsed(render(solve(load(path)), kind, "svg", Style())))
