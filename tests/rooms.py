@@ -36,6 +36,7 @@ ROOMS = (
     "writers",
     "flow",
     "summary",
+    "comparison",
     "explain",
     "synthesis",
     "pictures",
