@@ -101,8 +101,8 @@ def compare(
                 (not all(sweeps), "one is a sweep, the other is not: expected two of a kind"),
                 (form != "text", f"sweeps are compared as text, not as {form}"),
             )
-            one, other = (sweep_tables.read(*file) for file in read)
-            lines = list(sweep_differences(one, other, **how._asdict()))
+            tables = [sweep_tables.read(*file) for file in read]
+            lines = list(sweep_differences(tables[0], tables[1], **how._asdict()))
             return _told(lines, len(lines), actual, expected)
         results = [read_results(*file) for file in read]
         names = read[0][1], read[1][1]

@@ -75,15 +75,14 @@ def verdicts_of_directories(
     here, there = _found(actual), _found(expected)
     for name in sorted({*here, *there}):
         try:
-            results = [_read(side[name]) if name in side else [] for side in (here, there)]
+            found, wanted = (_read(side[name]) if name in side else [] for side in (here, there))
         except CaseError as error:
             yield error.problems
             continue
-        if max(map(len, results)) == 1:
-            one, other = (next(iter(side), None) for side in results)
-            yield compared(name, one, other, how)
+        if max(len(found), len(wanted)) == 1:
+            yield compared(name, next(iter(found), None), next(iter(wanted), None), how)
         else:
-            for part in verdicts_of_files(*results, ("", ""), how):
+            for part in verdicts_of_files(found, wanted, ("", ""), how):
                 yield part._replace(name=f"{name}/{part.name}")
 
 
