@@ -71,6 +71,9 @@ types: .venv/dev.stamp ## mypy --strict
 golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
+messages: .venv/dev.stamp ## rewrite causes and cures in docs/messages.md
+	$(BIN)/python -m vstatics.messages.page docs/messages.md
+
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.cli.schemas schemas
 
@@ -108,4 +111,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden messages schema bench boxes dist clean

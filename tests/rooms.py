@@ -21,6 +21,7 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     "start",
     "errors",
+    "messages",
     "extras",
     "numerics",
     "model",
@@ -36,6 +37,7 @@ ROOMS = (
     "writers",
     "flow",
     "summary",
+    "comparison",
     "explain",
     "synthesis",
     "pictures",

@@ -16,8 +16,8 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, SHIPPED, vstatics
+from vstatics.comparison.numbers import differences
 from vstatics.readers.results import read_results
-from vstatics.tables.compare import differences
 from vstatics.tables.quantities import QUANTITIES
 
 GOLDEN = Path(__file__).parent / "golden"

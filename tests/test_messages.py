@@ -12,10 +12,11 @@ import pytest
 from click.testing import CliRunner
 
 from tests.commands import ROOT, vstatics
-from tests.rooms import modules, tree
+from tests.rooms import PACKAGE, modules, tree
 from vstatics import readers
 from vstatics.cli import main
 from vstatics.errors import DOUBTS
+from vstatics.messages import ExplainedMessage, explained, known_ids, page
 
 MAKERS = {"Problem", "of_file", "CaseError", "ReadError", "Message", "Said", "Doubt", "warnings_of"}
 CASE = """\
@@ -62,6 +63,83 @@ def test_the_page_lists_every_id() -> None:
     assert set(listed) == ids_in_code()
     for identity, says in DOUBTS.items():
         assert f"| {identity} | {says} |" in page
+
+
+HOW_TO_ADD = """
+Each id has three homes. A line `ID | cause | cure` in vstatics/messages/causes.txt, where the cause
+of a warning or note is `-` and stands in DOUBTS of vstatics/errors.py; a case that shows it,
+vstatics/messages/examples/ID.yaml, unless that needs another file or a run; a row of its table in
+docs/messages.md. Then `make messages` writes the last part of that page."""
+
+
+def test_every_id_has_a_cause_and_a_cure() -> None:
+    told = known_ids()
+    missing, unknown = sorted(ids_in_code() - {*told}), sorted({*told} - ids_in_code())
+    assert not missing, f"no line for {missing}.{HOW_TO_ADD}"
+    assert not unknown, f"the code has no message {unknown}: remove their lines.{HOW_TO_ADD}"
+    ordered = sorted(told, key=lambda one: ("EWN".index(one[0]), one))
+    assert told == ordered, "expected the lines in order: E, W, N"
+    doubts = {one for one in told if one[0] in "WN"}
+    assert doubts == {*DOUBTS}, f"{doubts ^ {*DOUBTS}}: the cause belongs into DOUBTS.{HOW_TO_ADD}"
+    for one in map(explained, told):
+        assert len(one.cause) > 1, f"{one.id} has no cause.{HOW_TO_ADD}"
+        assert one.cure, f"{one.id} has no cure.{HOW_TO_ADD}"
+
+
+def test_the_page_has_the_causes_and_cures() -> None:
+    made = (ROOT / "docs/messages.md").read_text("utf-8")
+    assert made == page.page(made), "run `make messages`"
+
+
+EXAMPLES = [one for one in map(explained, known_ids()) if one.example]
+
+
+def test_every_example_is_of_an_id() -> None:
+    files = {path.stem for path in (PACKAGE / "messages/examples").iterdir()}
+    assert files == {one.id for one in EXAMPLES}
+
+
+@pytest.mark.parametrize("one", EXAMPLES, ids=lambda one: one.id)
+def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
+    Path("example.yaml").write_text(str(one.example), encoding="utf-8")
+    records = json.loads(vstatics("check", "example.yaml", "-f", "json").out)
+    assert one.id in {record["id"] for record in records}
+    severities = {record["severity"] for record in records if record["id"] == one.id}
+    assert severities == {one.severity}
+
+
+def test_an_id_is_explained_without_a_case() -> None:
+    said = vstatics("check", "--explain", "W201")
+    assert said.status == 0
+    assert said.out.startswith(f"W201, a warning: {DOUBTS['W201']}\n")
+    assert "    links: [a, b, c]\n" in said.out
+    assert vstatics("check", "--explain", "all").out.count("\nW") == len(
+        [one for one in DOUBTS if one[0] == "W"]
+    )
+
+
+def test_all_ids_are_an_array_in_json() -> None:
+    told = json.loads(vstatics("check", "--explain", "all", "-f", "json").out)
+    assert {one["id"] for one in told} == ids_in_code()
+    assert {tuple(one) for one in told} == {("id", "severity", "cause", "cure", "example")}
+    [one] = json.loads(vstatics("check", "--explain", "E006", "-f", "json").out)
+    assert (one["severity"], one["example"]) == ("error", None)
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (("--explain", "W999"), "there is no message `W999`"),
+        (("--explain", "w201"), "did you mean `W201`?"),
+        (("--explain", "W201", "box.yaml"), "--explain takes no case"),
+        (("--explain", "W201", "-f", "sarif"), "--explain gives text or json, not sarif"),
+        ((), "Missing argument 'CASE...'"),
+    ],
+)
+def test_what_cannot_be_explained_is_wrong_use(options: tuple[str, ...], why: str) -> None:
+    said = vstatics("check", *options)
+    assert (said.status, said.out) == (2, "")
+    assert why in said.err
 
 
 def test_no_two_ids_say_the_same() -> None:

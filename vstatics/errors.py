@@ -120,7 +120,10 @@ DOUBTS = {
     "N601": "loss factors are taken as viscous damping",
     "N602": "elements that hold together share a torque that is open",
     "N603": "capacities without a unit are in N*m",
+    "N605": "a control is above the capacity in the case: it is cut there",
+    "N606": "what breaks away is open: others could in place of those whose slip is shown",
     "N610": "energies of the published method close",
+    "N611": "a formula sets a state beyond its limits",
     "N801": "elements that no wanted ratio needs stay as they are",
 }
 """Of each warning and note its id, and what it says: these can be allowed."""

@@ -53,4 +53,5 @@ def test_results_of_cases_that_differ_in_them_alone_are_the_same(tmp_path: Path)
         assert json.loads(said.out)["case"]["cylinders"] == number
         (tmp_path / f"{name}-result.json").write_text(said.out, encoding="utf-8")
     said = vstatics("compare", tmp_path / "a-result.json", tmp_path / "b-result.json")
-    assert (said.status, said.out) == (0, "")
+    told = "a: 1 change of the case; no number differs\n  case        cylinders  6 -> 4\n"
+    assert (said.status, said.out) == (0, told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import pytest
@@ -41,3 +42,13 @@ def test_kinds_are_checked(kind: str) -> None:
         made([ShiftElement(1, 2, "X", kind)])  # type: ignore[arg-type]
     (problem,) = caught.value.problems
     assert problem.path == ("shift_elements", 1, "kind")
+
+
+def test_a_converter_without_points_is_told_so() -> None:
+    """Not as an error of the program, also with a third link, and without a speed ratio."""
+    converter = Mechanism(1, 2, 3, math.nan, kind="converter")
+    with pytest.raises(CaseError) as caught:
+        Transmission(3, [], [converter], [Gear()])
+    paths = [problem.path for problem in caught.value.problems]
+    assert ("mechanisms", 1, "points") in paths
+    assert ("mechanisms", 1, "third") in paths

@@ -8,9 +8,9 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
 `COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
-options. A command on a case is a module here; larger ones have folders: `sweep`, `simulate` (whose
-samples are carried out as a sweep is), and the groups `torsion`, `damage` and `synth`, a module for
-each of their commands. `schemas` writes the JSON Schemas of all.
+options. A command on a case is a module here; larger ones have folders: `compare`, `sweep`,
+`simulate` (whose samples are carried out as a sweep is), and the groups `torsion`, `damage` and
+`synth`, a module for each of their commands. `schemas` writes the JSON Schemas of all.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ COMMANDS = {
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
-    "compare": ("vstatics.cli.compare", "Compare two results number by number."),
+    "compare": ("vstatics.cli.compare.command", "Compare two results: what changed."),
 }
 """Module and summary of each command; a module is imported when its command is called."""
 

@@ -15,13 +15,14 @@ from vstatics.cli.frame.cases import CaseOptions, calculate_one, show_problems, 
 from vstatics.cli.frame.documents import is_a, scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
-from vstatics.tables.answer import Words, line, plain_data
+from vstatics.tables.answer import Words, as_json, line, plain_data
 from vstatics.tables.grid import Grid, grid_of
 from vstatics.tables.text import lines
 
@@ -62,7 +63,7 @@ def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemR
         )
 
 
-FORMATS = ("text", "json")
+FORMATS = ("text", "json", "github", "sarif", "junit")
 
 
 def _count(number: int, noun: str) -> str:
@@ -112,7 +113,12 @@ def conditions(file: str, results: Results) -> Grid:
 
 
 @click.command()
-@arguments.argument
+@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@click.option(
+    "--explain",
+    metavar="ID",
+    help="Cause, cure and an example of a message, such as W201, or of all; takes no case.",
+)
 @click.option(
     "-f",
     "--format",
@@ -125,6 +131,7 @@ def conditions(file: str, results: Results) -> Grid:
 @arguments.telling
 def check(
     cases: tuple[str, ...],
+    explain: str | None,
     output_format: str | None,
     output: str | None,
     input_format: readers.Format | None,
@@ -137,25 +144,52 @@ def check(
     Problems go to stderr as file:line:col: message, with the line and a caret;
     the count of conditions goes to stdout. There are no tables. As JSON, for
     editors and CI, the problems of all cases are one array on stdout; each has
-    file, line, column, severity (error, warning, note), message and id.
+    file, line, column, severity (error, warning, note), message and id. Formats github
+    (annotations), sarif and junit go to stdout as well.
 
     \b
     Examples:
       vstatics check gearbox.yaml
       vstatics check gearbox.yaml -f json | jq -r '.[].message'
+      vstatics check cases/*.yaml -f github
+      vstatics check --explain W201
 
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
     also if there is a warning; 2 wrong use.
     """
     wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
     to = wanted.destination(cases)
+    refuse(
+        (not cases and explain is None, "Missing argument 'CASE...'."),
+        (cases and explain is not None, "--explain takes no case"),
+        (
+            explain is not None and to.form not in ("text", "json"),
+            f"--explain gives text or json, not {to.form}",
+        ),
+    )
     if to.is_folder:
         raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
-    as_json = to.form == "json"
-    options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=as_json))
-    text, failed = _told(cases, options, as_json=as_json)
+    if explain is not None:
+        files.write_output(_explained(explain, to.form), output)
+        return DONE
+    as_text = to.form == "text"
+    options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=not as_text))
+    text, failed = _told(cases, options) if as_text else _for_programs(cases, options, to.form)
     files.write_output(text, output)
     return FAILED if failed else DONE
+
+
+def _explained(asked: str, form: str) -> str:
+    """What an id, or all of them, stand for."""
+    from vstatics.messages import explained, known_ids, text
+
+    try:
+        told = [explained(one) for one in (known_ids() if asked == "all" else [asked])]
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="'--explain'") from None
+    if form == "json":
+        return _array(told)
+    return "\n".join(map(text, told))
 
 
 def _calculated(
@@ -180,23 +214,60 @@ def _is_scenario(file: str) -> bool:
     return is_a("scenario", data, name)
 
 
-def _told(cases: Sequence[str], options: CaseOptions, *, as_json: bool) -> tuple[str, bool]:
-    """What is told of all cases, and whether one failed.
-
-    In JSON an array with a line for each problem; else the conditions, and problems are printed.
-    """
+def _told(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
+    """The conditions of all cases, and whether one failed; problems are printed."""
     found, failed = list[str](), False
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
-        if as_json:
-            records = problem_records(file, options.telling.printed(problems))
-            found += (line(plain_data(one)).rstrip("\n") for one in records)
-            continue
         show_problems(problems, options.telling, file)
         found += [] if grid is None else [f"{text}\n" for text in lines(grid, indent="  ")]
-    if as_json:
-        return "[\n" + ",\n".join(found) + "\n]\n" if found else "[]\n", failed
     return "".join(found), failed
+
+
+def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:
+    """The problems of all cases in a format for programs, and whether one failed."""
+    by_file, failed = list[tuple[str, list[Problem]]](), False
+    for file, problems, fails, _ in _calculated(cases, options):
+        failed |= fails
+        told = options.telling.printed(problems)
+        by_file.append((file, [one if one.place else one.in_file(file) for one in told]))
+    found = [one for _, problems in by_file for one in problems]
+    match form:
+        case "github":
+            from vstatics.writers.problems import github
+
+            return github(found), failed
+        case "sarif":
+            from vstatics.writers.problems import sarif
+
+            return as_json(sarif(found), None), failed
+        case "junit":
+            return _as_junit(by_file, options.telling), failed
+    return _array(
+        record for file, problems in by_file for record in problem_records(file, problems)
+    ), failed
+
+
+def _array(records: Iterable[tuple[object, ...]]) -> str:
+    """Records as an array, a line each."""
+    told = [line(plain_data(one)).rstrip("\n") for one in records]
+    return "[\n" + ",\n".join(told) + "\n]\n" if told else "[]\n"
+
+
+def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
+    """A test case for each file; by warnings it fails only with --strict."""
+    from vstatics.writers.junit import CaseOutcome, junit
+
+    outcomes = []
+    for file, problems in by_file:
+        fatal = [
+            one
+            for one in problems
+            if one.severity == "error" or (telling.strict and one.severity == "warning")
+        ]
+        failure = (fatal[0].id, fatal[0].message) if fatal else ("", "")
+        outcomes.append(CaseOutcome(file, *failure, "\n".join(map(str, fatal))))
+    return junit("vstatics check", outcomes)
 
 
 TRIED, LONG = 1.0, 60.0

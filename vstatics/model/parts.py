@@ -305,7 +305,7 @@ class Mechanism(NamedTuple):
     @property
     def can_be_open(self) -> bool:
         """Whether it is a converter whose torque at the pump is known: its points have lambda."""
-        return self.kind == "converter" and len(self.points[0]) == 3
+        return self.kind == "converter" and bool(self.points) and len(self.points[0]) == 3
 
     def is_outside(self, ratio: Any) -> Any:
         """Whether a speed ratio, or each of an array, lies outside the points of a converter."""

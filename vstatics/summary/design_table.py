@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -94,11 +94,23 @@ def ranges(results: Results) -> list[list[int]]:
     [[2, 0]]
     """
     case = results.case
-    alike: dict[tuple[int, int, bool], list[int]] = {}
-    for index, (gear, ratio) in enumerate(zip(case.gears, results.ratio.tolist(), strict=True)):
-        if math.isfinite(ratio) and gear.kind == "gear":
-            key = case.gear_input(gear), case.gear_output(gear), ratio > 0
-            alike.setdefault(key, []).append(index)
+    kinds = [
+        (case.gear_input(gear), case.gear_output(gear)) if gear.kind == "gear" else None
+        for gear in case.gears
+    ]
+    return ranges_of(results.ratio.tolist(), kinds)
+
+
+def ranges_of(ratios: Sequence[float], kinds: Sequence[Hashable | None]) -> list[list[int]]:
+    """As `ranges`, of ratios that are told by whatever else makes gears comparable.
+
+    >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"])
+    [[2, 1], [0]]
+    """
+    alike: dict[Hashable, list[int]] = {}
+    for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
+        if math.isfinite(ratio) and kind is not None:
+            alike.setdefault((kind, ratio > 0), []).append(index)
     for indices in alike.values():  # those of one ratio stay as they are, whatever rounding says
-        indices.sort(key=lambda index: -float(f"{abs(results.ratio[index]):.9e}"))
+        indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))
     return sorted(alike.values(), key=len, reverse=True)

@@ -10,7 +10,6 @@
 
 What is declared of a quantity stands in `quantities`; `values` fills its table, `names` writes
 its rows and finds both by what a person types. `grid` holds tables of texts, that `text`,
-`markdown` and `latex` lay out. `written_results` are results as they were written, which
-`compare` tells apart. By `answer` what a command answers is one record, of whose types its JSON and
-its schema follow.
+`markdown` and `latex` lay out. `written_results` are results as they were written. By `answer`
+what a command answers is one record, of whose types its JSON and its schema follow.
 """

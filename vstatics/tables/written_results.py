@@ -38,6 +38,11 @@ class WrittenResult(NamedTuple):
     gears: Sequence[str] = ()
 
     @property
+    def is_of_source(self) -> bool:
+        """Whether it is a listing of the source, which has its own tables only."""
+        return self.printed and "ratio" not in self.tables
+
+    @property
     def gear_names(self) -> Sequence[str]:
         """Names of its gears; none where it does not tell."""
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())

@@ -160,5 +160,5 @@ def _messages(case: Transmission, points: Any) -> Iterator[Message]:
             link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
             none, two = "none of the torques on {} balances", "two of the torques on {} balance"
             text = (none if state == NO_BALANCE else two).format(case.link_name(link))
-            text = f"gears.{gear.name}.balance: {text} the battery: there are no torques"
-            yield Message("W427", text)
+            text = f"balance: {text} the battery: there are no torques"
+            yield Message("W427", text, gear.name)

@@ -22,15 +22,24 @@ class Difference(NamedTuple):
     row: str
     gear: str
     """Or the device, in AJK."""
-    actual: str
-    expected: str
+    actual: float | str
+    """NaN is no value; a text tells of a whole gear, table or row."""
+    expected: float | str
 
-    def __str__(self) -> str:
-        """The difference in one line."""
-        quantity = BY_NAME.get(self.table)
-        column = quantity.columns[:-1] if quantity else "gear"
-        place = [self.table, self.row and f"row {self.row}", self.gear and f"{column} {self.gear}"]
-        return f"{', '.join(filter(None, place))}: {self.actual}, expected {self.expected}"
+    @property
+    def is_number(self) -> bool:
+        """Whether both are numbers, or none."""
+        return not isinstance(self.actual, str) and not isinstance(self.expected, str)
+
+    @property
+    def deviation(self) -> float:
+        """By the expected number without its sign; NaN where that is nothing or none."""
+        if isinstance(self.actual, str) or isinstance(self.expected, str) or not self.expected:
+            return math.nan
+        return (self.actual - self.expected) / abs(self.expected)
+
+
+NOT_THERE, THERE = "not there", "there"
 
 
 def differences(
@@ -63,7 +72,7 @@ def differences(
         return
     gears = expected.gear_names or actual.gear_names
     if set(actual.gear_names) & set(expected.gear_names):
-        actual, expected, gears = yield from _same_gears(actual, expected)
+        actual, expected, gears = yield from same_gears(actual, expected)
     for quantity in QUANTITIES:
         if quantity.key in leave_out:
             continue
@@ -78,7 +87,7 @@ def differences(
             yield from _table(names, here, there, atol, rtol)
 
 
-def _same_gears(
+def same_gears(
     actual: WrittenResult, expected: WrittenResult
 ) -> Generator[Difference, None, tuple[WrittenResult, WrittenResult, Sequence[str]]]:
     """Both results with the gears that both have, in one order; the others are a line each."""
@@ -87,10 +96,10 @@ def _same_gears(
     )
     for name in wanted:
         if name not in found:
-            yield Difference("", "", name, "not there", "it")
+            yield Difference("", "", name, NOT_THERE, THERE)
     for name in found:
         if name not in wanted:
-            yield Difference("", "", name, "there", "no such gear")
+            yield Difference("", "", name, THERE, NOT_THERE)
     both = [name for name in wanted if name in found]
     pairs = (actual, found), (expected, wanted)
     one, other = (_picked(result, [places[name] for name in both]) for result, places in pairs)
@@ -115,9 +124,9 @@ def _by_name(
     )
     for name in [*found, *(name for name in wanted if name not in found)]:
         if name not in wanted:
-            yield Difference(quantity.key, name, "", "has this row", "does not have it")
+            yield Difference(quantity.key, name, "", THERE, NOT_THERE)
         elif name not in found:
-            yield Difference(quantity.key, name, "", "does not have this row", "has it")
+            yield Difference(quantity.key, name, "", NOT_THERE, THERE)
     both = [name for name in wanted if name in found]
     return both, [found[name] for name in both], [wanted[name] for name in both]
 
@@ -133,10 +142,9 @@ def _lacking(
     other = expected if one is actual else actual
     if not any(one.tables.get(quantity.key, ())):
         return
-    foreign = other.printed and "ratio" not in other.tables
-    if quantity.published or not foreign:
-        has, lacks = "has this table", "does not have it"
-        yield Difference(quantity.key, "", "", *((has, lacks) if one is actual else (lacks, has)))
+    if quantity.published or not other.is_of_source:
+        found = (THERE, NOT_THERE) if one is actual else (NOT_THERE, THERE)
+        yield Difference(quantity.key, "", "", *found)
 
 
 class _PlaceNames:
@@ -173,7 +181,7 @@ def _table(
         for column, (one, two) in enumerate(zip(row, other, strict=True)):
             if not is_same(one, two, atol, rtol):
                 place = names.table, names.row(number), names.column(column)
-                yield Difference(*place, shown(one.value), shown(two.value))
+                yield Difference(*place, one.value, two.value)
 
 
 def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:

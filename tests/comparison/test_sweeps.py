@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vstatics.tables.compare_sweeps import sweep_differences
+from vstatics.comparison.sweeps import sweep_differences
 from vstatics.tables.written_results import WrittenSweep
 
 

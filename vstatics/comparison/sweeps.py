@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from itertools import zip_longest
 
+from vstatics.comparison.numbers import ATOL, RTOL, is_same, shown
 from vstatics.errors import plural
-from vstatics.tables.compare import ATOL, RTOL, is_same, shown
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import Figure, WrittenSweep
 

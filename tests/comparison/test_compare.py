@@ -72,6 +72,12 @@ def document(case: Path | str = MZKT) -> dict[str, Any]:
     return found
 
 
+def numbers(said: Said) -> list[tuple[object, ...]]:
+    """Table, row, gear, expected and actual of each number that differs."""
+    [case] = json.loads(said.out)["cases"]
+    return [tuple(number.values())[:5] for number in case["numbers"]]
+
+
 FORMS = {"listing": (), "russian": ("--lang", "ru"), "json": ("-f", "json")}
 
 
@@ -100,24 +106,24 @@ def test_standard_input_is_either_of_them(written: Callable[..., Path]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "line"),
+    ("old", "new", "told"),
     [
         ("6.230   3.461   1.800   1.000  -5.538", "6.230   3.462   1.800   1.000  -5.538",
-         "AMLG, row Mx, gear 2: 3.462, expected 3.461"),
-        (".395    .711", ".395    .811", "WFRI, row F5, gear 2: 0.811, expected 0.711"),
-        (".161", ".162", "W, row 6, gear 1: 0.162, expected 0.161"),
-        (".953    .979", ".953 *******", "ETA, gear 2: no value, expected 0.979"),
-        ("  1  -1   1", "  1   1   1", "IX, row D1, gear 2: 1.0, expected -1.0"),
-        (".800    .000", ".900    .000", "AJK, row 2, device D1: 0.9, expected 0.8"),
+         ("AMLG", "Mx", "2", 3.461, 3.462)),
+        (".395    .711", ".395    .811", ("WFRI", "F5", "2", 0.711, 0.811)),
+        (".161", ".162", ("W", "6", "1", 0.161, 0.162)),
+        (".953    .979", ".953 *******", ("efficiency", None, "2", 0.979, None)),
+        ("  1  -1   1", "  1   1   1", ("IX", "D1", "2", -1.0, 1.0)),
+        (".800    .000", ".900    .000", ("AJK", "2", "D1", 0.8, 0.9)),
     ],
 )  # fmt: skip
 def test_a_difference_is_named_by_table_row_and_gear(
-    written: Callable[..., Path], old: str, new: str, line: str
+    written: Callable[..., Path], old: str, new: str, told: tuple[object, ...]
 ) -> None:
     text = result(MZKT)
     actual, expected = written(text, (old, new)), written(text)
-    said = vstatics("compare", actual, expected)
-    assert (said.status, said.out) == (1, line + "\n")
+    said = vstatics("compare", actual, expected, "-f", "json")
+    assert (said.status, numbers(said)) == (1, [told])
     assert said.err == f"{actual} and {expected} differ in 1 place\n"
 
 
@@ -126,12 +132,13 @@ def test_names_of_the_case_are_those_of_the_message(written: Callable[..., Path]
     changed["W"][2][0] += 1
     changed["AMWZ"][1][1] = None
     text = json.dumps(changed, ensure_ascii=False)
-    lines = vstatics("compare", written(text), written(result(SPLIT))).out.splitlines()
-    assert [line.partition(":")[0] for line in lines] == [
-        "W, row MG2, gear hybrid",
-        "AMWZ, row MG1, gear mechanical point",
+    said = vstatics("compare", written(text), written(result(SPLIT)))
+    lines = [re.split("  +", line.strip()) for line in said.out.splitlines()[1:]]
+    assert [line[:2] for line in lines] == [
+        ["W", "MG2, hybrid"],
+        ["AMWZ", "MG1, mechanical point"],
     ]
-    assert ": no value, expected -0.278" in lines[1]
+    assert lines[1][2] == "-0.278 -> no value"
 
 
 def test_half_of_the_last_digit_is_the_limit(written: Callable[..., Path]) -> None:
@@ -172,14 +179,15 @@ def test_tables_of_other_shapes_are_named(written: Callable[..., Path]) -> None:
     changed["WSAT"][1].pop()
     del changed["IX"]
     said = vstatics("compare", written(json.dumps(changed)), written(result(MZKT)))
-    assert said.out.splitlines() == [
-        "W: 5 rows, expected 6 rows",
-        "WSAT, row D2: 5 columns, expected 6 columns",
-        "IX: does not have it, expected has this table",
+    told = [re.split("  +", line.strip()) for line in said.out.splitlines()[1:]]
+    assert told == [
+        ["W", "6 rows -> 5 rows"],
+        ["WSAT", "D2", "6 columns -> 5 columns"],
+        ["IX", "there -> not there"],
     ]
-    said = vstatics("compare", written(result(MZKT)), written(result(SPLIT)))
+    said = vstatics("compare", written(result(MZKT)), written(result(SPLIT)), "-f", "json")
     assert said.status == 1
-    assert "AMWZ: does not have it, expected has this table" in said.out.splitlines()
+    assert ("AMWZ", None, None, "there", "not there") in numbers(said)
 
 
 @pytest.mark.parametrize("form", ["json", "listing"])
@@ -191,11 +199,12 @@ def test_rows_of_elements_are_paired_by_their_names(
     renamed = tmp_path / "renamed.yaml"
     name = next(line for line in case.splitlines() if "kind: " in line).split(":")[0].strip()
     renamed.write_text(case.replace(f"  {name}:", "  other:"), encoding="utf-8")
-    said = vstatics("compare", actual, written(result(renamed, "-f", form)))
+    said = vstatics("compare", actual, written(result(renamed, "-f", form)), "-f", "json")
     assert said.status == 1
-    assert f"row {name}.sun: has this row, expected does not have it" in said.out
-    assert "row other.sun: does not have this row, expected has it" in said.out
-    assert "row Mx" not in said.out
+    found = numbers(said)
+    assert ("AMLG", f"{name}.sun", None, "not there", "there") in found
+    assert ("AMLG", "other.sun", None, "there", "not there") in found
+    assert "Mx" not in [row for _, row, *_ in found]
 
 
 def test_several_results_are_compared_in_their_order(written: Callable[..., Path]) -> None:
@@ -203,9 +212,15 @@ def test_several_results_are_compared_in_their_order(written: Callable[..., Path
     listings = vstatics("run", MZKT, SPLIT).out
     assert vstatics("compare", written(listings), written(both)).all == ""
     said = vstatics("compare", written(listings, ("  1  -1   1", "  1   1   1")), written(both))
-    assert said.out == "result 1: IX, row D1, gear 2: 1.0, expected -1.0\n"
+    first, second, tally = said.out.splitlines()
+    assert first.endswith(": 1 other number differs")
+    assert second.split() == ["IX", "D1,", "2", "-1.000", "->", "1.000", "+200.00", "%"]
+    assert tally == "1 same, 1 changed, 0 added, 0 gone"
     said = vstatics("compare", written(both), written(result(MZKT)))
-    assert (said.status, said.out) == (1, "result 2: there, expected no such result\n")
+    assert (said.status, said.out) == (
+        1,
+        "power-split: added\n1 same, 0 changed, 1 added, 0 gone\n",
+    )
 
 
 def test_a_failed_case_equals_a_failed_case_only(
@@ -216,7 +231,7 @@ def test_a_failed_case_equals_a_failed_case_only(
     good = vstatics("run", MZKT, MZKT, "-f", "json").out
     assert vstatics("compare", written(failed), written(failed)).status == 0
     said = vstatics("compare", written(failed), written(good))
-    assert said.out == "result 2: case: a case in error, expected a result\n"
+    assert said.out.splitlines()[0] == "bad: a case in error, expected a result"
 
 
 def test_a_listing_of_the_source_has_its_tables_only(written: Callable[..., Path]) -> None:
@@ -229,12 +244,11 @@ def test_a_listing_of_the_source_has_its_tables_only(written: Callable[..., Path
     changed = tables.replace("  3.461   1.800", "  3.461  .18E+01", 1)
     assert vstatics("compare", written(changed), written(text)).all == ""
     changed = re.sub(r"(?m)^ +\.161 .*\n", "", tables, count=1)
-    assert vstatics("compare", written(changed), written(text)).out == (
-        "W: 5 rows, expected 6 rows\n"
-    )
+    said = vstatics("compare", written(changed), written(text), "-f", "json")
+    assert numbers(said) == [("W", None, None, "6 rows", "5 rows")]
     without = tables[: tables.index("Efficiency")] + tables[tables.index("Sign of") :]
-    said = vstatics("compare", written(without), written(text))
-    assert said.out == "ETA: does not have it, expected has this table\n"
+    said = vstatics("compare", written(without), written(text), "-f", "json")
+    assert numbers(said) == [("efficiency", None, None, "there", "not there")]
 
 
 @pytest.mark.parametrize("data", BAD_INPUT, ids=lambda data: repr(data[:24]))

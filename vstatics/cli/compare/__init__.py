@@ -1,0 +1,1 @@
+"""`vstatics compare`: `pairs` reads what is held against what, `command` tells the outcome."""
