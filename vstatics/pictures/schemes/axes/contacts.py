@@ -13,28 +13,8 @@ from vstatics.pictures.schemes.glyphs import Glyph
 
 STUB = 12.0
 """From the last station of a row to the port of a link. [pt]"""
-LEVEL = 4.5
-"""From a shaft to the hollow one around it. [pt]"""
-SIGN_HEIGHT = 13.0
-"""From the hollow shafts to the middle of a sign beside them. [pt]"""
-DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
 EDGE = 3.0
 """From a set to a line that passes beside it. [pt]"""
-BESIDE_SET = 6.0
-"""From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-BESIDE_SET = 6.0
-"""From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
 
 
 class AxisContact(NamedTuple):
