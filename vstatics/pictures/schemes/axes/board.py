@@ -161,6 +161,38 @@ class AxesBoard:
                     found.append(other)
         return found
 
+    @cached_property
+    def road_wheels(self) -> Mapping[int, int]:
+        """Links at whose ends road wheels stand, and the station of the differential of each.
+
+        A side of a differential is followed along its springs to a link by which power leaves,
+        or to one that a spring, its tyre, joins to that.
+        """
+        found: dict[int, int] = {}
+        for index, one in enumerate(self.stations):
+            if one.kind == "differential":
+                ends = [self._road_wheel(side) for side in one.links[:2]]
+                found |= dict.fromkeys(ends, index) if 0 not in ends else {}
+        return found
+
+    def _road_wheel(self, side: int) -> int:
+        """From one side of a differential; 0 where there is none."""
+        leaving = {port.link for port in self.ports if port.role != "input"}
+        springs = [
+            one.links for one in self.stations if one.kind == "coupling" and not one.is_shifted
+        ]
+        before, at = 0, side
+        while at not in leaving:
+            ahead = [
+                link for own in springs if at in own for link in own if link not in (at, before)
+            ]
+            if leaving & {*ahead}:
+                return at
+            if len(ahead) != 1 or ahead[0] == side:
+                return 0
+            before, at = at, ahead[0]
+        return at
+
     def ways(self, index: int) -> int:
         """In how many ways a station may be drawn."""
         one = self.stations[index]

@@ -25,7 +25,8 @@ class AxisContact(NamedTuple):
     device: int
     """By its place in `Scheme.devices`; -1 of a port."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``bar`` where it is on the link itself, ``port``."""
+    """``wheel``, ``sign``, ``set``, ``bar`` where it is on the link itself, ``port``, ``road`` at a
+    road wheel."""
     end: float = 0.0
     """Radius of a wheel; how far from the middle of a set. [pt]"""
     way_round: float = 0.0
@@ -126,6 +127,15 @@ def port_contacts(
         xs = [one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
         end = max(xs) + STUB if port.link in chosen.rightward else min(xs) - STUB
         yield AxisContact(port.link, end, -1, "port")
+    ends = {port.link for port in board.ports}
+    for link, differential in board.road_wheels.items():
+        if link not in ends:
+            cage = board.stations[differential].devices[0]
+            middles = [one.x for one in contacts if one.device == cage]
+            own = [one.x for one in contacts if one.link == link]
+            row = [one.x for one in contacts if board.axis_of[one.link] == board.axis_of[link]]
+            is_right = min(own) > min(middles) + CAGE
+            yield AxisContact(link, max(row) + STUB if is_right else min(row) - STUB, -1, "road")
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:

@@ -10,8 +10,9 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.pictures.schemes.axes.board import AxesBoard
-from vstatics.pictures.schemes.axes.labels import Rectangle, device_labels, solid
+from vstatics.pictures.schemes.axes.labels import device_labels
 from vstatics.pictures.schemes.axes.marks import draw_station
+from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
 from vstatics.pictures.schemes.axes.rows import axis_rows
@@ -88,12 +89,14 @@ def figures(
 
 def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
     """Where everything stands in the width of a page."""
-    stations = stations_of(scheme, axes, style)
+    stations = stations_of(scheme, axes, style._replace(wheels=False))
     board = AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports)
     chosen = arranged(board).chosen
     for part, letters, gap in product(PARTS, (LETTERS, FEW_LETTERS), GAPS):
         own = stations_of(scheme, axes, style, letters)
         found = places(replace(board, stations=own, gap=gap), chosen)._replace(letters=1 / part)
+        if part * max(found.xs) > style.width:
+            continue
         low, high = extent(found, scheme)
         if part * (high[0] - low[0]) <= style.width:
             break
@@ -103,7 +106,8 @@ def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
 def extent(found: AxesPlaces, scheme: Scheme) -> tuple[Point, Point]:
     """The lower left and the upper right corner with room for all but the head [pt]."""
     names = fixed_names(found, scheme)
-    boxes = [*names, *(one.box for one in device_labels(found, names).values()), *solid(found)]
+    labels = [one.box for own in device_labels(found, names).values() for one in own]
+    boxes = [*names, *labels, *(one.box for one in obstacles(found))]
     for link, span in found.spans.items():
         for height in (span.height, -span.height):
             y = found.y(found.axis_of(link), height)

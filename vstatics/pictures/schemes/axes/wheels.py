@@ -10,8 +10,6 @@ from vstatics.pictures.schemes.axes.stations import WHEEL
 from vstatics.pictures.schemes.glyphs import MESH, TOOTH
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import SMALL
-from vstatics.tables.numbers import typeset
 
 CONE = 3.5
 """How much teeth of bevel wheels are slanted. [pt]"""
@@ -57,12 +55,6 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
         rim, tilt = y + way * radius, way * slant * toward
         rims.append(((x - WHEEL, rim - tilt), (x + WHEEL, rim + tilt)))
     pen.lines(rims, color=color, width=2.2 * TOOTH, zorder=3.5, title=said)
-    if pen.style.wheels and device.element is not None:
-        member = device.element.shape.toothed[-1 if place else 0]
-        teeth = typeset(f"{device.element.teeth[member]:g}")
-        at = x + 2.5, y - toward * min(radius - 5.0, radius * 0.7)
-        look: Look = {"size": SMALL, "ha": "left", "color": sheet.text_color(index)}
-        sheet._replace(pen=pen).text(at, teeth, **look)
 
 
 def _between(sheet: AxesSheet, number: int) -> None:
