@@ -178,14 +178,11 @@ class AxesBoard:
     def _road_wheel(self, side: int) -> int:
         """From one side of a differential; 0 where there is none."""
         leaving = {port.link for port in self.ports if port.role != "input"}
-        springs = [
-            one.links for one in self.stations if one.kind == "coupling" and not one.is_shifted
-        ]
+        couplings = [one for one in self.stations if one.kind == "coupling"]
+        springs = [{*one.links} for one in couplings if not one.is_shifted]
         before, at = 0, side
         while at not in leaving:
-            ahead = [
-                link for own in springs if at in own for link in own if link not in (at, before)
-            ]
+            ahead = [*set().union(*(own for own in springs if at in own)) - {at, before}]
             if leaving & {*ahead}:
                 return at
             if len(ahead) != 1 or ahead[0] == side:

@@ -13,6 +13,8 @@ from vstatics.pictures.schemes.glyphs import Glyph
 
 STUB = 12.0
 """From the last station of a row to the port of a link. [pt]"""
+ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
+"""Of a road wheel; from its middle to that of a wheel of another axis beside it. [pt]"""
 EDGE = 3.0
 """From a set to a line that passes beside it. [pt]"""
 
@@ -122,20 +124,33 @@ def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
     """The ends of links that leave their rows."""
-    for port in board.ports:
-        row = board.axis_of[port.link]
-        xs = [one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
-        end = max(xs) + STUB if port.link in chosen.rightward else min(xs) - STUB
-        yield AxisContact(port.link, end, -1, "port")
-    ends = {port.link for port in board.ports}
+    ends = {port.link: port.link in chosen.rightward for port in board.ports}
     for link, differential in board.road_wheels.items():
-        if link not in ends:
-            cage = board.stations[differential].devices[0]
-            middles = [one.x for one in contacts if one.device == cage]
-            own = [one.x for one in contacts if one.link == link]
-            row = [one.x for one in contacts if board.axis_of[one.link] == board.axis_of[link]]
-            is_right = min(own) > min(middles) + CAGE
-            yield AxisContact(link, max(row) + STUB if is_right else min(row) - STUB, -1, "road")
+        cage = board.stations[differential].devices[0]
+        middles = [one.x for one in contacts if one.device == cage]
+        own = [one.x for one in contacts if one.link == link]
+        ends.setdefault(link, min(own) > min(middles) + CAGE)
+    ports = {port.link for port in board.ports}
+    for link, is_right in ends.items():
+        row, way = board.axis_of[link], 1 if is_right else -1
+        xs = [way * one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
+        end = max(xs) + STUB
+        for x in (
+            sorted(_in_the_way(board, contacts, row, way)) if link in board.road_wheels else ()
+        ):
+            end = x + ROAD_WHEEL if abs(end - x) < ROAD_WHEEL else end
+        yield AxisContact(link, way * end, -1, "port" if link in ports else "road")
+
+
+def _in_the_way(
+    board: AxesBoard, contacts: Sequence[AxisContact], row: int, way: int
+) -> Iterator[float]:
+    """Where wheels of other rows reach to a road wheel of one."""
+    heights = board.rows.heights
+    for one in contacts:
+        distance = abs(heights[board.axis_of[one.link]] - heights[row])
+        if one.kind == "wheel" and distance and distance - one.end < ROAD_RADIUS + 3.0:
+            yield way * one.x
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:

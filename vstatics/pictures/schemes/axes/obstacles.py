@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import FAR
 from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
@@ -16,8 +17,6 @@ BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
 """Heights: of a brake and of a drum over the middle of signs, half of a box, of a sign. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
-ROAD_RADIUS = 21.0
-"""Of a road wheel. [pt]"""
 HALF_LINE = 1.2
 """Half of what a line takes, with what is clear beside it. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from itertools import product
 
 from matplotlib.figure import Figure
@@ -94,7 +93,9 @@ def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
     chosen = arranged(board).chosen
     for part, letters, gap in product(PARTS, (LETTERS, FEW_LETTERS), GAPS):
         own = stations_of(scheme, axes, style, letters)
-        found = places(replace(board, stations=own, gap=gap), chosen)._replace(letters=1 / part)
+        rows = axis_rows(axes, own, 1 / part)
+        board = AxesBoard(axes, rows, own, scheme.ports, gap)
+        found = places(board, chosen)._replace(letters=1 / part)
         if part * max(found.xs) > style.width:
             continue
         low, high = extent(found, scheme)

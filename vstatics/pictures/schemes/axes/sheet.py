@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.labels import DeviceLabel
-from vstatics.pictures.schemes.axes.obstacles import ROAD_RADIUS, Rectangle
+from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import (
     LinkLines,
@@ -236,17 +237,30 @@ def free_names(
             has_port = {port.link for port in scheme.ports}
             if link in named or link in has_port:
                 continue
-            if span.left == left:
+            wide, off = found.wide(scheme.name(link)), 10 + NAME_GAP
+            if span.left == left and not _covers(found, (left - off - wide, y), wide):
                 named.add(link)
-                yield link, (left - 10 - NAME_GAP, y), "right"
-            elif span.right == right:
+                yield link, (left - off, y), "right"
+            elif span.right == right and not _covers(found, (right + off, y), wide):
                 named.add(link)
-                yield link, (right + 10 + NAME_GAP, y), "left"
+                yield link, (right + off, y), "left"
             else:
                 place = _room(found, axis, link, found.wide(scheme.name(link)) + 4)
                 if place is not None:
                     named.add(link)
                     yield link, (place, found.y(axis, -found.bases[axis] - 7.5)), "center"
+
+
+def _covers(found: AxesPlaces, left: Point, wide: float) -> bool:
+    """Whether a name, by its left end, would cover a wheel of another axis, or a sign."""
+    (x, y), half = left, 4.0 * found.letters
+    return any(
+        one.box.left < x + wide
+        and x < one.box.right
+        and one.box.low < y + half
+        and y - half < one.box.high
+        for one in obstacles(found)
+    )
 
 
 def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:

@@ -72,10 +72,12 @@ def path_of(found: AxesPlaces, contact: AxisContact) -> list[Point]:
 
 
 def branches(found: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
-    """Where a link branches, and the device to which: not at the webs of its wheels."""
+    """Where a link branches, and the device to which: not at wheels on its shaft."""
     (left, level), (right, _) = lines.level
     wheeled = {
-        one.device for one in found.contacts if one.link == link and one.kind in ("wheel", "bar")
+        one.device
+        for one in found.contacts
+        if one.link == link and one.kind in ("wheel", "bar") and found.spans[link].level >= 0
     }
     paths = [(device, path) for device, path in lines.upright if device not in wheeled]
     for place, (device, path) in enumerate(paths):
