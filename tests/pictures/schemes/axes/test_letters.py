@@ -3,26 +3,39 @@
 from __future__ import annotations
 
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import pytest
 
 import vstatics
 from tests.commands import CASES
+from tests.pictures.schemes.axes.boxes import PAIRS, one_pair, six_speed
 from tests.pictures.schemes.axes.letters import under_letters
+from vstatics.model.transmission import Transmission
 from vstatics.pictures import render
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
 from vstatics.statics.results import Language
 
 QUICK = ("toyota-p410", "dual-clutch-wheels", "power-split")
 SLOW = ("two-stage", "moskvich412", "driveline-8hp70")
+
+
+def load(name: str) -> Transmission:
+    return vstatics.load(CASES / f"{name}.yaml")
+
+
 LEAST = 7 - 1e-6
 """The size of the least letters. [pt]"""
 
 
-def check(browser: Any, name: str, style: Style, gears: tuple[int, ...]) -> None:
+NARROW = 100 / 25.4 * 72
+"""A page of 100 mm. [pt]"""
+
+
+def check(browser: Any, case: Transmission, style: Style, gears: tuple[int, ...] = ()) -> None:
     """No letters over others, none over a line of a link or of a device."""
-    results = vstatics.solve(vstatics.load(CASES / f"{name}.yaml"))
-    svg = render(results, "stick", "svg", style, gears).decode()
+    svg = render(vstatics.solve(case), "stick", "svg", style, gears).decode()
+    assert float(ET.fromstring(svg).attrib["width"].removesuffix("pt")) <= style.width + 0.01  # noqa: S314
     letters, lines, least = under_letters(browser, svg)
     assert letters == []
     assert lines == []
@@ -31,7 +44,27 @@ def check(browser: Any, name: str, style: Style, gears: tuple[int, ...]) -> None
 
 @pytest.mark.parametrize("name", QUICK)
 def test_letters_stand_clear_of_letters_and_lines(browser: Any, name: str) -> None:
-    check(browser, name, Style(wheels=True), (1,))
+    check(browser, load(name), Style(wheels=True), (1,))
+
+
+@pytest.mark.parametrize("wheels", [False, True])
+@pytest.mark.parametrize("width", [NARROW, PAGE_WIDTH])
+def test_a_manual_box_of_nine_pairs_fits_into_a_narrow_page(
+    browser: Any, width: float, wheels: bool
+) -> None:
+    case = six_speed()
+    check(browser, case, Style(width=width, wheels=wheels))
+    check(browser, case, Style(width=width, wheels=wheels), (7,))
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_letters_stand_clear_of_pairs_of_every_kind(browser: Any, kind: str) -> None:
+    check(browser, one_pair(kind), Style(wheels=True, language="ru"), (1,))
+
+
+@pytest.mark.slow
+def test_a_driveline_fits_into_a_narrow_page(browser: Any) -> None:
+    check(browser, load("driveline-8hp70"), Style(width=NARROW))
 
 
 @pytest.mark.slow
@@ -42,4 +75,4 @@ def test_letters_stand_clear_of_letters_and_lines(browser: Any, name: str) -> No
 def test_letters_of_all_boxes_stand_clear(
     browser: Any, name: str, wheels: bool, language: Language, gears: tuple[int, ...]
 ) -> None:
-    check(browser, name, Style(wheels=wheels, language=language), gears)
+    check(browser, load(name), Style(wheels=wheels, language=language), gears)

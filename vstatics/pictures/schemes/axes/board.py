@@ -15,6 +15,8 @@ from vstatics.pictures.schemes.scheme import SchemePort
 
 GAP = 6.0
 """Between two stations of a row. [pt]"""
+BELL = 9.0
+"""From the middle of an internal wheel's teeth to its web. [pt]"""
 BESIDE_SET = 6.0
 """From hollow shafts to a set. [pt]"""
 
@@ -161,6 +163,20 @@ class AxesBoard:
                     found.append(other)
         return found
 
+    def bell(self, index: int, way: int) -> tuple[int, float]:
+        """The place in its pair of an internal wheel, and how far its web is beside its teeth.
+
+        The web passes the pinion within it; 0 where there is none [pt].
+        """
+        one = self.stations[index]
+        if one.joint is None or one.joint.kind != "internal_pair":
+            return -1, 0.0
+        first, between, second = self.radii[index]
+        place = int(second > first)
+        ends = [self.rows.heights[axis] for axis in one.axes]
+        is_within = abs(abs(first - second) - abs(ends[0] - ends[1])) < 1e-6 and not between
+        return (place, -BELL if way else BELL) if is_within else (-1, 0.0)
+
     @cached_property
     def road_wheels(self) -> Mapping[int, int]:
         """Links at whose ends road wheels stand, and the station of the differential of each.
@@ -197,7 +213,7 @@ class AxesBoard:
             return len(one.glyphs)
         if one.kind == "drum":
             return len(list(permutations(one.devices)))
-        return 2 if one.kind == "differential" else 1
+        return 2 if one.kind == "differential" or self.bell(index, 0)[1] else 1
 
 
 def _band(board: AxesBoard, axis: int) -> float:

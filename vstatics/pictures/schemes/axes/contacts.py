@@ -81,7 +81,7 @@ def _fixed(
     """Contacts whose places do not depend on where the links come from."""
     device = one.devices[0]
     if one.joint is not None:
-        yield from _of_pair(one, board.radii[index], x)
+        yield from _of_pair(one, board.radii[index], x, board.bell(index, chosen.ways[index]))
     elif one.kind == "brake":
         yield AxisContact(one.links[0], x, device, "sign")
     elif one.kind == "box" and not one.has_two_sides:
@@ -100,13 +100,16 @@ def _fixed(
         yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in taps_of(glyph))
 
 
-def _of_pair(one: Station, radii: tuple[float, float, float], x: float) -> Iterator[AxisContact]:
+def _of_pair(
+    one: Station, radii: tuple[float, float, float], x: float, bell: tuple[int, float]
+) -> Iterator[AxisContact]:
     """Of both wheels, and of the casing that bears them."""
     device = one.devices[0]
-    for link, radius in zip(one.links, radii[::2], strict=True):
-        yield AxisContact(link, x - WHEEL, device, "bar")
-        yield AxisContact(link, x, device, "wheel", radius)
-        yield AxisContact(link, x + WHEEL, device, "bar")
+    for place, (link, radius) in enumerate(zip(one.links, radii[::2], strict=True)):
+        at = x + (bell[1] if place == bell[0] else 0.0)
+        yield AxisContact(link, at - WHEEL, device, "bar")
+        yield AxisContact(link, at, device, "wheel", radius)
+        yield AxisContact(link, at + WHEEL, device, "bar")
     if one.joint is not None and one.joint.frame:
         yield AxisContact(one.joint.frame, x - one.half, device, "sign")
 

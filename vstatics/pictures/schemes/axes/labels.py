@@ -101,8 +101,10 @@ def device_labels(found: AxesPlaces, fixed: Sequence[Rectangle]) -> dict[int, li
 def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
     """Which boxes have an area in common with which others."""
     one, other = boxes[:, None, :], others[None, :, :]
-    found = (one[..., :2] < other[..., 2:]) & (other[..., :2] < one[..., 2:])
-    return found.all(axis=-1)
+    found: NDArray[np.bool_] = np.logical_and(
+        one[..., :2] < other[..., 2:], other[..., :2] < one[..., 2:]
+    )
+    return np.logical_and(found[..., 0], found[..., 1])
 
 
 def _candidates(found: AxesPlaces, own: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:

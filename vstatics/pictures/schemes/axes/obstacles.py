@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.places import AxesPlaces
-from vstatics.pictures.schemes.axes.recognition import FAR
+from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
 from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
 from vstatics.pictures.schemes.axes.wires import link_lines, sign_height
 from vstatics.pictures.sheet.labels import Point
@@ -17,6 +17,8 @@ BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
 """Heights: of a brake and of a drum over the middle of signs, half of a box, of a sign. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
+CONE = 3.5
+"""How much teeth of bevel wheels are slanted. [pt]"""
 HALF_LINE = 1.2
 """Half of what a line takes, with what is clear beside it. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
@@ -75,17 +77,24 @@ def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]
     """Webs and rims, and what is between the wheels."""
     x, radii = found.xs[number], found.board.radii[number]
     middles = [found.y(own, 0.0) for own in one.axes]
-    for y, radius in zip(middles, radii[::2], strict=True):
-        yield Obstacle(about((x, y - radius), (x, y + radius)), ON_LINE)
-        for rim in (y - radius, y + radius):
-            yield Obstacle(about((x - WHEEL, rim), (x + WHEEL, rim), 2.0), device=one.devices[0])
+    bell, off = found.board.bell(number, found.chosen.ways[number])
     is_far = one.joint is not None and one.joint.kind in FAR
+    is_crossed = one.joint is not None and one.joint.kind in CROSSED
+    for place, (y, radius) in enumerate(zip(middles, radii[::2], strict=True)):
+        web = x + (off if place == bell else 0.0)
+        yield Obstacle(about((web, y - radius), (web, y + radius)), ON_LINE)
+        for rim in (y - radius, y + radius):
+            ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)
+            yield Obstacle(
+                about(*ends, CONE + 2.0 if is_crossed else 3.5 if off else 2.5),
+                device=one.devices[0],
+            )
     yield Obstacle(about((x, middles[0]), (x, middles[1]), 3.5 if is_far else HALF_LINE), ON_LINE)
     if radii[1]:
         low = min(middles)
         radius = radii[0] if low == middles[0] else radii[2]
-        ends = low + radius, low + radius + 2 * radii[1]
-        yield Obstacle(about((x - WHEEL - 2, ends[0]), (x + WHEEL + 2, ends[1]), 2.0))
+        idler = low + radius, low + radius + 2 * radii[1]
+        yield Obstacle(about((x - WHEEL - 2, idler[0]), (x + WHEEL + 2, idler[1]), 2.0))
 
 
 def _of_set(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]:

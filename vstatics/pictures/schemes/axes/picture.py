@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.pictures.schemes.axes.board import AxesBoard
 from vstatics.pictures.schemes.axes.labels import device_labels
+from vstatics.pictures.schemes.axes.link_names import fixed_names
 from vstatics.pictures.schemes.axes.marks import draw_station
 from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
@@ -20,7 +21,6 @@ from vstatics.pictures.schemes.axes.sheet import (
     AxesSheet,
     draw_ends,
     draw_links,
-    fixed_names,
 )
 from vstatics.pictures.schemes.axes.stations import stations_of
 from vstatics.pictures.schemes.axes.wheels import draw_pair
@@ -36,7 +36,7 @@ from vstatics.statics.results import Results
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 """Between stations: the largest with which all fits into the width. [pt]"""
-PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5)
+PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
 """Sizes of all but letters: the largest with which all fits into the width."""
 LETTERS, FEW_LETTERS = 12, 5
 """Longer names are broken at blanks; where room is short, at all blanks."""
