@@ -49,6 +49,85 @@ def countershaft_box(chance: random.Random) -> Transmission:
     )
 
 
+PAIRS = {
+    "gear_pair": {"first": 20, "second": 60},
+    "internal_pair": {"first": 20, "second": 60},
+    "idler": {"first": 20, "idler": 25, "second": 36},
+    "bevel_pair": {"first": 11, "second": 41},
+    "worm": {"worm": 2, "wheel": 40},
+    "chain": {"first": 21, "second": 35},
+    "belt": {"first": 60, "second": 120},
+}
+"""Teeth of one pair of every kind; of a belt diameters."""
+
+
+def one_pair(kind: str) -> Transmission:
+    """A motor behind a clutch, a pair, a shaft behind a dog clutch."""
+    first, *_, second = PAIRS[kind]
+    links = {first: 2, second: 3}
+    drive = Element("drive", kind, links, PAIRS[kind])
+    shifts = [ShiftElement(1, 2, "K"), ShiftElement(3, 4, "d", "dog_clutch")]
+    return transmission(
+        Drawing(4, [drive]),
+        shift_elements=shifts,
+        link_names=["motor", "shaft", "wheel", "out"],
+        gears=[Gear([1, 2])],
+        input=1,
+        output=4,
+    )
+
+
+def six_speed() -> Transmission:
+    """A manual box: a constant pair, five for gears, two for reverse, a final drive."""
+    names = [
+        "engine",
+        "input",
+        "counter",
+        "output",
+        "w1",
+        "w2",
+        "w3",
+        "w4",
+        "w6",
+        "idler",
+        "wr",
+        "diff",
+    ]
+    number = {name: place for place, name in enumerate(names, 1)}
+    wheels = {
+        "constant": ("input", "counter", 20, 43),
+        "p1": ("counter", "w1", 15, 38),
+        "p2": ("counter", "w2", 22, 34),
+        "p3": ("counter", "w3", 29, 31),
+        "p4": ("counter", "w4", 35, 27),
+        "p6": ("counter", "w6", 45, 20),
+        "r1": ("counter", "idler", 14, 20),
+        "r2": ("idler", "wr", 20, 36),
+        "final": ("output", "diff", 17, 67),
+    }
+    elements = [
+        Element(
+            name,
+            "gear_pair",
+            {"first": number[one], "second": number[other]},
+            {"first": teeth, "second": others},
+        )
+        for name, (one, other, teeth, others) in wheels.items()
+    ]
+    dogs = [
+        ShiftElement(number[one], number["output"], f"s{place}", "dog_clutch")
+        for place, one in enumerate(("w1", "w2", "w3", "w4", "input", "w6", "wr"), 1)
+    ]
+    return transmission(
+        Drawing(len(names), elements),
+        shift_elements=[ShiftElement(1, 2, "K"), *dogs],
+        link_names=names,
+        gears=[Gear([1, place]) for place in range(2, 9)],
+        input=1,
+        output=number["diff"],
+    )
+
+
 class PlacedWheel(NamedTuple):
     """A wheel as its picture has it [pt]."""
 

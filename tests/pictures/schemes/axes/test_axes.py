@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import random
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, permutations
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -14,11 +14,14 @@ import vstatics
 from tests.commands import CASES
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.axes.boxes import (
+    PAIRS,
     SVG,
     axes_by_link,
     countershaft_box,
     of_class,
+    one_pair,
     points,
+    six_speed,
     svg_of,
     wheels,
 )
@@ -275,3 +278,121 @@ def test_wheels_have_their_teeth_on_request() -> None:
     )
     teeth = [14, 48, 26, 41, 19, 42, 35, 38, 16, 68]
     assert sorted(full) == sorted([*bare, *map(str, teeth)])
+
+
+def road_wheels(root: ET.Element) -> dict[str, list[tuple[float, float]]]:
+    """The points of each road wheel, by its link."""
+    return {
+        group.attrib["data-link"]: [
+            at for path in group.iter(f"{SVG}path") if path.get("d") for at in points(path)
+        ]
+        for group in of_class(root, "road-wheel")
+    }
+
+
+@pytest.mark.parametrize(
+    "name", ["power-split", "toyota-p410", pytest.param("driveline-8hp70", marks=pytest.mark.slow)]
+)
+def test_road_wheels_stand_at_the_ends_of_the_half_shafts(name: str) -> None:
+    root = svg_of(load(name))
+    found = road_wheels(root)
+    assert set(found) == {"left wheel", "right wheel"}
+    heights = axes_by_link(root)
+    middles = {}
+    for link, places in found.items():
+        xs, ys = zip(*places, strict=True)
+        middles[link] = (min(xs) + max(xs)) / 2
+        assert (min(ys) + max(ys)) / 2 == pytest.approx(heights[link], abs=ROUNDED)
+        for other in wheels(root):  # no gear wheel stands where they do
+            is_beside = other.x < min(xs) - 2 or other.x > max(xs) + 2
+            assert is_beside or other.high < min(ys) or other.low > max(ys)
+    low, high = sorted(middles.values())
+    axis = [link for link, y in heights.items() if y == heights["left wheel"]]
+    for group in of_class(root, "link"):
+        if group.attrib["data-name"] in axis:
+            for piece in pieces(group):
+                assert all(low - ROUNDED <= x <= high + ROUNDED for x, _ in piece)
+
+
+@pytest.mark.parametrize("name", ["two-stage", "dual-clutch-wheels"])
+def test_what_has_no_axle_has_no_road_wheels(name: str) -> None:
+    assert road_wheels(svg_of(load(name))) == {}
+
+
+def dots(root: ET.Element) -> set[tuple[str, float, float]]:
+    """The links and places of all dots."""
+    found = set()
+    for group in of_class(root, "link"):
+        for path in group.iter(f"{SVG}path"):
+            ends = points(path) if path.get("class") != "wire" else []
+            for (x, y), (x2, y2) in zip(ends[::2], ends[1::2], strict=False):
+                if abs(x2 - x) < 0.5 and y == y2:
+                    found.add((group.attrib["data-name"], x, y))
+    return found
+
+
+def branches(root: ET.Element) -> set[tuple[str, float, float]]:
+    """Where an upright line of a link begins within a level one, but for those to its wheels."""
+    webs = [(one.link, one.x) for one in wheels(root)]
+    lines: dict[str, list[tuple[tuple[float, float], tuple[float, float]]]] = {}
+    for group in of_class(root, "link"):
+        lines.setdefault(group.attrib["data-name"], []).extend(pieces(group))
+    found = set()
+    for name, own in lines.items():
+        for one, other in permutations(own, 2):
+            left, right = sorted((other[0][0], other[1][0]))
+            is_web = any(name == link and abs(one[0][0] - x) < 1 for link, x in webs)
+            for x, y in one if one[0][0] == one[1][0] and not is_web else ():
+                is_inside = left + ROUNDED < x < right - ROUNDED
+                if is_inside and other[0][1] == other[1][1] == y:
+                    found.add((name, x, y))
+    return found
+
+
+@pytest.mark.parametrize("name", ["two-stage", "dual-clutch-wheels", "moskvich412"])
+def test_links_have_dots_where_they_branch_but_not_at_their_wheels(name: str) -> None:
+    root = svg_of(load(name))
+    drawn, wanted = dots(root), branches(root)
+    assert wanted
+    assert wanted <= drawn
+    for link, x, y in drawn - wanted:  # where several signs hang on one upright line
+        assert name == "moskvich412"
+        uprights = [
+            (one, other)
+            for group in of_class(root, "link")
+            if group.attrib["data-name"] == link
+            for one, other in pieces(group)
+            if one[0] == other[0] == x
+        ]
+        assert any(min(a[1], b[1]) < y < max(a[1], b[1]) for a, b in uprights)
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
+    case = one_pair(kind)
+    root = svg_of(case)
+    check_joined(root)
+    assert check_bridged(root) == 0
+    first, second = sorted(wheels(root), key=lambda one: one.link)
+    assert first.x == pytest.approx(second.x, abs=ROUNDED + 10 * (kind == "internal_pair"))
+    teeth = [*PAIRS[kind].values()]
+    sizes = (first.high - first.low) / (second.high - second.low)
+    if kind in ("gear_pair", "idler"):
+        assert sizes == pytest.approx(teeth[0] / teeth[-1], rel=0.05)
+    is_within = second.low < first.low and first.high < second.high
+    assert is_within == (kind == "internal_pair")  # a pinion within the wheel, else beside it
+    gap = max(first.low, second.low) - min(first.high, second.high)
+    assert (gap > 10) == (kind in ("chain", "belt", "idler"))
+
+
+def test_a_manual_box_has_its_idler_between_two_axes() -> None:
+    case = six_speed()
+    root = svg_of(case)
+    check_wheels(case, root)
+    check_apart(root)
+    check_joined(root)
+    assert check_bridged(root) == 0
+    heights = axes_by_link(root)
+    low, high = sorted((heights["counter"], heights["output"]))
+    assert low < heights["idler"] < high
+    assert heights["input"] == heights["output"]

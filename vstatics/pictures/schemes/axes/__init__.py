@@ -3,6 +3,6 @@
 `recognition` tells which links turn about which axis, `stations` what stands on the axes, `rows`
 how these lie; a `board` is what is to be arranged. `contacts` are where links meet stations,
 `places` where all of it stands in an order, `wires` the lines of links, their crossings; `search`
-finds the order, from `starts`. `labels` places names, `sheet` draws links, `marks` what stands on
-one axis, `wheels` pairs; `picture` is the diagram.
+finds the order, from `starts`. `labels` and `link_names` place names clear of `obstacles`, `sheet`
+draws links, `marks` what stands on one axis, `wheels` pairs; `picture` is the diagram.
 """

@@ -15,28 +15,10 @@ from vstatics.pictures.schemes.scheme import SchemePort
 
 GAP = 6.0
 """Between two stations of a row. [pt]"""
-STUB = 12.0
-"""From the last station of a row to the port of a link. [pt]"""
-LEVEL = 4.5
-"""From a shaft to the hollow one around it. [pt]"""
-SIGN_HEIGHT = 13.0
-"""From the hollow shafts to the middle of a sign beside them. [pt]"""
-DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
+BELL = 9.0
+"""From the middle of an internal wheel's teeth to its web. [pt]"""
 BESIDE_SET = 6.0
 """From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-BESIDE_SET = 6.0
-"""From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
 
 
 class StationOrder(NamedTuple):
@@ -181,6 +163,49 @@ class AxesBoard:
                     found.append(other)
         return found
 
+    def bell(self, index: int, way: int) -> tuple[int, float]:
+        """The place in its pair of an internal wheel, and how far its web is beside its teeth.
+
+        The web passes the pinion within it; 0 where there is none [pt].
+        """
+        one = self.stations[index]
+        if one.joint is None or one.joint.kind != "internal_pair":
+            return -1, 0.0
+        first, between, second = self.radii[index]
+        place = int(second > first)
+        ends = [self.rows.heights[axis] for axis in one.axes]
+        is_within = abs(abs(first - second) - abs(ends[0] - ends[1])) < 1e-6 and not between
+        return (place, -BELL if way else BELL) if is_within else (-1, 0.0)
+
+    @cached_property
+    def road_wheels(self) -> Mapping[int, int]:
+        """Links at whose ends road wheels stand, and the station of the differential of each.
+
+        A side of a differential is followed along its springs to a link by which power leaves,
+        or to one that a spring, its tyre, joins to that.
+        """
+        found: dict[int, int] = {}
+        for index, one in enumerate(self.stations):
+            if one.kind == "differential":
+                ends = [self._road_wheel(side) for side in one.links[:2]]
+                found |= dict.fromkeys(ends, index) if 0 not in ends else {}
+        return found
+
+    def _road_wheel(self, side: int) -> int:
+        """From one side of a differential; 0 where there is none."""
+        leaving = {port.link for port in self.ports if port.role != "input"}
+        couplings = [one for one in self.stations if one.kind == "coupling"]
+        springs = [{*one.links} for one in couplings if not one.is_shifted]
+        before, at = 0, side
+        while at not in leaving:
+            ahead = [*set().union(*(own for own in springs if at in own)) - {at, before}]
+            if leaving & {*ahead}:
+                return at
+            if len(ahead) != 1 or ahead[0] == side:
+                return 0
+            before, at = at, ahead[0]
+        return at
+
     def ways(self, index: int) -> int:
         """In how many ways a station may be drawn."""
         one = self.stations[index]
@@ -188,7 +213,7 @@ class AxesBoard:
             return len(one.glyphs)
         if one.kind == "drum":
             return len(list(permutations(one.devices)))
-        return 2 if one.kind == "differential" else 1
+        return 2 if one.kind == "differential" or self.bell(index, 0)[1] else 1
 
 
 def _band(board: AxesBoard, axis: int) -> float:

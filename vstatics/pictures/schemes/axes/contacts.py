@@ -13,28 +13,10 @@ from vstatics.pictures.schemes.glyphs import Glyph
 
 STUB = 12.0
 """From the last station of a row to the port of a link. [pt]"""
-LEVEL = 4.5
-"""From a shaft to the hollow one around it. [pt]"""
-SIGN_HEIGHT = 13.0
-"""From the hollow shafts to the middle of a sign beside them. [pt]"""
-DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
+ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
+"""Of a road wheel; from its middle to that of a wheel of another axis beside it. [pt]"""
 EDGE = 3.0
 """From a set to a line that passes beside it. [pt]"""
-BESIDE_SET = 6.0
-"""From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-BESIDE_SET = 6.0
-"""From hollow shafts to a set. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
 
 
 class AxisContact(NamedTuple):
@@ -45,7 +27,8 @@ class AxisContact(NamedTuple):
     device: int
     """By its place in `Scheme.devices`; -1 of a port."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``bar`` where it is on the link itself, ``port``."""
+    """``wheel``, ``sign``, ``set``, ``bar`` where it is on the link itself, ``port``, ``road`` at a
+    road wheel."""
     end: float = 0.0
     """Radius of a wheel; how far from the middle of a set. [pt]"""
     way_round: float = 0.0
@@ -98,7 +81,7 @@ def _fixed(
     """Contacts whose places do not depend on where the links come from."""
     device = one.devices[0]
     if one.joint is not None:
-        yield from _of_pair(one, board.radii[index], x)
+        yield from _of_pair(one, board.radii[index], x, board.bell(index, chosen.ways[index]))
     elif one.kind == "brake":
         yield AxisContact(one.links[0], x, device, "sign")
     elif one.kind == "box" and not one.has_two_sides:
@@ -117,13 +100,16 @@ def _fixed(
         yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in taps_of(glyph))
 
 
-def _of_pair(one: Station, radii: tuple[float, float, float], x: float) -> Iterator[AxisContact]:
+def _of_pair(
+    one: Station, radii: tuple[float, float, float], x: float, bell: tuple[int, float]
+) -> Iterator[AxisContact]:
     """Of both wheels, and of the casing that bears them."""
     device = one.devices[0]
-    for link, radius in zip(one.links, radii[::2], strict=True):
-        yield AxisContact(link, x - WHEEL, device, "bar")
-        yield AxisContact(link, x, device, "wheel", radius)
-        yield AxisContact(link, x + WHEEL, device, "bar")
+    for place, (link, radius) in enumerate(zip(one.links, radii[::2], strict=True)):
+        at = x + (bell[1] if place == bell[0] else 0.0)
+        yield AxisContact(link, at - WHEEL, device, "bar")
+        yield AxisContact(link, at, device, "wheel", radius)
+        yield AxisContact(link, at + WHEEL, device, "bar")
     if one.joint is not None and one.joint.frame:
         yield AxisContact(one.joint.frame, x - one.half, device, "sign")
 
@@ -141,11 +127,33 @@ def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
     """The ends of links that leave their rows."""
-    for port in board.ports:
-        row = board.axis_of[port.link]
-        xs = [one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
-        end = max(xs) + STUB if port.link in chosen.rightward else min(xs) - STUB
-        yield AxisContact(port.link, end, -1, "port")
+    ends = {port.link: port.link in chosen.rightward for port in board.ports}
+    for link, differential in board.road_wheels.items():
+        cage = board.stations[differential].devices[0]
+        middles = [one.x for one in contacts if one.device == cage]
+        own = [one.x for one in contacts if one.link == link]
+        ends.setdefault(link, min(own) > min(middles) + CAGE)
+    ports = {port.link for port in board.ports}
+    for link, is_right in ends.items():
+        row, way = board.axis_of[link], 1 if is_right else -1
+        xs = [way * one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
+        end = max(xs) + STUB
+        for x in (
+            sorted(_in_the_way(board, contacts, row, way)) if link in board.road_wheels else ()
+        ):
+            end = x + ROAD_WHEEL if abs(end - x) < ROAD_WHEEL else end
+        yield AxisContact(link, way * end, -1, "port" if link in ports else "road")
+
+
+def _in_the_way(
+    board: AxesBoard, contacts: Sequence[AxisContact], row: int, way: int
+) -> Iterator[float]:
+    """Where wheels of other rows reach to a road wheel of one."""
+    heights = board.rows.heights
+    for one in contacts:
+        distance = abs(heights[board.axis_of[one.link]] - heights[row])
+        if one.kind == "wheel" and distance and distance - one.end < ROAD_RADIUS + 3.0:
+            yield way * one.x
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:

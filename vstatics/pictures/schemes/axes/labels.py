@@ -1,177 +1,201 @@
-"""The names of devices: over what they name, moved away where another stands there."""
+"""Where names of devices and teeth of wheels stand: near what they name, clear of all else."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from vstatics.pictures.schemes.axes.obstacles import (
+    BOX,
+    BRAKE,
+    GROUND,
+    ROOF,
+    SIGN,
+    Rectangle,
+    obstacles,
+)
 from vstatics.pictures.schemes.axes.places import AxesPlaces
-from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
+from vstatics.pictures.schemes.axes.stations import CAGE, Station
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import SIZE
+from vstatics.pictures.sheet.style import SIZE, SMALL
 
-LINE = 1.2 * SIZE
-"""Of a name of several lines. [pt]"""
-BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
-"""Heights: of a brake and of a drum over the middle of signs, half of a box, of a sign. [pt]"""
+LINE = 1.2
+"""Height of a line of a text over the size of its letters."""
 CLEAR = 1.5
 """Between letters and what is beside them. [pt]"""
-ASIDE = (0.0, -6.0, 6.0, -14.0, 14.0, -28.0)
-"""How far to a side a name may stand. [pt]"""
-COVERED = 4.0
-"""Steps that are worth it where a name would stand on a sign or a line."""
-MOST_STEPS = 30
-"""By which a name is moved."""
+ASIDE = (0, 3, 7, 12, 18, 26, 36)
+AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
+"""How far to a side and away from what it names a text may stand. [pt]"""
+UNDER, BESIDE = 5.0, 9.0
+"""What standing on the other side of it, or beside it, costs in points of distance."""
+BESIDES = 8
+"""Heights at which a text may stand beside it, less one."""
+ON_TEXT = 1e5
+"""What it costs to stand on other letters."""
+STRANGE, NEAR = 12.0, 3.0
+"""What it costs to be near another device, and how near that is. [pt]"""
+OUTWARD = np.array([-1.0, -1.0, 1.0, 1.0])
+Boxes = NDArray[np.float64]
+"""A row for each: left, low, right, high."""
 
 
-class Rectangle(NamedTuple):
-    """By its corners [pt]."""
+class WantedLabel(NamedTuple):
+    """A text, and where it would stand best."""
 
-    left: float
-    low: float
-    right: float
-    high: float
+    device: int
+    text: str
+    above: Point
+    """The middle of its lower edge where it stands above; of the upper one where `up` is -1."""
+    below: float
+    """The height at which it begins on the other side. [pt]"""
+    up: int
+    half: float = 3.0
+    """Half the width of what it names. [pt]"""
+    size: float = SIZE
 
-    def meets(self, other: Rectangle) -> bool:
-        """Whether they have an area in common."""
-        return (
-            self.left < other.right
-            and other.left < self.right
-            and self.low < other.high
-            and other.low < self.high
-        )
+    @property
+    def is_name(self) -> bool:
+        """Of a device, not the teeth of a wheel."""
+        return self.size == SIZE
 
 
 class DeviceLabel(NamedTuple):
-    """A name at its place."""
+    """A text at its place."""
 
-    device: int
     text: str
     at: Point
     """Its middle. [pt]"""
     box: Rectangle
+    is_name: bool
+    """Or else the teeth of a wheel."""
 
 
-def device_labels(found: AxesPlaces, fixed: list[Rectangle]) -> dict[int, DeviceLabel]:
-    """Names by device, none over another or over one of the fixed boxes.
+def device_labels(found: AxesPlaces, fixed: Sequence[Rectangle]) -> dict[int, list[DeviceLabel]]:
+    """Texts by device, none over another or over one of the fixed boxes.
 
-    A name stands as near to what it names as can be, and on as few signs and lines.
+    A text stands as near to what it names as can be, and on as few signs and lines.
     """
-    line = LINE * found.letters
-    obstacles = list(solid(found))
-    taken, labels = [*fixed, *_within_sets(found)], {}
-    wanted = sorted(_wanted(found), key=lambda one: (abs(one[2][1]), one[2][0]))
-    for device, text, (x, y), up in wanted:
-        half, high = found.wide(text, bold=True) / 2 + CLEAR, line * (text.count("\n") + 1)
-        boxes, ends = [], [(y, up)]
-        if sign_height(found, device) == 0:  # on the axis: the name may stand on its other side
-            ends.append((y - up * 2 * (SIGN + 1.5), -up))
-        for step in range(MOST_STEPS):
-            for end, way in ends:
-                base = end + way * step * line / 2
-                low, top = (base, base + high) if way > 0 else (base - high, base)
-                boxes += [Rectangle(x + by - half, low, x + by + half, top) for by in ASIDE]
-        clear = [one for one in boxes if not any(one.meets(other) for other in taken)]
-        costs = [
-            place / len(ASIDE) + COVERED * sum(one.meets(other) for other in obstacles)
-            for place, one in enumerate(boxes)
-        ]
-        _, box = min(zip(costs, boxes, strict=True), key=lambda one: (one[1] not in clear, one[0]))
-        taken.append(box)
+    solid = list(obstacles(found))
+    walls = np.array([[*one.box] for one in solid] + [[*box] for box in fixed])
+    costs = np.array([one.cost for one in solid] + [ON_TEXT for _ in fixed])
+    owners = np.array([[*one.box, one.device] for one in solid])
+    labels: dict[int, list[DeviceLabel]] = {}
+    wanted = sorted(_names(found), key=lambda one: (abs(one.above[1]), one.above[0]))
+    for own in (*_teeth(found), *wanted):
+        boxes, dear = _candidates(found, own)
+        others = owners[(owners[:, 4] != own.device) & (owners[:, 4] >= 0), :4]
+        dear = dear + _meets(boxes, walls) @ costs
+        dear += STRANGE * _meets(boxes + NEAR * OUTWARD, others).any(axis=1)
+        box = Rectangle(*boxes[int(np.argmin(dear))].tolist())
+        walls, costs = np.vstack([walls, [box]]), np.append(costs, ON_TEXT)
         middle = (box.left + box.right) / 2, (box.low + box.high) / 2
-        labels[device] = DeviceLabel(device, text, middle, box)
+        one = DeviceLabel(own.text, middle, box, own.is_name)
+        labels.setdefault(own.device, []).append(one)
     return labels
 
 
-def _within_sets(found: AxesPlaces) -> Iterator[Rectangle]:
-    """Names and teeth of the wheels of sets."""
+def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
+    """Which boxes have an area in common with which others."""
+    one, other = boxes[:, None, :], others[None, :, :]
+    found: NDArray[np.bool_] = np.logical_and(
+        one[..., :2] < other[..., 2:], other[..., :2] < one[..., 2:]
+    )
+    return np.logical_and(found[..., 0], found[..., 1])
+
+
+def _candidates(found: AxesPlaces, own: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:
+    """Boxes of a text around what it names, and what each costs for its distance."""
+    (x, y), scale = own.above, found.letters
+    half = found.wide(own.text, size=own.size, bold=own.is_name) / 2 + CLEAR
+    tall = LINE * own.size * scale * (own.text.count("\n") + 1)
+    rows: list[tuple[float, float, float, float]] = []
+    dear: list[float] = []
+    for start, way, extra in ((y, own.up, 0.0), (own.below, -own.up, UNDER)):
+        for away in AWAY:
+            base = start + way * away * scale
+            low = base if way > 0 else base - tall
+            for aside in sorted({by * side for by in ASIDE for side in (1, -1)}, key=abs):
+                left = x + aside * scale - half
+                rows.append((left, low, left + 2 * half, low + tall))
+                dear.append(extra + abs(away) + 0.7 * abs(aside))
+    ends = (y - own.up * tall, own.below + own.up * tall)
+    for step in range(BESIDES + 1):
+        middle = ends[0] + (ends[1] - ends[0]) * step / BESIDES + own.up * tall / 2
+        for off in (0.0, 5.0, 12.0):
+            for way in (1, -1):
+                left = x + way * (own.half + off + half) - half
+                rows.append((left, middle - tall / 2, left + 2 * half, middle + tall / 2))
+                dear.append(BESIDE + off + 0.1 * abs(middle - y))
+    return np.array(rows), np.array(dear)
+
+
+def _teeth(found: AxesPlaces) -> Iterator[WantedLabel]:
+    """Teeth of the wheels of pairs, by station, inside their rims; of those of sets."""
     for number, one in enumerate(found.board.stations):
+        index, tall = one.devices[0], LINE * SMALL * found.letters
+        if one.teeth:
+            radii, ys = found.board.radii[number][::2], [found.y(own, 0.0) for own in one.axes]
+            for place, text in enumerate(one.teeth):
+                toward = 1 if ys[1 - place] > ys[place] else -1
+                beside = found.xs[number] + 2.5 + found.wide(text, size=SMALL) / 2
+                rim = ys[place] - toward * (radii[place] - 2.5)
+                ends = rim, rim - toward * 5.0
+                yield WantedLabel(
+                    one.devices[0], text, (beside, ends[0]), ends[1], toward, size=SMALL
+                )
         for glyph in one.glyphs[found.chosen.ways[number] :][:1]:
             left, middle = found.xs[number] - glyph.width / 2, found.sign_height(one.axes[0])
-            for (x, y), _, text in glyph.texts:
-                at = found.y(one.axes[0], middle + y)
-                wide, tall = found.wide(text), LINE * found.letters
-                yield Rectangle(left + x, at - tall, left + x + wide, at + tall)
+            for (x, y), edge, text in glyph.texts:
+                at = left + x + found.wide(text, size=SMALL) / 2
+                up = found.board.rows.sides[one.axes[0]] * (-1 if edge == "top" else 1)
+                start = found.y(one.axes[0], middle + y)
+                other = start + up * tall
+                yield WantedLabel(index, text, (at, start), other, up, size=SMALL)
 
 
-def _wanted(found: AxesPlaces) -> Iterator[tuple[int, str, Point, int]]:
-    """Devices, their names, where these begin, and toward where they may move."""
+def _names(found: AxesPlaces) -> Iterator[WantedLabel]:
+    """Names of devices with the places where these begin."""
     for number, one in enumerate(found.board.stations):
         for place, text in enumerate(one.names):
             if text:
-                yield one.devices[place], text, *_start(found, number, one, place)
+                start = _start(found, number, one, place)
+                yield WantedLabel(one.devices[place], text, *start, one.half)
 
 
-def _start(found: AxesPlaces, number: int, one: Station, place: int) -> tuple[Point, int]:
+def _start(found: AxesPlaces, number: int, one: Station, place: int) -> tuple[Point, float, int]:
+    """Over a device, under it, and which of both is up."""
     axis, x = one.axes[0], found.xs[number]
     side = found.board.rows.sides[axis]
     if one.joint is not None:
         radii = found.board.radii[number][::2]
-        spans = [found.spans[link] for link in one.links]
-        tops = [found.y(own, 0.0) + r for own, r in zip(one.axes, radii, strict=True)]
-        tops += [
-            found.y(own, span.height)
-            for own, span in zip(one.axes, spans, strict=True)
-            if span.level < 0
+        ends = [
+            found.y(own, 0.0) + way * r
+            for own, r in zip(one.axes, radii, strict=True)
+            for way in (1, -1)
         ]
-        return (x, max(tops) + 3.0), 1
+        return (x, max(ends) + 3.0), min(ends) - 3.0, 1
     middle = sign_height(found, one.devices[place])
     if len(one.devices) > 1 and one.kind == "coupling":
         text = one.names[place]
         aside = x + one.half + 3.0 + found.wide(text, bold=True) / 2
-        lines = text.count("\n") + 1
-        return (aside, found.y(axis, middle) - side * LINE * found.letters * lines / 2), side
+        half = side * LINE * SIZE * found.letters * (text.count("\n") + 1) / 2
+        y = found.y(axis, middle)
+        return (aside, y - half), y - half, side
     if one.kind == "drum":
         x = next(
             own.x
             for own in found.contacts
             if own.device == one.devices[place] and own.link != one.links[0]
         )
-    over = {"brake": BRAKE + 6.0, "drum": ROOF + 2.0, "box": BOX + 2.0}.get(one.kind, SIGN + 1.5)
+    over = {"brake": BRAKE + GROUND, "drum": ROOF, "box": BOX}.get(one.kind, SIGN)
+    under = {"brake": 0.0, "drum": 0.0, "box": BOX}.get(one.kind, SIGN)
     if one.kind == "differential":
-        middle, over = 0.0, CAGE + 2.0
+        middle, over, under = 0.0, CAGE, CAGE
     if one.kind == "set":
-        glyph = one.glyphs[found.chosen.ways[number]]
-        x += found.wide(one.names[0], bold=True) / 2 + 3.0
-        over = glyph.half + 2.0
-    return (x, found.y(axis, middle + over)), side
-
-
-def solid(found: AxesPlaces) -> Iterator[Rectangle]:
-    """What letters should not cover: signs, wheels, boxes, shafts."""
-    for number, one in enumerate(found.board.stations):
-        x, axis = found.xs[number], one.axes[0]
-        if one.joint is not None:
-            for own, radius in zip(one.axes, found.board.radii[number][::2], strict=True):
-                y = found.y(own, 0.0)
-                yield Rectangle(x - 1.0, y - radius, x + 1.0, y + radius)
-                for rim in (y - radius, y + radius):
-                    yield Rectangle(x - WHEEL, rim - 1.5, x + WHEEL, rim + 1.5)
-            continue
-        for glyph in one.glyphs[found.chosen.ways[number] :][:1]:
-            for tap in glyph.taps:
-                if tap.reach == "none":
-                    at = x - glyph.width / 2 + tap.x
-                    middle = found.sign_height(axis) + tap.side * (glyph.half + 5)
-                    ends = sorted(found.y(axis, middle + by * tap.side) for by in (-2.0, 6.0))
-                    yield Rectangle(at - 10, ends[0], at + 10, ends[1])
-        for device in one.devices:
-            yield _box_of(found, number, one, axis, sign_height(found, device))
-    for link, span in found.spans.items():
-        y = found.y(found.axis_of(link), span.height)
-        yield Rectangle(span.left, y - 1.0, span.right, y + 1.0)
-
-
-def _box_of(found: AxesPlaces, number: int, one: Station, axis: int, middle: float) -> Rectangle:
-    x, low, high = found.xs[number], middle - SIGN, middle + SIGN
-    if one.kind == "set":
-        half = one.glyphs[found.chosen.ways[number]].half
-        low, high = middle - half, middle + half
-    elif one.kind == "differential":
-        low, high = -CAGE, CAGE
-    elif one.kind in ("brake", "drum"):
-        low, high = middle, middle + (BRAKE if one.kind == "brake" else ROOF) + 5.0
-    ends = sorted((found.y(axis, low), found.y(axis, high)))
-    half = PACK_PITCH * len(one.devices) / 2 if one.kind == "drum" else one.half
-    return Rectangle(x - half, ends[0], x + half, ends[1])
+        over = under = one.glyphs[found.chosen.ways[number]].half
+    gap = 2.5
+    return (x, found.y(axis, middle + over + gap)), found.y(axis, middle - under - gap), side

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.axes.labels import BOX, BRAKE, ROOF
+from vstatics.pictures.schemes.axes.obstacles import BOX, BRAKE, ROOF
 from vstatics.pictures.schemes.axes.sheet import AxesSheet
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
@@ -160,6 +160,4 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         dashes = (0, (2.5, 1.5)) if dashed else "-"
         look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
         pen.lines(strokes, color=color, width=thick, zorder=4, **look)
-    for (x, y), up, text in glyph.texts:
-        own.text(at(x, y), text, color=sheet.text_color(index), size=SMALL, ha="left", va=up)
     own.name(index)

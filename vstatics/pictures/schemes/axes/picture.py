@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from itertools import product
 
 from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.pictures.schemes.axes.board import AxesBoard
-from vstatics.pictures.schemes.axes.labels import Rectangle, device_labels, solid
+from vstatics.pictures.schemes.axes.labels import device_labels
+from vstatics.pictures.schemes.axes.link_names import fixed_names
 from vstatics.pictures.schemes.axes.marks import draw_station
+from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
 from vstatics.pictures.schemes.axes.rows import axis_rows
@@ -20,7 +21,6 @@ from vstatics.pictures.schemes.axes.sheet import (
     AxesSheet,
     draw_ends,
     draw_links,
-    fixed_names,
 )
 from vstatics.pictures.schemes.axes.stations import stations_of
 from vstatics.pictures.schemes.axes.wheels import draw_pair
@@ -36,7 +36,7 @@ from vstatics.statics.results import Results
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 """Between stations: the largest with which all fits into the width. [pt]"""
-PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5)
+PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
 """Sizes of all but letters: the largest with which all fits into the width."""
 LETTERS, FEW_LETTERS = 12, 5
 """Longer names are broken at blanks; where room is short, at all blanks."""
@@ -88,12 +88,16 @@ def figures(
 
 def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
     """Where everything stands in the width of a page."""
-    stations = stations_of(scheme, axes, style)
+    stations = stations_of(scheme, axes, style._replace(wheels=False))
     board = AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports)
     chosen = arranged(board).chosen
     for part, letters, gap in product(PARTS, (LETTERS, FEW_LETTERS), GAPS):
         own = stations_of(scheme, axes, style, letters)
-        found = places(replace(board, stations=own, gap=gap), chosen)._replace(letters=1 / part)
+        rows = axis_rows(axes, own, 1 / part)
+        board = AxesBoard(axes, rows, own, scheme.ports, gap)
+        found = places(board, chosen)._replace(letters=1 / part)
+        if part * max(found.xs) > style.width:
+            continue
         low, high = extent(found, scheme)
         if part * (high[0] - low[0]) <= style.width:
             break
@@ -103,7 +107,8 @@ def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
 def extent(found: AxesPlaces, scheme: Scheme) -> tuple[Point, Point]:
     """The lower left and the upper right corner with room for all but the head [pt]."""
     names = fixed_names(found, scheme)
-    boxes = [*names, *(one.box for one in device_labels(found, names).values()), *solid(found)]
+    labels = [one.box for own in device_labels(found, names).values() for one in own]
+    boxes = [*names, *labels, *(one.box for one in obstacles(found))]
     for link, span in found.spans.items():
         for height in (span.height, -span.height):
             y = found.y(found.axis_of(link), height)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
 from vstatics.pictures.sheet.labels import width
+from vstatics.pictures.sheet.style import SIZE
 
 LEVEL = 4.5
 """From a shaft to the hollow one around it. [pt]"""
@@ -20,46 +21,6 @@ PORT = 14.0
 """From a port of a hollow shaft to that of the one around it. [pt]"""
 HUB = 2.0
 """From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-SIGN_HEIGHT = 13.0
-"""From the hollow shafts to the middle of a sign beside them. [pt]"""
-DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
-HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
 OVERLAP = 0.1
 """Spans that have less in common are one behind the other. [pt]"""
 
@@ -87,9 +48,9 @@ class AxesPlaces(NamedTuple):
     letters: float = 1.0
     """Size of letters over what it is where the picture is not made smaller."""
 
-    def wide(self, text: str, *, bold: bool = False) -> float:
+    def wide(self, text: str, *, size: float = SIZE, bold: bool = False) -> float:
         """The width of a text [pt]."""
-        return self.letters * width(text, bold=bold)
+        return self.letters * width(text, size, bold=bold)
 
     def sign_height(self, axis: int) -> float:
         """Of the middle of signs beside shafts [pt]."""
@@ -102,6 +63,11 @@ class AxesPlaces(NamedTuple):
         if span.level <= 0:
             return span.height
         return self.bases[self.axis_of(link)] + PORT * span.level - 2.0
+
+    def road_end(self, link: int) -> float:
+        """Where the road wheel of a link stands [pt]."""
+        kinds = ("port", "road")
+        return next(one.x for one in self.contacts if one.link == link and one.kind in kinds)
 
     def axis_of(self, link: int) -> int:
         """The axis of a link."""

@@ -57,11 +57,11 @@ class AxisRows(NamedTuple):
         return one, between, distance - one - 2 * between
 
 
-def axis_rows(axes: ParallelAxes, stations: Sequence[Station]) -> AxisRows:
+def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 1.0) -> AxisRows:
     """Rows by breadth from the axis of the input, so that few pairs pass a row between.
 
     The input is at the top, or in the middle of countershafts; what stands on one axis is drawn
-    above it, below that at the bottom.
+    above it, below that at the bottom. Rows are farther apart for larger letters.
     """
     count = len(axes.axes)
     idlers = dict(_idlers(count, stations))
@@ -72,7 +72,7 @@ def axis_rows(axes: ParallelAxes, stations: Sequence[Station]) -> AxisRows:
         idlers, order = {}, _order(count, stations, {})
     sides = {axis: -1 if axis == order[-1] and len(order) > 1 else 1 for axis in order}
     rooms = [_room(axis, stations) for axis in order[1:] if sides[axis] == 1]
-    distance = max([DISTANCE, *(room + CLEARANCE for room in rooms)])
+    distance = max([DISTANCE * max(0.85 * letters, 1.0), *(room + CLEARANCE for room in rooms)])
     heights = {axis: -place * distance for place, axis in enumerate(order)}
     for axis, (first, second) in idlers.items():
         heights[axis] = (heights[first] + heights[second]) / 2

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from vstatics.pictures.schemes.axes.labels import DeviceLabel, Rectangle
+from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
+from vstatics.pictures.schemes.axes.labels import DeviceLabel
+from vstatics.pictures.schemes.axes.link_names import ARROW, NAME_GAP, ends_of, free_names
 from vstatics.pictures.schemes.axes.places import AxesPlaces
-from vstatics.pictures.schemes.axes.wires import LinkLines, WireCrossing, crossings, link_lines
+from vstatics.pictures.schemes.axes.wires import (
+    LinkLines,
+    WireCrossing,
+    branches,
+    crossings,
+    link_lines,
+)
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.labels import Point, Segment
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen
+from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen
+from vstatics.pictures.sheet.style import SMALL
 
-ARROW = 16.0
-"""Length of the arrow at the end of a link. [pt]"""
-NAME_GAP = 3.0
-"""From an end to its name. [pt]"""
 AXIS_DASHES = (0, (12, 3, 2, 3))
+DOT = 4.2
+"""Where a link branches. [pt]"""
 BRIDGE = 3.0
 """Half the gap of a line where another one passes it. [pt]"""
 
@@ -32,8 +38,8 @@ class AxesSheet(NamedTuple):
     scheme: Scheme
     state: SchemeState
     titles: Titles
-    labels: Mapping[int, DeviceLabel]
-    """Names of devices at their places."""
+    labels: Mapping[int, Sequence[DeviceLabel]]
+    """Names of devices and teeth of their wheels at their places."""
 
     def color(self, index: int) -> str:
         """Of a device."""
@@ -68,11 +74,11 @@ class AxesSheet(NamedTuple):
         return self._replace(pen=self.pen.within(kind, name=device.name))
 
     def name(self, index: int) -> None:
-        """The name of a device, if it has one."""
-        if index in self.labels:
-            label, device = self.labels[index], self.scheme.devices[index]
-            bold = index in self.state.engaged or not device.is_coupling
-            self.text(label.at, label.text, color=self.text_color(index), bold=bold)
+        """The name of a device, if it has one, and teeth of its wheels, if they are shown."""
+        is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
+        for label in self.labels.get(index, ()):
+            look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
+            self.text(label.at, label.text, color=self.text_color(index), **look)
 
     def text(self, at: Point, text: str, **look: Any) -> None:
         """Text over any line, by its middle."""
@@ -95,12 +101,6 @@ def draw_links(sheet: AxesSheet) -> None:
         _bridge(sheet, crossing)
 
 
-def ends_of(found: AxesPlaces, axis: int) -> tuple[float, float]:
-    """From where to where the links of an axis reach [pt]."""
-    own = [span for link, span in found.spans.items() if found.axis_of(link) == axis]
-    return min(one.left for one in own), max(one.right for one in own)
-
-
 def _draw_link(sheet: AxesSheet, link: int, own: LinkLines) -> None:
     found, style = sheet.found, sheet.pen.style
     axis, span = found.axis_of(link), found.spans[link]
@@ -117,6 +117,31 @@ def _draw_link(sheet: AxesSheet, link: int, own: LinkLines) -> None:
         color = sheet.line_color(device, link)
         look["zorder"] = 3.3 if color == style.ink else 3.2
         pen.line(*path, color=color, kind="wire", title=title, **look)
+    dots: dict[Point, bool] = {}
+    for device, at in branches(found, link, own):
+        dots[at] = dots.get(at, False) or sheet.line_color(device, link) == style.ink
+    for (x, y), is_used in dots.items():
+        color = style.ink if is_used else style.faint
+        dot: Look = {"width": DOT, "zorder": 3.6, "solid_capstyle": "round", "snap": False}
+        pen.line((x, y), (x + 0.1, y), color=color, **dot)
+    if link in found.board.road_wheels:
+        _road_wheel(sheet, link)
+
+
+def _road_wheel(sheet: AxesSheet, link: int) -> None:
+    """The section of a tyre above and below its axis, and what bears it."""
+    found, style = sheet.found, sheet.pen.style
+    x, y = found.road_end(link), found.y(found.axis_of(link), 0.0)
+    pen = sheet.pen.within("road-wheel", link=sheet.scheme.name(link))
+    color = style.faint if link in sheet.state.idle_links else style.ink
+    look: Look = {"color": color, "title": sheet.titles.links.get(link, ""), "zorder": 3.4}
+    rim = ROAD_RADIUS - 9.0
+    pen.line((x, y - rim), (x, y + rim), **look)
+    outline = ((-2.5, 0), (-4.5, 2), (-4.5, 7), (-3, 9), (3, 9), (4.5, 7), (4.5, 2), (2.5, 0))
+    for way in (1, -1):
+        corners = [(x + across, y + way * (rim + up)) for across, up in outline]
+        filled: Look = {"facecolor": style.paper, "edgecolor": color, "zorder": 3.5}
+        pen.area(*corners, width=LINE_WIDTH, joinstyle="round", **filled)
 
 
 def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment, bool]]:
@@ -131,6 +156,7 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
         for one in sheet.found.contacts
         if one.link == link
         and (link not in unused if one.device < 0 else link in loaded[one.device])
+        and not (one.kind == "road" and link in sheet.state.idle_links)
     ]
     low, high = (min(used), max(used)) if used else (right, right)
     for start, end, is_used in ((left, low, False), (low, high, True), (high, right, False)):
@@ -183,66 +209,3 @@ def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
     name = sheet.scheme.name(port.link)
     ink = pen.style.soft if port.link in state.idle_links else pen.style.ink
     sheet.text((end + way * NAME_GAP, y), name, color=ink, ha="left" if way > 0 else "right")
-
-
-def free_names(
-    found: AxesPlaces, scheme: Scheme, named: set[int]
-) -> Iterator[tuple[int, Point, str]]:
-    """Names of links that have room at an end of their row, or on the other side of it."""
-    for axis, links in enumerate(found.board.axes.axes):
-        own = [link for link in sorted(links) if link in found.spans]
-        if not own:
-            continue
-        left, right = ends_of(found, axis)
-        for link in own:
-            span = found.spans[link]
-            y = found.y(axis, span.height)
-            has_port = {port.link for port in scheme.ports}
-            if link in named or link in has_port:
-                continue
-            if span.left == left:
-                named.add(link)
-                yield link, (left - 10 - NAME_GAP, y), "right"
-            elif span.right == right:
-                named.add(link)
-                yield link, (right + 10 + NAME_GAP, y), "left"
-            else:
-                place = _room(found, axis, link, found.wide(scheme.name(link)) + 4)
-                if place is not None:
-                    named.add(link)
-                    yield link, (place, found.y(axis, -found.bases[axis] - 7.5)), "center"
-
-
-def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
-    """The middle of the first gap on the other side of an axis that a name has room in."""
-    span = found.spans[link]
-    if span.level:
-        return None
-    taken = sorted(
-        x
-        for x, one in zip(found.xs, found.board.stations, strict=True)
-        if axis in one.axes and one.kind in ("pair", "differential")
-    )
-    stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
-    for start, end in pairwise(stops):
-        if end - start - 14 > wide:
-            return (start + end) / 2
-    return None
-
-
-def fixed_names(found: AxesPlaces, scheme: Scheme) -> list[Rectangle]:
-    """Of links, with the arrows of ports: what all other names keep clear of."""
-    boxes, tall = [], 5.0 * found.letters
-    for port in scheme.ports:
-        span, axis = found.spans[port.link], found.axis_of(port.link)
-        y, way = found.y(axis, found.port_height(port.link)), -1
-        if port.link in found.chosen.rightward:
-            way = 1
-        start = span.right if way > 0 else span.left
-        end = start + way * (ARROW + NAME_GAP + found.wide(scheme.name(port.link)))
-        boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
-    for link, (x, y), aligned in free_names(found, scheme, {port.link for port in scheme.ports}):
-        wide = found.wide(scheme.name(link))
-        left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
-        boxes.append(Rectangle(left, y - tall, left + wide, y + tall))
-    return boxes

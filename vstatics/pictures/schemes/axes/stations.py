@@ -21,6 +21,7 @@ from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet.labels import width
 from vstatics.pictures.sheet.style import SMALL, Style
 from vstatics.pictures.sheet.words import word
+from vstatics.tables.numbers import typeset
 
 SIGN = 16.0
 """Length of a sleeve or a pack of plates with what leads to it. [pt]"""
@@ -57,6 +58,8 @@ class Station(NamedTuple):
     """All ways to draw a set."""
     is_shifted: bool = False
     """Whether a clutch joins its links, not a spring."""
+    teeth: Sequence[str] = ()
+    """Of the two wheels of a pair, if they are shown."""
 
     @property
     def has_two_sides(self) -> bool:
@@ -77,7 +80,8 @@ def stations_of(
             joint = joints[index]
             rows = axes.of(joint.first), axes.of(joint.second)
             half = WHEEL + BEARING * bool(joint.frame)
-            found.append(Station("pair", (index,), rows, joint.links, half, names, joint))
+            one = Station("pair", (index,), rows, joint.links, half, names, joint)
+            found.append(one._replace(teeth=_pair_teeth(device, style)))
         elif index in drum[:1]:
             found.append(_drum(scheme, drum, axes))
         elif index not in drum:
@@ -128,6 +132,14 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
     return Station("box", (index,), (row,), links, half, names)
 
 
+def _pair_teeth(device: Device, style: Style) -> list[str]:
+    """Of its first wheel and of its last one."""
+    if not style.wheels or device.element is None:
+        return []
+    first, *_, last = device.element.shape.toothed
+    return [typeset(f"{device.element.teeth[one]:g}") for one in (first, last)]
+
+
 def box_note(device: Device, style: Style) -> str:
     """What stands in a box whose wheels are not known."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
@@ -139,7 +151,7 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
         if not isinstance(device.element.shape, Planetary):
             return []
         counts = teeth_of(device.element) if style.wheels else {}
-        named = {one: f"{word(one, style)}: {count:g}" for one, count in counts.items()}
+        named = {one: f"{count:g}" for one, count in counts.items()}
         return set_glyphs(group_of(device.element), named)
     if device.kind != "mechanism" or "third" not in device.members:
         return []

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vstatics.pictures.schemes.axes.obstacles import CONE
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
 from vstatics.pictures.schemes.axes.sheet import AxesSheet
 from vstatics.pictures.schemes.axes.stations import WHEEL
 from vstatics.pictures.schemes.glyphs import MESH, TOOTH
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import SMALL
-from vstatics.tables.numbers import typeset
-
-CONE = 3.5
-"""How much teeth of bevel wheels are slanted. [pt]"""
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:
@@ -48,21 +44,21 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
     y, side, span = found.y(axis, 0.0), found.board.rows.sides[axis], found.spans[link]
     hub = span.height if span.level >= 0 else found.bases[axis] + 2
     inner = y - side * hub
-    lines: list[Sequence[Point]] = [((x, inner), (x, y - side * radius))]
+    bell, off = found.board.bell(number, found.chosen.ways[number])
+    off = off if bell == place else 0.0
+    radius += MESH * bool(off)
+    lines: list[Sequence[Point]] = [((x + off, inner), (x + off, y - side * radius))]
+    if off:  # its web above its rim, which stands over the teeth of the pinion
+        lines.append(((x + off, y + side * (radius - MESH)), (x + off, y + side * radius)))
     pen.lines(lines, color=color, zorder=3.2, title=said, solid_capstyle="butt")
     slant = CONE if joint is not None and joint.kind in CROSSED else 0.0
     slant *= -1 if place else 1
     rims: list[Sequence[Point]] = []
     for way in (-1, 1):
         rim, tilt = y + way * radius, way * slant * toward
-        rims.append(((x - WHEEL, rim - tilt), (x + WHEEL, rim + tilt)))
+        left, right = min(x - WHEEL, x + off), max(x + WHEEL, x + off)
+        rims.append(((left, rim - tilt), (right, rim + tilt)))
     pen.lines(rims, color=color, width=2.2 * TOOTH, zorder=3.5, title=said)
-    if pen.style.wheels and device.element is not None:
-        member = device.element.shape.toothed[-1 if place else 0]
-        teeth = typeset(f"{device.element.teeth[member]:g}")
-        at = x + 2.5, y - toward * min(radius - 5.0, radius * 0.7)
-        look: Look = {"size": SMALL, "ha": "left", "color": sheet.text_color(index)}
-        sheet._replace(pen=pen).text(at, teeth, **look)
 
 
 def _between(sheet: AxesSheet, number: int) -> None:

@@ -71,6 +71,25 @@ def path_of(found: AxesPlaces, contact: AxisContact) -> list[Point]:
     return [(x, found.y(axis, height)), *((at, found.y(axis, one)) for at, one in ends)]
 
 
+def branches(found: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
+    """Where a link branches, and the device to which: not at wheels on its shaft."""
+    (left, level), (right, _) = lines.level
+    wheeled = {
+        one.device
+        for one in found.contacts
+        if one.link == link and one.kind in ("wheel", "bar") and found.spans[link].level >= 0
+    }
+    paths = [(device, path) for device, path in lines.upright if device not in wheeled]
+    for place, (device, path) in enumerate(paths):
+        (x, _), (end_x, end) = path[0], path[-1]
+        if left + EPSILON < x < right - EPSILON:
+            yield device, (x, level)
+        for number, (_, other) in enumerate(paths):
+            low, high = sorted((other[0][1], other[-1][1]))
+            if number != place and other[0][0] == end_x and low + EPSILON < end < high - EPSILON:
+                yield device, (end_x, end)
+
+
 def sign_height(found: AxesPlaces, device: int) -> float:
     """Of the middle of a sign over its axis [pt]; 0 where it joins two shafts end to end."""
     station = found.board.station_of[device]

@@ -1,0 +1,78 @@
+"""Letters of stick diagrams with several axes, as a browser shows them."""
+
+from __future__ import annotations
+
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.pictures.schemes.axes.boxes import PAIRS, one_pair, six_speed
+from tests.pictures.schemes.axes.letters import under_letters
+from vstatics.model.transmission import Transmission
+from vstatics.pictures import render
+from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
+from vstatics.statics.results import Language
+
+QUICK = ("toyota-p410", "dual-clutch-wheels", "power-split")
+SLOW = ("two-stage", "moskvich412", "driveline-8hp70")
+
+
+def load(name: str) -> Transmission:
+    return vstatics.load(CASES / f"{name}.yaml")
+
+
+LEAST = 7 - 1e-6
+"""The size of the least letters. [pt]"""
+
+
+NARROW = 100 / 25.4 * 72
+"""A page of 100 mm. [pt]"""
+
+
+def check(browser: Any, case: Transmission, style: Style, gears: tuple[int, ...] = ()) -> None:
+    """No letters over others, none over a line of a link or of a device."""
+    svg = render(vstatics.solve(case), "stick", "svg", style, gears).decode()
+    assert float(ET.fromstring(svg).attrib["width"].removesuffix("pt")) <= style.width + 0.01  # noqa: S314
+    letters, lines, least = under_letters(browser, svg)
+    assert letters == []
+    assert lines == []
+    assert least >= LEAST
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_letters_stand_clear_of_letters_and_lines(browser: Any, name: str) -> None:
+    check(browser, load(name), Style(wheels=True), (1,))
+
+
+@pytest.mark.parametrize("wheels", [False, True])
+@pytest.mark.parametrize("width", [NARROW, PAGE_WIDTH])
+def test_a_manual_box_of_nine_pairs_fits_into_a_narrow_page(
+    browser: Any, width: float, wheels: bool
+) -> None:
+    case = six_speed()
+    check(browser, case, Style(width=width, wheels=wheels))
+    check(browser, case, Style(width=width, wheels=wheels), (7,))
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_letters_stand_clear_of_pairs_of_every_kind(browser: Any, kind: str) -> None:
+    check(browser, one_pair(kind), Style(wheels=True, language="ru"), (1,))
+
+
+@pytest.mark.slow
+def test_a_driveline_fits_into_a_narrow_page(browser: Any) -> None:
+    check(browser, load("driveline-8hp70"), Style(width=NARROW))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("gears", [(), (1,)])
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("wheels", [False, True])
+@pytest.mark.parametrize("name", [*QUICK, *SLOW])
+def test_letters_of_all_boxes_stand_clear(
+    browser: Any, name: str, wheels: bool, language: Language, gears: tuple[int, ...]
+) -> None:
+    check(browser, load(name), Style(wheels=wheels, language=language), gears)
