@@ -78,7 +78,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     if axes is not None:
         yield from axes_figures(results, scheme, axes, style, shown)
         return
-    scheme, glyphs = _shown(results.case)
+    scheme, glyphs = stick_scheme(results.case)
     subject = style.text("stick diagram", "кинематическая схема")
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
@@ -134,8 +134,8 @@ def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, H
     return found
 
 
-def _shown(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
-    """The scheme as it is drawn; ways to draw mechanisms that are taken for sets."""
+def stick_scheme(case: Transmission) -> tuple[Scheme, Mapping[int, list[Glyph]] | None]:
+    """The scheme as its stick diagram has it; ways to draw mechanisms that are taken for sets."""
     drawing, scheme = drawing_of(case), scheme_of(case)
     if drawing is not None and drawing.elements:
         return scheme, None

@@ -19,7 +19,7 @@ from vstatics.pictures.schemes.coaxial.places import (
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.coaxial.sweep import swept
 from vstatics.pictures.schemes.glyphs import FACE, ground, hatching, lines_of
-from vstatics.pictures.schemes.scheme import SchemePort, SchemeState
+from vstatics.pictures.schemes.scheme import Device, SchemePort, SchemeState
 from vstatics.pictures.schemes.sets import (
     HalfSection,
     axles,
@@ -434,13 +434,17 @@ class Paint(NamedTuple):
         centred: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
         pen.text(*at, text, **centred | look)
 
+    def _of_device(self, device: Device) -> Pen:
+        """What draws in the group of a device."""
+        kind = "element" if device.is_shift_element else "mechanism"
+        return self.pen.within(kind, name=device.name)
+
     def all(self) -> None:
         """Everything."""
         places, (left, right) = self.layout.places, self.layout.ends
         ends = (left - PORT, places.axis), (right + PORT, places.axis)
-        look: Look = {"linestyle": (0, (12, 3, 2, 3)), "kind": "axis"}
-        axis = self.pen.within("shaft", axis=AXIS_NAME)
-        axis.line(*ends, color=self.pen.style.faint, width=0.8, **look)
+        look: Look = {"linestyle": (0, (12, 3, 2, 3)), "kind": "axis", "data": {"axis": AXIS_NAME}}
+        self.pen.line(*ends, color=self.pen.style.faint, width=0.8, **look)
         self._links()
         for up, at in zip(self.layout.uprights, places.at, strict=True):
             if up.kind == "set":
@@ -514,7 +518,7 @@ class Paint(NamedTuple):
     def _set(self, up: Upright, at: float) -> None:
         layout, index = self.layout, self.layout.device(up)
         section, device = layout.section(up), layout.own.scheme.devices[index]
-        pen = self.pen.within("mechanism", name=device.name)
+        pen = self._of_device(device)
         color, said = self.color(index), self.titles.devices.get(index, "")
         taps = list(wheel_taps(section))
         strokes = [*planet_strokes(section)]
@@ -542,7 +546,7 @@ class Paint(NamedTuple):
     def _pair(self, up: Upright, at: float) -> None:
         layout, index = self.layout, self.layout.device(up)
         device, heights = layout.own.scheme.devices[index], layout.places.heights
-        pen = self.pen.within("element", name=device.name)
+        pen = self._of_device(device)
         middle = sum(heights[bar] for bar in up.bars) / 2
         first = up.bars[0].link == device.members.get("first")
         low_first = first == (heights[up.bars[0]] < heights[up.bars[1]])
@@ -570,7 +574,7 @@ class Paint(NamedTuple):
             return
         index = meaning.device
         device = layout.own.scheme.devices[index]
-        pen = self.pen.within("element", name=device.name)
+        pen = self._of_device(device)
         closed, said = index in self.state.engaged, self.titles.devices.get(index, "")
         is_back = device.members.get("first") == 0
         look = (
