@@ -11,7 +11,7 @@ from heapq import heappop, heappush
 from itertools import count, pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.moves import (
+from vstatics.pictures.schemes.coaxial.search.moves import (
     PAIR,
     SET,
     TOP,
@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.coaxial.moves import (
     SweepStep,
     fresh,
 )
-from vstatics.pictures.schemes.coaxial.remainder import can_go_on
+from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)
