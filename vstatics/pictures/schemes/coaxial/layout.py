@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.search.moves import Bars, SweepStep
+from vstatics.pictures.schemes.coaxial.search.state import Bars, SweepStep
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
