@@ -7,13 +7,17 @@ import xml.etree.ElementTree as ET
 from itertools import combinations, pairwise
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import networkx as nx
 import pytest
 
 import vstatics
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from tests.pictures.measured import measured
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
+from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.drawing import drawing_of
+from vstatics.model.springs import between
 from vstatics.pictures import picture, render
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
@@ -21,6 +25,7 @@ from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import Style
+from vstatics.report.page_pictures import HALF
 from vstatics.synthesis import box_is_planar
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -212,6 +217,22 @@ def axis_graph(case: Transmission) -> nx.Graph[object]:
     return graph
 
 
+def next_box(chance: Random) -> Transmission:
+    case = None
+    while case is None:
+        case = random_box(chance)
+    return case
+
+
+def planar_boxes(count: int) -> list[Transmission]:
+    """Boxes that can be built with input and output along the axis."""
+    chance, found = Random(30), list[Transmission]()  # noqa: S311
+    while len(found) < count:
+        case = next_box(chance)
+        found += [case] * nx.check_planarity(axis_graph(case))[0]
+    return found
+
+
 def drawn(case: Transmission) -> tuple[bytes, str]:
     style = Style()
     with settings_of(style):
@@ -223,10 +244,7 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
     "seed", [*range(4), *(pytest.param(one, marks=pytest.mark.slow) for one in range(4, 40))]
 )
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
-    chance = Random(seed)  # noqa: S311
-    case = None
-    while case is None:
-        case = random_box(chance)
+    case = next_box(Random(seed))  # noqa: S311
     is_planar = nx.check_planarity(axis_graph(case))[0]
     assert box_is_planar(case) == is_planar
     svg, title = drawn(case)
@@ -240,6 +258,74 @@ def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
         assert "through the housing" not in title
     elif not count:
         assert "through the housing" in title
+
+
+@pytest.mark.parametrize("count", [5, pytest.param(30, marks=pytest.mark.slow)])
+def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
+    for case in planar_boxes(count):
+        svg, title = drawn(case)
+        assert crossings(svg) == bridges(svg) == 0
+        assert title == "box"
+        assert_connected(svg)
+
+
+@pytest.mark.parametrize("width", ["page", "half"])
+@pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
+def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
+    style = {"page": Style(), "half": HALF}[width]
+    cases = [vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")) for name in names]
+    pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
+    for name, page in zip(names, pages, strict=True):
+        assert page.width / 25.4 * 72 <= style.width + 0.1, name
+        assert (page.overlaps, page.outside) == ([], []), name
+        assert min(size for _, size in page.letters) >= 8 - 0.01, name
+
+
+def driveline() -> Transmission:
+    """Shafts and a reduction before a set and behind it, longer than a page is wide."""
+    names = ["crankshaft of the engine", "flywheel, secondary", "sun", "ring", "carrier"]
+    names += [f"long name of shaft {n}" for n in range(1, 10)]
+    ends = [(1, 2), (2, 3), *((n, n + 1) for n in range(5, 13))]
+    return Transmission(
+        14,
+        [ShiftElement(4)],
+        [Mechanism(3, 4, 5, -2), Mechanism(13, 14, 0, 3.1)],
+        [Gear([1])],
+        input=1,
+        output=14,
+        link_names=names,
+        springs=[Spring(between(*both), stiffness=1, name=f"spring {both}") for both in ends],
+    )
+
+
+def test_what_stands_before_a_box_and_behind_it_has_rows_of_its_own(browser: Any) -> None:
+    results = vstatics.solve(driveline())
+    [page] = measured(browser, [svg := render(results, "stick", "svg", Style(), [1])])
+    assert (page.overlaps, page.outside) == ([], [])
+    assert page.width <= 170.01
+    root = ET.fromstring(svg)  # noqa: S314 - our own
+    drawn = [one.attrib["data-name"] for one in of_class(root, "mechanism")]
+    assert sorted(drawn) == sorted(
+        one.name for one in scheme_of(results.case).devices if not one.is_shift_element
+    )
+    assert len(of_class(root, "axis")) == 1
+    assert [one.get("data-port") for one in of_class(root, "port")] == ["input", "output"]
+    said = [text for text, _ in page.letters]
+    assert "goes on in another row" in said
+    # what goes on is named at both ends
+    assert said.count("sun") == said.count("carrier") == 2
+
+
+def test_what_joins_three_links_of_one_axis_is_drawn() -> None:
+    # the differential of an axle, one half-shaft of which has a brake
+    axle = Element("axle", "bevel", {"left": 2, "right": 3, "carrier": 1}, {})
+    case = transmission(
+        Drawing(3, [axle]), shift_elements=[ShiftElement(3)], gears=[Gear([1])], input=1, output=2
+    )
+    svg = render(vstatics.solve(case), "stick", "svg", Style())
+    root = ET.fromstring(svg)  # noqa: S314 - our own
+    assert [one.attrib["data-name"] for one in of_class(root, "mechanism")] == ["axle"]
+    assert set(wires(svg)) == {"1", "2", "3"}
 
 
 def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:

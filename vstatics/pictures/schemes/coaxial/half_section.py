@@ -8,6 +8,7 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.places import SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
+from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import half_of
 from vstatics.pictures.sheet.labels import height, width
@@ -24,6 +25,8 @@ class CoaxialLayout(NamedTuple):
     """Whether links have no names but those at the ends of the axis."""
     letters: float = 1.0
     """Size of letters over lengths, where lines are drawn smaller and letters are not."""
+    line_letters: int = DEVICE_NAME_LETTERS
+    """Longer names are broken at blanks."""
 
     def width(self, text: str, *, bold: bool = False) -> float:
         """Of a text, as lengths are here [pt]."""
@@ -32,6 +35,15 @@ class CoaxialLayout(NamedTuple):
     def height(self, text: str) -> float:
         """Of a text, as lengths are here [pt]."""
         return self.letters * height(text)
+
+    def device_name(self, index: int) -> str:
+        """In lines."""
+        return lines_of(self.own.scheme.devices[index].name, self.line_letters)
+
+    def link_name(self, link: int) -> str:
+        """In lines, where it stands on a bar."""
+        is_narrow = self.line_letters < DEVICE_NAME_LETTERS
+        return lines_of(self.name(link), self.line_letters) if is_narrow else self.name(link)
 
     @property
     def uprights(self) -> list[Upright]:

@@ -45,17 +45,17 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     elif up.kind == "wall":
         yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
     elif up.kind == "pair":
-        name = pair_name(scheme.devices[layout.device(up)])
+        name = pair_name(scheme.devices[layout.device(up)], layout.line_letters)
         yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
         middle, high = sum(ys) / 2, layout.height(name) / 2
         yield SignRoom(-9, 9, middle - 8, middle + 8)
-        yield SignRoom(9, 14 + layout.width(name), middle - high, middle + high)
+        yield SignRoom(9, 14 + layout.width(name, bold=True), middle - high, middle + high)
     elif up.kind == "top":
         yield SignRoom(-3, 3, min(ys) - 3, places.housing)
         yield SignRoom(-11, 10, places.housing - BRAKE, places.housing + 6)
         name = top_name(layout, up)
         if name:
-            half = layout.width(name) / 2
+            half = layout.width(name, bold=True) / 2  # as it is where it is engaged
             yield SignRoom(
                 -half, half, places.housing + 7, places.housing + 7 + layout.height(name)
             )
@@ -101,7 +101,7 @@ def top_name(layout: CoaxialLayout, up: Upright) -> str:
         return scheme.name(meaning.port.link)
     if meaning.device < 0 or scheme.devices[meaning.device].kind == "held":
         return ""
-    return lines_of(scheme.devices[meaning.device].name)
+    return layout.device_name(meaning.device)
 
 
 def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
@@ -125,7 +125,7 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
             if bar is not None:
                 y, x = places.heights[bar], section.x(number)
                 yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
-    name = lines_of(layout.own.scheme.devices[layout.device(up)].name)
+    name = layout.device_name(layout.device(up))
     middle, half = middle_of(section), layout.width(name, bold=True) / 2
     low = places.axis - SET_NAME - layout.height(name)
     yield SignRoom(middle - half, middle + half, low, places.axis - SET_NAME + 2)

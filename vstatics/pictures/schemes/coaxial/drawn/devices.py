@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.coaxial.rooms import (
     pair_name,
     top_name,
 )
-from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching, lines_of
+from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
 from vstatics.pictures.sheet.labels import Point
@@ -61,7 +61,7 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     for (x, y), va, text in wheel_texts(section, taps):
         centred(pen, (at + x, y), text, size=SMALL, ha="left", va=va, over=True, **look)
     name = at + middle_of(section), layout.places.axis - SET_NAME
-    centred(pen, name, lines_of(ink.scheme.devices[index].name), bold=True, va="top", **look)
+    centred(pen, name, layout.device_name(index), bold=True, va="top", **look)
 
 
 def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
@@ -77,7 +77,7 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
     look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
     draw_coupled(pen, Coupled(*look))
     name: Look = {"color": ink.text_color(index), "bold": closed, "ha": "left"}
-    centred(pen, (at + SIGN_NAME, middle), pair_name(device), **name)
+    centred(pen, (at + SIGN_NAME, middle), pair_name(device, layout.line_letters), **name)
 
 
 def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:

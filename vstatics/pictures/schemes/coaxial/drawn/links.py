@@ -10,7 +10,7 @@ from vstatics.pictures.schemes.coaxial.drawn.lines import meeting, wires_of
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE, NAME_GAP, ends_of, loose_names
 from vstatics.pictures.schemes.wires import passed
-from vstatics.pictures.sheet.labels import Point, Segment, width
+from vstatics.pictures.sheet.labels import Point, Segment, height, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, corners
 
@@ -44,11 +44,11 @@ def draw_link_names(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """Names on bars, and beside the ends of members that nothing else joins."""
     scale = ink.pen.letters
     for link, at in layout.places.names.items():
-        name = layout.name(link)
-        half, high = (width(name) / 2 + 1.5) * scale, 4.0 * scale
+        name = layout.link_name(link)
+        half, high = (width(name) / 2 + 1.5) * scale, (height(name) / 2 - 1.0) * scale
         paper = corners(at[0] - half, at[1] - high, at[0] + half, at[1] + high)
         ink.pen.area(*paper, color=ink.pen.style.paper, zorder=3.6)
-        centred(ink.of_link(name), at, name, color=ink.name_color(link))
+        centred(ink.of_link(layout.name(link)), at, name, color=ink.name_color(link))
     for up, x in zip(layout.uprights, layout.places.at, strict=True):
         for link, by, y in loose_names(layout, up):
             look: Look = {"color": ink.name_color(link), "ha": "left"}
