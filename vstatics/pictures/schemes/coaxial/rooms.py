@@ -140,16 +140,14 @@ def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
     """The lower left and the upper right corner, with room for all but the head."""
     left, right = ends_of(layout)
     places, train = layout.places, layout.own.train
-    before = PORT + PORT_NAME + 1 + layout.width(layout.name(train.start)) + WIDE_MARGIN
-    behind = (
-        PORT + PORT_NAME + 1 + layout.width(layout.name(train.end)) if train.end else 0.0
-    ) + WIDE_MARGIN
+    before, behind = (
+        (PORT + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
+        for link in (train.start, train.end)
+    )
     rooms = [room for up in layout.uprights for room in rooms_of(layout, up)]
     low = min(places.axis - 8, *(room.low for room in rooms)) - 3
-    return (left - before - WIDE_MARGIN, low), (
-        right + behind + WIDE_MARGIN,
-        max(room.high for room in rooms) + 4,
-    )
+    high = max(room.high for room in rooms) + 4
+    return (left - before, low), (right + behind, high)
 
 
 def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
