@@ -73,14 +73,9 @@ def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
         yield path.read_bytes()
 
 
-NOT_YET = {"stick"}
-"""Kinds that are not drawn for a page yet."""
-
-
 def parameter(kind: str, *, is_quick: bool) -> Any:
     """A kind, of some files or of all."""
-    marks = [pytest.mark.xfail(strict=False)] * (kind in NOT_YET)
-    marks += [] if is_quick else [pytest.mark.slow]
+    marks = [] if is_quick else [pytest.mark.slow]
     return pytest.param((kind, is_quick), id=f"{kind}-some" if is_quick else kind, marks=marks)
 
 

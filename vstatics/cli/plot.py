@@ -65,7 +65,8 @@ _WITHOUT_GEARS = {
     "--order",
     type=click.Choice(["free", "as-given"]),
     default="free",
-    help="Stick diagrams: sets stand in the order of the case.",
+    help="Stick diagrams: sets stand in the order of the case, if a way is found soon; else the "
+    "title says that they do not.",
 )
 @click.option(
     "--ratios",

@@ -21,7 +21,7 @@ from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
 from vstatics.numerics.traced import plain
 from vstatics.pictures import picture, render
-from vstatics.pictures.schemes import stick, structure
+from vstatics.pictures.schemes import structure
 from vstatics.pictures.schemes.placing import Placement
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
 from vstatics.pictures.schemes.sets import section_of
@@ -168,17 +168,16 @@ def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
             assert not [line for line in lines if touch(inside, line)], text.get_text()
 
 
-ONE_ROW = {"structure": inf, "stick": Style().width}
-"""Widths in which a picture has one row."""
+ONE_ROW = Style(width=inf)
 
 
-def check(scheme: Scheme, placement: Placement, results: Results, kind: str) -> None:
+def check(scheme: Scheme, placement: Placement, results: Results) -> None:
     """The picture of a case, without a gear in English and with its first in Russian."""
     assert_joins(scheme, placement)
     assert_apart(placement)
     for gear in (None, 1):
-        style = Style("ru" if gear else "en", width=ONE_ROW[kind])
-        figure = picture(results, kind, style, [gear] if gear else [])
+        style = ONE_ROW._replace(language="ru" if gear else "en")
+        figure = picture(results, "structure", style, [gear] if gear else [])
         assert overlaps(figure) == []
         if gear is None:
             assert_clear(figure, placement, scheme)
@@ -193,7 +192,7 @@ def check(scheme: Scheme, placement: Placement, results: Results, kind: str) -> 
 def test_structure_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
-    check(scheme, structure.place(scheme, Style()), results, "structure")
+    check(scheme, structure.place(scheme, Style()), results)
 
 
 @pytest.mark.slow
@@ -204,7 +203,10 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     scheme = scheme_of(results.case)
     kinds = {device.kind for device in scheme.devices}
     assert kinds >= {name for name, kind in KINDS.items() if isinstance(kind, Simple)}
-    check(scheme, stick.place(scheme, Style()).placement, results, "stick")
+    check(scheme, structure.place(scheme, Style()), results)
+    shown = " ".join(text.get_text() for text in picture(results, "stick", Style()).texts)
+    for device in scheme.devices:
+        assert device.kind == "held" or device.name in " ".join(shown.split())
 
 
 def test_the_same_case_looks_the_same() -> None:
@@ -387,7 +389,7 @@ def check_pins(results: Results, placement: Placement, gear: int, figure: Figure
 def test_arms_without_torque_are_pale() -> None:
     # issue 16: Ford 10R80, gear 1; D is engaged, and nothing comes to it
     results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
-    style = Style(width=ONE_ROW["structure"])
+    style = ONE_ROW
     placement = structure.place(scheme_of(results.case), style)
     pale = check_pins(results, placement, 1, picture(results, "structure", style, [1]))
     assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
@@ -398,7 +400,7 @@ def test_arms_without_torque_are_pale() -> None:
 @pytest.mark.parametrize("path", some(CASES), ids=lambda path: path.name)
 def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
     results = vstatics.solve(vstatics.load(path))
-    scheme, style = scheme_of(results.case), Style(width=ONE_ROW["structure"])
+    scheme, style = scheme_of(results.case), ONE_ROW
     placement = structure.place(scheme, style)
     by_number = range(1, len(results.case.gears) + 1)
     figures = structure.each(results, style, [(n,) for n in by_number])

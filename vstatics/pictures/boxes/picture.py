@@ -66,7 +66,7 @@ class BoxCell(NamedTuple):
         wide, high = (self.part * length for length in self.stick.size)
         corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
         pen = page.panel(corner, (wide, high))
-        self.stick.drawn(within=pen._replace(letters=SMALL_NUMBER / (SIZE * self.part)))
+        self.stick.draw(pen._replace(letters=SMALL_NUMBER / (SIZE * self.part)))
 
 
 def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:

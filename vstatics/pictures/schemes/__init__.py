@@ -1,8 +1,8 @@
 """Schemes of a case: the stick diagram of elements, the structure of any case.
 
-`scheme` is what is shown, `glyphs`, `sets` and `pairs` the drawings of elements. `channels` is a
-row of items with wires, a `board` what is to be arranged, `search` the arrangement with few
-crossings, `placing` its places, `wires` the lines. `sheet` draws what is alike in all with `signs`
-and `titles`; `stick` and `structure` are the pictures, `bare` the diagram of sets without teeth,
-`axes` that of boxes with several axes.
+`scheme` is what is shown, with its `titles`; `glyphs`, `signs`, `sets` are the drawings of parts.
+`stick` is the stick diagram: `coaxial` of one axis, `axes` of several, `bare` of sets without
+teeth. `structure` is the other one: `channels` are a row of items with wires, a `board` what is to
+be arranged, `search` the arrangement with few crossings, `placing` its places, `rows` its breaks,
+`wires` its lines, `sheet` what draws.
 """

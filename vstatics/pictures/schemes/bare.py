@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
-from vstatics.pictures.schemes.coaxial.drawing import CoaxialLayout, extent, laid_out
-from vstatics.pictures.schemes.coaxial.picture import painted
+from vstatics.pictures.schemes.coaxial.fitting import laid_out
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted, painted_within
+from vstatics.pictures.schemes.coaxial.rooms import extent
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
 from vstatics.pictures.schemes.stick import as_sets, sections_of
@@ -29,10 +31,13 @@ class BareStick(NamedTuple):
         low, high = extent(self.layout)
         return high[0] - low[0], high[1] - low[1]
 
-    def drawn(self, title: str = "", within: Pen | None = None) -> Pen:
-        """The diagram by itself, or at a place of another figure."""
-        how = self.layout, self.style, SchemeState(), Titles(), title
-        return painted(*how, within=within)
+    def drawn(self, title: str = "") -> Pen:
+        """The diagram by itself."""
+        return painted(CoaxialSheet(self.layout), self.style, SchemeState(), Titles(), title)
+
+    def draw(self, within: Pen) -> None:
+        """The diagram at a place of another figure."""
+        painted_within(within, self.layout)
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:
@@ -53,7 +58,7 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     ['1', '3', 'A', 'D1']
     """
     drawn = scheme_of(case)
-    devices, _ = as_sets(drawn.devices, case.mechanisms)
+    devices = as_sets(drawn.devices, case.mechanisms)
     names = iter(letters(len(devices)))
     if is_small:
         devices = [

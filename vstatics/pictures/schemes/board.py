@@ -35,11 +35,6 @@ class _ItemShape(NamedTuple):
 
     width: float
     taps: Sequence[_TrackTap]
-    above: int
-    """The wires that it joins above, as bits."""
-    below: int
-    joined: int
-    """Those that it joins on both sides at one place."""
 
 
 class Laid(NamedTuple):
@@ -96,51 +91,34 @@ class Board:
     def laid(self, arrangement: Arrangement, extra: Mapping[int, float] | None = None) -> Laid:
         """The same for the search, which makes very many."""
         shapes = self._shapes_in(arrangement)
-        above = below = joined = 0
-        for index in self._unbridged:
-            _, _, over, under, both = shapes[index]
-            above |= over
-            below |= under
-            joined |= both
-        missing = above & below & ~joined  # wires whose tracks on both sides no item joins
         low, high = [inf] * (2 * self._wire_end), [-inf] * (2 * self._wire_end)
         lefts: dict[int, float] = {}
         taps: list[_TrackTap] = []
-        passes: list[tuple[int, float]] = []
-        x, gap, bridges = 0.0, self.gap, self._bridges
+        x, gap = 0.0, self.gap
         for index in arrangement.order:
-            if bridges[index] and not bridges[index] & missing:
-                continue
             x += gap + extra.get(index, 0.0) if extra else gap
             shape = shapes[index]
             lefts[index] = x
             for track, at, reach in shape[1]:
                 place = x + at
                 taps.append((track, place, reach))
-                if reach == "pass":
-                    passes.append((track, place))
-                    continue
                 if place < low[track]:  # noqa: PLR1730 - a third faster
                     low[track] = place
                 if place > high[track]:  # noqa: PLR1730
                     high[track] = place
             x += shape[0]
         x += gap + extra.get(-1, 0.0) if extra else gap
-        self._reach_out(low, high, passes, arrangement, x)
+        self._reach_out(low, high, arrangement, x)
         return Laid(lefts, taps, low, high, x)
 
     def _reach_out(
         self,
         low: list[float],
         high: list[float],
-        passes: Sequence[tuple[int, float]],
         arrangement: Arrangement,
         end: float,
     ) -> None:
-        """Draw tracks out to the taps that pass them, and to the ends of the picture."""
-        for track, x in passes:
-            if low[track] < inf:
-                low[track], high[track] = min(low[track], x), max(high[track], x)
+        """Draw tracks out to the ends of the picture."""
         for wires, x in ((self.from_left, 0.0), (self.to_right, end)):
             for wire in wires:
                 track = 2 * wire  # of two the one below
@@ -188,15 +166,6 @@ class Board:
         ]
 
     @cached_property
-    def _bridges(self) -> list[int]:
-        """By item, the bit of the wire whose tracks it bridges; 0 of what is no bridge."""
-        return [0 if item.bridge is None else 1 << item.bridge for item in self.items]
-
-    @cached_property
-    def _unbridged(self) -> list[int]:
-        return [index for index, bit in enumerate(self._bridges) if not bit]
-
-    @cached_property
     def _wire_end(self) -> int:
         return max(self.wires, default=0) + 1
 
@@ -214,11 +183,8 @@ class Board:
         """The first and the last place in the row at which a wire meets an item."""
         reaches: dict[int, tuple[int, int]] = dict.fromkeys(self.from_left, (-1, -1))
         for place, index in enumerate(arrangement.order):
-            item = self.items[index]
-            if item.bridge is None:
-                for tap in item.variants[arrangement.variants[index]]:
-                    if tap.reach == "none":
-                        continue
+            for tap in self.items[index].variants[arrangement.variants[index]]:
+                if tap.reach != "none":
                     first = reaches.get(tap.wire, (place, place))[0]
                     reaches[tap.wire] = first, place
         for wire in self.to_right:
@@ -265,28 +231,16 @@ def _crossings(laid: Laid, ranks: Sequence[int], sides: _Spans, most: float = in
                 if rank >= own:
                     break
                 count += low < x < high
-        elif reach == "edge":
+        else:
             for rank, low, high in outward[side]:
                 if rank <= own:
                     break
                 count += low < x < high
-        else:
-            count += sum(low < x < high for rank, low, high in sides[side] if rank != own)
         if count > most:
             break
     return count
 
 
 def _shape_of(taps: Sequence[Sided], width: float) -> _ItemShape:
-    bits = {ABOVE: 0, BELOW: 0}
-    joined = 0
-    first: dict[tuple[int, float], int] = {}
-    own: list[_TrackTap] = []
-    for wire, side, x, reach, _, _ in taps:
-        if reach == "none":
-            continue
-        own.append((number_of(wire, side), x, reach))
-        bits[side] |= 1 << wire
-        if first.setdefault((wire, x), side) != side:
-            joined |= 1 << wire
-    return _ItemShape(width, own, bits[ABOVE], bits[BELOW], joined)
+    own = [(number_of(wire, side), x, reach) for wire, side, x, reach, *_ in taps]
+    return _ItemShape(width, [tap for tap in own if tap[2] != "none"])

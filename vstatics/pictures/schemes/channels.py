@@ -15,9 +15,9 @@ from vstatics.pictures.sheet.labels import Span
 
 ABOVE, BELOW = 1, -1
 
-Reach = Literal["row", "edge", "pass", "none"]
-"""From where a tap comes to its track: from the row, from the outer edge of the channel, or
-through the whole channel, joining the track if the wire has one there; or it has no track."""
+Reach = Literal["row", "edge", "none"]
+"""From where a tap comes to its track: from the row, from the outer edge of the channel; or it has
+no track."""
 
 Track = tuple[int, int]
 """A wire, and the side of the row on which it runs."""
@@ -49,20 +49,14 @@ class Item:
         Of each variant. [pt]
     variants : sequence of sequence of Tap
         The ways in which wires may meet it.
-    rank : int, optional
-        Items with a rank stay in its order.
     slot : float
         If not 0, taps are put into slots of this width, sorted as crosses least. [pt]
-    bridge : int, optional
-        It is there only if this wire runs on both sides and no other item joins its tracks.
     """
 
     key: int
     widths: Sequence[float]
     variants: Sequence[Sequence[Tap]]
-    rank: int | None = None
     slot: float = 0.0
-    bridge: int | None = None
 
     @cached_property
     def is_free(self) -> bool:

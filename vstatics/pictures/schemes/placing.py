@@ -69,10 +69,8 @@ class Placement:
         places = []
         for track, (low, high) in self.row.spans.items():
             own = [tap for tap in self.row.taps if tap[1:3] == track and tap.reach != "none"]
-            for x in dict.fromkeys(tap.x for tap in own):
-                passes = any(tap.reach == "pass" for tap in own if tap.x == x)
-                if low < x < high or passes:
-                    places.append(((x, self.y(track)), track[0]))
+            xs = dict.fromkeys(tap.x for tap in own if low < tap.x < high)
+            places += [((x, self.y(track)), track[0]) for x in xs]
         return places
 
     def verticals(self) -> list[tuple[float, float, float, int]]:
@@ -82,7 +80,7 @@ class Placement:
             track = tap.wire, tap.side
             if tap.reach == "none":
                 continue
-            end = self.y(track) if tap.reach != "pass" else tap.y
+            end = self.y(track)
             start = tap.y if tap.reach == "row" else self.edge(tap.side)
             lines.append((tap.x, min(start, end), max(start, end), tap.wire))
         return lines

@@ -11,7 +11,6 @@ from random import Random
 
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, Arrangement
-from vstatics.pictures.sheet.groups import grouped
 
 STEPS, MOST_STEPS = 150, 2500
 """Of an attempt, for each item and wire, and in all."""
@@ -25,16 +24,13 @@ HOT, MILD, COLD = 300.0, 30.0, 6.0
 """Temperatures at the start, of a large board, and at the end, in points of length of wire."""
 
 
-def arranged(board: Board, *, is_free: bool) -> Arrangement:
-    """An arrangement with few crossings and short wires.
-
-    Wires that are free choose their side; else the variants of the items do.
-    """
+def arranged(board: Board) -> Arrangement:
+    """An arrangement with few crossings and short wires."""
     size = len(board.items) + len(board.wires)
     steps = min(STEPS * size, MOST_STEPS, WORK // size)
     ends = []
     for seed in range(1 if size > LARGE else STARTS):
-        found = _annealed(board, Random(seed), steps, is_free=is_free)  # noqa: S311
+        found = _annealed(board, Random(seed), steps)  # noqa: S311
         ends.append(_settled(board, *found))
         if not board.crossings(ends[-1][0]):
             break
@@ -42,31 +38,21 @@ def arranged(board: Board, *, is_free: bool) -> Arrangement:
 
 
 def _start(board: Board) -> Arrangement:
-    """Items with a rank in its order, others where those stand to which they are joined."""
-    wires = max(board.wires, default=0) + 1
+    """Items as they are given, wires above and below by turns."""
+    wires, items = max(board.wires, default=0) + 1, len(board.items)
     sides = [ABOVE if wire % 2 == 0 else -ABOVE for wire in range(wires)]
-    joined = [(item.rank, {tap.wire for tap in item.variants[0]}) for item in board.items]
-    ranked = grouped((wire, rank) for rank, own in joined if rank is not None for wire in own)
-    middles: list[float] = []
-    for rank, own in joined:
-        near = [one for wire in own for one in ranked.get(wire, [])]
-        mean = sum(near) / len(near) if near else 0.0
-        middles.append(mean if rank is None else rank)
-    order = sorted(range(len(middles)), key=middles.__getitem__)
-    return Arrangement(order, [0] * len(order), sides, [number // 2 for number in range(2 * wires)])
+    ranks = [number // 2 for number in range(2 * wires)]
+    return Arrangement(range(items), [0] * items, sides, ranks)
 
 
-def _annealed(
-    board: Board, chance: Random, steps: int, *, is_free: bool
-) -> tuple[Arrangement, float]:
-    """An arrangement after so many steps; wires that are free choose their side."""
+def _annealed(board: Board, chance: Random, steps: int) -> tuple[Arrangement, float]:
+    """An arrangement after so many steps."""
     hot = HOT if len(board.items) + len(board.wires) <= LARGE else MILD
     arrangement = _start(board)
     cost = board.cost(arrangement)
     best = arrangement, cost
     varied = [i for i, item in enumerate(board.items) if len(item.variants) > 1]
-    kinds = ["order", "order", "swap", "rank"]
-    kinds += ["side"] * is_free + ["variant"] * 2 * bool(varied)
+    kinds = ["order", "order", "swap", "rank", "side", *["variant", "variant"] * bool(varied)]
     for step in range(steps):
         heat = hot * (COLD / hot) ** (step / steps)
         other = _moved(board, arrangement, chance.choice(kinds), varied, chance)
@@ -87,10 +73,12 @@ def _settled(board: Board, arrangement: Arrangement, cost: float) -> tuple[Arran
     for _ in range(CHANGE_SWEEPS):
         before = cost
         for place, variant in [*changes, *((index, -1) for index, _ in items[:-1])]:
-            if variant < 0:
-                other = _exchanged(board, arrangement, place)
-            else:
-                other = _varied(arrangement, place, variant)
+            is_exchange = variant < 0
+            other = (
+                _exchanged(arrangement, place)
+                if is_exchange
+                else _varied(arrangement, place, variant)
+            )
             value = math.inf if other is None else board.cost(other, cost)
             if other is not None and value < cost:
                 arrangement, cost = other, value
@@ -107,19 +95,16 @@ def _varied(arrangement: Arrangement, index: int, variant: int) -> Arrangement |
     return arrangement._replace(variants=variants)
 
 
-def _exchanged(board: Board, arrangement: Arrangement, place: int) -> Arrangement | None:
+def _exchanged(arrangement: Arrangement, place: int) -> Arrangement:
     order = [*arrangement.order]
-    one, other = order[place : place + 2]
-    if None not in {board.items[one].rank, board.items[other].rank}:
-        return None
-    order[place : place + 2] = other, one
+    order[place], order[place + 1] = order[place + 1], order[place]
     return arrangement._replace(order=order)
 
 
 def _moved(
     board: Board, arrangement: Arrangement, kind: str, varied: Sequence[int], chance: Random
 ) -> Arrangement | None:
-    """A neighbour of an arrangement; None where the move is not allowed."""
+    """A neighbour of an arrangement; None where it is the same."""
     if kind in {"order", "swap"}:
         order = [*arrangement.order]
         a, b = int(chance.random() * len(order)), int(chance.random() * len(order))
@@ -127,8 +112,7 @@ def _moved(
             order[a], order[b] = order[b], order[a]
         else:
             order.insert(b, order.pop(a))
-        ranks = [rank for i in order if (rank := board.items[i].rank) is not None]
-        return arrangement._replace(order=order) if ranks == sorted(ranks) else None
+        return arrangement._replace(order=order)
     if kind == "rank":
         ranks = [*arrangement.ranks]
         one = int(chance.random() * len(ranks))

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import permutations, product
+from collections.abc import Callable, Sequence
+from itertools import permutations
 from typing import Any, NamedTuple
-
-from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.model.transmission import HOUSING
@@ -24,13 +22,11 @@ from vstatics.pictures.schemes.signs import (
     PACK,
     Coupled,
     draw_coupled,
-    meanings,
 )
 from vstatics.pictures.schemes.titles import Titles, titles_of
 from vstatics.pictures.schemes.wires import wire_lines
 from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import Point, title_width, widest, width
+from vstatics.pictures.sheet.labels import Point, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN, Style
@@ -63,8 +59,6 @@ class Sheet(NamedTuple):
     scheme: Scheme
     state: SchemeState
     titles: Titles
-    axis: float | None
-    """Height of the line about which all turns. [pt]"""
 
     def color(self, index: int) -> str:
         """Of a device."""
@@ -95,31 +89,6 @@ class Sheet(NamedTuple):
     def taps(self, index: int) -> list[PlacedTap]:
         """Where wires meet a device."""
         return [tap for tap in self.placement.row.taps if tap.item == index]
-
-
-Painted = Callable[[SchemeState, Titles, str], Pen]
-"""Draws a scheme in a state, with what is told of its parts, under a title."""
-
-
-def figures(  # noqa: PLR0913 - what is drawn, and how
-    results: Results,
-    scheme: Scheme,
-    style: Style,
-    paint: Painted,
-    *,
-    shown: Iterable[Sequence[int]],
-    subject: str,
-) -> Iterator[list[Figure]]:
-    """Figures with room for everything, of no gear or of one by its number from 1.
-
-    Raises
-    ------
-    CaseError
-        If one is of several gears.
-    """
-    for gears in shown:
-        told = told_of(results, scheme, style, gears, subject=subject)
-        yield [paint(told.state, told.titles, told.name).figure]
 
 
 class SchemeTold(NamedTuple):
@@ -162,35 +131,19 @@ def told_of(  # noqa: PLR0913 - what is drawn, and how
 def wired(  # noqa: PLR0913 - what is drawn, and how
     scheme: Scheme,
     placement: Placement,
-    style: Style,
     draw: DrawDevice,
     state: SchemeState,
     *,
     titles: Titles,
-    name: str,
-    note: str = "",
-    within: Pen | None = None,
-    is_coaxial: bool,
-) -> Sheet:
-    """A sheet with all of a scheme; with its head, unless it is within another."""
-    low, (right, top) = extent(scheme, placement)
-    if within is None:
-        least = title_width(name) if style.titled else 0.0
-        right = max(right, low[0] + 2 * WIDE_MARGIN + least)
-        size = right - low[0], top - low[1]
-        head = sheet_head(name, note, meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
-        within = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
-    pen = within.fitted(low, (right, top))
-    axis = placement.edge(BELOW) - AXIS if is_coaxial else None
-    sheet = Sheet(pen, placement, scheme, state, titles, axis)
-    if axis is not None:
-        ends = (-TERMINAL, axis), (placement.row.width + TERMINAL, axis)
-        pen.line(*ends, color=style.faint, width=0.8, linestyle=(0, (12, 3, 2, 3)))
+    within: Pen,
+) -> None:
+    """All of a scheme at a place of a figure."""
+    pen = within.fitted(*extent(scheme, placement))
+    sheet = Sheet(pen, placement, scheme, state, titles)
     _wires(sheet)
     _ends(sheet)
     for index, device in enumerate(scheme.devices):
         (_draw_coupling if device.is_coupling else draw)(sheet, index)
-    return sheet
 
 
 def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
@@ -199,7 +152,7 @@ def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
         TERMINAL + 4 + widest(map(scheme.name, wires)) + WIDE_MARGIN
         for wires in (placement.from_left, placement.to_right)
     )
-    sides = {tap.side for tap in placement.row.taps if tap.reach in {"edge", "pass"}}
+    sides = {tap.side for tap in placement.row.taps if tap.reach == "edge"}
     low = placement.edge(BELOW) - (BAND + 14 if BELOW in sides else AXIS + HEIGHT)
     high = placement.edge(ABOVE) + (BAND + 14 if ABOVE in sides else HEIGHT)
     return (-before, low), (placement.row.width + behind, high)
@@ -223,19 +176,15 @@ def _wires(sheet: Sheet) -> None:
 
 
 def _ends(sheet: Sheet) -> None:
-    """Arrows of the ports, with the names of their links; the innermost shafts at the axis."""
+    """Arrows of the ports, with the names of their links."""
     placement = sheet.placement
     named: set[int] = set()
     sides = (placement.from_left, -1, 0.0), (placement.to_right, 1, placement.row.width)
     for wires, way, x in sides:
         ports = [port for port in sheet.scheme.ports if port.is_left == (way < 0)]
-        lowest = min(wires, key=lambda wire: placement.y(placement.end_of(wire)), default=0)
         for wire in wires:
             own = [port for port in ports if port.link == wire]
             at = x, placement.y(placement.end_of(wire))
-            if sheet.axis is not None and own and wire == lowest:
-                sheet.pen.line(at, (x, sheet.axis), color=_end_color(sheet, own), zorder=3)
-                at = x, sheet.axis
             _end(sheet, own, at, way)
             if wire not in named or any(port.is_further for port in own):
                 name = (at[0] + way * (TERMINAL + 4), at[1]), sheet.scheme.name(wire)
@@ -269,21 +218,18 @@ def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None
         pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
 
 
-def coupling_item(index: int, device: Device, sides: Sequence[int]) -> Item:
-    """A shift element, a spring or a support with its name; its wires come from these sides."""
+def coupling_item(index: int, device: Device) -> Item:
+    """A shift element, a spring or a support with its name."""
     name = width(lines_of(device.name), bold=True)
     if device.is_on_housing:
         (link,) = device.links
-        variants = [[Tap(link, sides[0], 12.0, "edge")]]
-        if BELOW in sides:  # past the row to the housing above
-            variants.append([Tap(link, BELOW, 12.0), Tap(link, ABOVE, 12.0, "pass")])
+        variants = [[Tap(link, 0, 12.0, "edge")]]
         wide = 24.0 if device.kind == "held" else name + BRAKE_NAME_GAP + 18
     else:
         wide = max(name + 14, 34.0)
         variants = [
-            [Tap(left, a, 0.0), Tap(right, b, wide)]
+            [Tap(left, 0, 0.0), Tap(right, 0, wide)]
             for left, right in permutations(device.members.values())
-            for a, b in product(sides, repeat=2)
         ]
     return Item(index, [wide] * len(variants), variants)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from vstatics.model.parts import ELEMENT_KINDS
 from vstatics.pictures.schemes.glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
 from vstatics.pictures.sheet.head import Meaning
@@ -17,6 +18,8 @@ HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
 PACK = 6.5
 """Half the length of a pack of plates. [pt]"""
+HALF_BOX_SIGN = 8.0
+"""Half the length of the box of what has no sign. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Where plates of the one side stand across the line, and those between them. [pt]"""
 PLATE_CLEARANCE = 2.5
@@ -26,7 +29,7 @@ Place = Callable[[float, float], Point]
 
 
 class Coupled(NamedTuple):
-    """A shift element, a spring or a support on a level or upright line."""
+    """A shift element, a spring, a support or a box on a level or upright line."""
 
     kind: str
     start: Point
@@ -43,6 +46,12 @@ class Coupled(NamedTuple):
     """A freewheel whose first link is the housing."""
 
 
+def half_of(kind: str) -> float:
+    """Half the length of the sign of a kind along its line [pt]."""
+    own = PACK if kind in (*ELEMENT_KINDS, "held") else HALF_BOX_SIGN
+    return HALF_SIGN.get(kind, own)
+
+
 def draw_coupled(pen: Pen, one: Coupled) -> None:
     """A sign on its line; plates at the housing stand at its wall.
 
@@ -56,7 +65,7 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     (x, y), (x2, y2) = one.start, one.end
     length = abs(x2 - x) + abs(y2 - y)
     dx, dy = (x2 - x) / length, (y2 - y) / length
-    half = HALF_SIGN.get(one.kind, PACK)
+    half = half_of(one.kind)
     is_at_wall = one.housing and one.kind not in ("freewheel", "spring")
     center = length - half if is_at_wall else length / 2
 
@@ -72,7 +81,8 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
         pen.lines(lines, color=one.rod, title=one.title, zorder=4.5)
         lines = []
     draw = {"spring": _spring, "freewheel": _freewheel, "dog_clutch": _dogs, "held": _support}
-    lines += draw.get(one.kind, _plates)(pen, at, half, one)
+    usual = _plates if one.kind in ELEMENT_KINDS else _box
+    lines += draw.get(one.kind, usual)(pen, at, half, one)
     pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
 
 
@@ -126,6 +136,14 @@ def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point
     for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
         lines += [(at(side, across), at(-side / 3, across)) for across in places]
     return lines
+
+
+def _box(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
+    """A reduction, a converter: what stands in it is not known."""
+    across = HALF_BOX_SIGN
+    corners = [at(-half, across), at(half, across), at(half, -across), at(-half, -across)]
+    _sign(pen, corners, one, pen.style.paper)
+    return []
 
 
 def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:

@@ -134,13 +134,10 @@ def _page(
         wired(
             row.scheme,
             row.placement,
-            style,
             draw_box,
             row.state(told.state),
             titles=row.titles(told.titles),
-            name=told.name,
             within=page.panel((0.0, y), size),
-            is_coaxial=False,
         )
         y -= ROW_GAP
     return page.figure
@@ -148,9 +145,9 @@ def _page(
 
 def place(scheme: Scheme, style: Style) -> Placement:
     """Where everything stands in one row; the same for all gears of a case."""
-    items = [row_item(index, one, (0,), style) for index, one in enumerate(scheme.devices)]
+    items = [row_item(index, one, style) for index, one in enumerate(scheme.devices)]
     board = Board(items, scheme.wires, *scheme.ends, gap=BOX_GAP)
-    return placed(board, arranged(board, is_free=True), HALF_BOX, named_on_tracks(scheme))
+    return placed(board, arranged(board), HALF_BOX, named_on_tracks(scheme))
 
 
 def named_on_tracks(scheme: Scheme) -> dict[int, float]:
@@ -159,22 +156,16 @@ def named_on_tracks(scheme: Scheme) -> dict[int, float]:
     return {link: width(scheme.name(link)) for link in scheme.wires if link not in at_ends}
 
 
-def row_item(index: int, device: Device, sides: Sequence[int], style: Style) -> Item:
-    """A coupling, or a mechanism as a box with its members at the top and at the bottom.
-
-    Parameters
-    ----------
-    sides : sequence of int
-        From which its wires may come; 0 is that where they run.
-    """
+def row_item(index: int, device: Device, style: Style) -> Item:
+    """A coupling, or a mechanism as a box with its members at the top and at the bottom."""
     if device.is_coupling:
-        return coupling_item(index, device, sides)
+        return coupling_item(index, device)
     slot = max(width(member_text(device, one, style)) for one in device.members) + 9
     name = width(lines_of(device.name, BOX_NAME_LETTERS), bold=True)
     inner = max(name, width(word(device.kind, style)), LEAST_BOX) + 10
     variants: list[list[Tap]] = [[]]
     for member, link in device.members.items():
-        own = (ABOVE, BELOW) if link == HOUSING else sides
+        own = (ABOVE, BELOW) if link == HOUSING else (0,)
         reach: Reach = "none" if link == HOUSING else "row"
         variants = [
             [*variant, Tap(link, side, 0.0, reach, member, HALF_BOX)]

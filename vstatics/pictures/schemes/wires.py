@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.placing import Placement
@@ -39,13 +39,12 @@ def wire_lines(placement: Placement, scheme: Scheme, state: SchemeState) -> dict
     cuts = grouped((level, (x - half, x + half)) for level, x, half in gaps)
     lines = grouped([*_upright(placement), *_level(placement)])
     ends = grouped(_ends(placement, scheme, state))
-    inside = grouped(_inside(placement))
     found: dict[int, WireLines] = {}
     for wire, own in lines.items():
         runs = [(line, True) for line in own]
         points = {at for line in own for at in line}
         if state.loaded is not None:
-            runs, points = passed(own, {*ends.get(wire, ())}, inside.get(wire, []))
+            runs, points = passed(own, {*ends.get(wire, ())})
         pieces = [
             (piece, there)
             for line, there in runs
@@ -57,7 +56,7 @@ def wire_lines(placement: Placement, scheme: Scheme, state: SchemeState) -> dict
 
 
 def passed(
-    lines: Sequence[Segment], met: set[Point], inside: Iterable[Segment] = ()
+    lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
     """Lines in pieces, and whether torque passes each; the points of those that it passes.
 
@@ -65,15 +64,13 @@ def passed(
     ----------
     met : set of Point
         Where something that carries torque meets the lines.
-    inside : iterable of Segment
-        Further ways of torque, which are not drawn.
 
     >>> passed([((0, 0), (4, 0)), ((2, 0), (2, 3))], {(0, 0), (2, 3)})[0]
     [(((0, 0), (2, 0)), True), (((2, 0), (4, 0)), False), (((2, 0), (2, 3)), True)]
     """
     split = [_split(line, lines, met) for line in lines]
     steps = [step for points in split for step in pairwise(points)]
-    kept = _between(met, [*steps, *inside])
+    kept = _between(met, steps)
     runs = [run for along in split for run in _runs(along, kept)]
     return runs, {at for step in kept for at in step}
 
@@ -107,14 +104,6 @@ def _ends(placement: Placement, scheme: Scheme, state: SchemeState) -> Iterator[
         if port not in state.idle_ports:
             x = 0.0 if port.is_left else placement.row.width
             yield port.link, (x, placement.y(placement.end_of(port.link)))
-
-
-def _inside(placement: Placement) -> Iterator[tuple[int, Segment]]:
-    """What joins the wires above and below a device within it: the bar of a carrier."""
-    own = [tap for tap in placement.row.taps if tap.reach == "row"]
-    taps = grouped(((tap.item, tap.wire, tap.x), (tap.x, tap.y)) for tap in own)
-    for (_, wire, _), points in taps.items():
-        yield from ((wire, bar) for bar in combinations(points, 2))
 
 
 def _split(line: Segment, others: Iterable[Segment], ends: Iterable[Point]) -> list[Point]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.moves import Bars, SweepStep
+from vstatics.pictures.schemes.coaxial.search.state import Bars, SweepStep
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
@@ -86,7 +86,7 @@ def framed(train: CoaxialTrain, steps: Sequence[SweepStep]) -> SectionFrame:
 
     Examples
     --------
-    >>> from vstatics.pictures.schemes.coaxial.sweep import swept
+    >>> from vstatics.pictures.schemes.coaxial.search.sweep import swept
     >>> from vstatics.pictures.schemes.coaxial.train import Planes
     >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [], [2], 1, 3)
     >>> frame = framed(train, swept(train).steps)

@@ -1,61 +1,133 @@
-"""The picture of a half-section: its head, its size, what its title says of crossings."""
+"""The picture of a half-section: its head, its rows, what its title says of crossings."""
 
 from __future__ import annotations
 
-from vstatics.pictures.schemes.coaxial.drawing import (
-    CoaxialLayout,
-    Paint,
-    crossings_of,
-    extent,
-)
-from vstatics.pictures.schemes.scheme import SchemeState
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state
+from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
+from vstatics.pictures.schemes.coaxial.drawn.devices import draw_devices
+from vstatics.pictures.schemes.coaxial.drawn.ink import AXIS_NAME, SchemeInk
+from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
+from vstatics.pictures.schemes.coaxial.drawn.links import draw_link_names, draw_links
+from vstatics.pictures.schemes.coaxial.drawn.ports import draw_ports
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.rooms import PORT, ends_of, extent
+from vstatics.pictures.schemes.scheme import Scheme, SchemeState
+from vstatics.pictures.schemes.sheet import FURTHER
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import title_width
+from vstatics.pictures.sheet.labels import Point, title_width
+from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
 
+AXIS_DASHES = (0, (12, 3, 2, 3))
 
-def remarks(layout: CoaxialLayout, style: Style) -> list[str]:
-    """What the title says besides: crossings, an output that cannot leave along the axis."""
-    found = []
-    count = crossings_of(layout)
-    if count:
-        english = f"{count} crossing{'s' * (count > 1)}"
-        found.append(style.text(english, f"пересечений: {count}"))
-    if not layout.own.train.end:
-        found.append(style.text("output through the housing", "выход через корпус"))
-    if not layout.is_ordered:
-        found.append(style.text("sets in another order", "ряды в ином порядке"))
-    return found
+
+class CoaxialSheet(NamedTuple):
+    """A half-section, and what stands before it and behind it in rows of its own."""
+
+    layout: CoaxialLayout
+    chains: Sequence[CoaxialChain] = ()
+
+    def remarks(self, style: Style) -> list[str]:
+        """What the title says besides: crossings, an output that can't leave along the axis."""
+        found, count = [], crossings_of(self.layout)
+        if count:
+            english = f"{count} crossing{'s' * (count > 1)}"
+            found.append(style.text(english, f"пересечений: {count}"))
+        if not self.layout.own.train.end:
+            found.append(style.text("output through the housing", "выход через корпус"))
+        if not self.layout.is_ordered:
+            found.append(style.text("sets in another order", "ряды в ином порядке"))
+        return found
+
+    def rows(self, room: float) -> Iterator[CoaxialRow]:
+        """From above, in a width [pt]."""
+        scheme = self.layout.own.scheme
+        before, behind = (
+            [
+                CoaxialRow(chain_extent(scheme, part), part)
+                for chain in self.chains
+                if chain.is_before == is_before
+                for part in chain.broken(partial(_chain_width, scheme), room)
+            ]
+            for is_before in (True, False)
+        )
+        yield from (*before, CoaxialRow(extent(self.layout)), *behind)
+
+
+class CoaxialRow(NamedTuple):
+    """A half-section, or a chain."""
+
+    ends: tuple[Point, Point]
+    """Its lower left and its upper right corner."""
+    chain: CoaxialChain | None = None
+
+    def size(self, width: float) -> Point:
+        """On a page of a width: where there is more, lines close up."""
+        (left, low), (right, high) = self.ends
+        part = min(1.0, width / (right - left))
+        return part * (right - left), part * (high - low)
+
+
+def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:
+    low, high = chain_extent(scheme, chain)
+    return high[0] - low[0]
+
+
+def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
+    """All of it, over its axis."""
+    (left, right), y = ends_of(layout), layout.places.axis
+    look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": AXIS_NAME}}
+    ends = (left - PORT, y), (right + PORT, y)
+    ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
+    draw_links(ink, layout)
+    draw_link_names(ink, layout)
+    draw_devices(ink, layout)
+    draw_ports(ink, layout)
 
 
 def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
-    layout: CoaxialLayout,
+    sheet: CoaxialSheet,
     style: Style,
     state: SchemeState,
     titles: Titles,
     name: str,
     note: str = "",
-    within: Pen | None = None,
 ) -> Pen:
-    """A half-section with its head, or without one at a place of another figure.
+    """A half-section with its head; it is no wider than a page, and its letters keep their size."""
+    named = ", ".join([name, *sheet.remarks(style)])
+    rows = list(sheet.rows(style.width))
+    sizes = [row.size(style.width) for row in rows]
+    least = title_width(named) + 2 * WIDE_MARGIN if style.titled else 0.0
+    wide = max(*(wide for wide, _ in sizes), min(least, style.width))
+    look: Look = {"color": style.ink, "linestyle": FURTHER}
+    further = len(rows) > 1, "goes on in another row", "продолжается в другом ряду", look
+    signs = [*meanings(state, style), further]
+    head = sheet_head(named, note, signs, wide - 2 * WIDE_MARGIN, style)
+    top = sum(high for _, high in sizes)
+    page = head.over((wide, top), WIDE_MARGIN * bool(head.high), style)
+    chains = [row.chain for row in rows if row.chain is not None]
+    own = chained_state(state, chains)
+    for row, (_, high) in zip(rows, sizes, strict=True):
+        top -= high
+        pen = page.panel((0.0, top), (wide, high)).fitted(*row.ends)
+        ink = SchemeInk(pen._replace(letters=1 / pen.part), sheet.layout.own.scheme, own, titles)
+        if row.chain is None:
+            draw_half_section(ink, sheet.layout)
+        else:
+            scheme = replace(ink.scheme, ports=row.chain.ports)
+            draw_chain(ink._replace(scheme=scheme), row.chain)
+    return page
 
-    It is no wider than a page: where there is more, lines close up, letters stay.
-    """
-    low, high = extent(layout)
-    size = high[0] - low[0], high[1] - low[1]
-    if within is None:
-        named = ", ".join([name, *remarks(layout, style)])
-        least = title_width(named) + 2 * WIDE_MARGIN if style.titled else 0.0
-        wide = min(max(size[0], least), style.width)
-        room = wide, size[1] * min(1.0, wide / size[0])
-        head = sheet_head(named, note, meanings(state, style), wide - 2 * WIDE_MARGIN, style)
-        within = head.over(room, WIDE_MARGIN * bool(head.high), style)._replace(size=room)
-        pen = within.fitted(low, high)
-        pen = pen._replace(letters=1 / pen.part)
-    else:
-        pen = within.fitted(low, high)
-    Paint(pen, layout, state, titles).all()
-    return pen
+
+def painted_within(pen: Pen, layout: CoaxialLayout) -> None:
+    """A half-section of no gear at a place of another figure, without a head."""
+    ink = SchemeInk(pen.fitted(*extent(layout)), layout.own.scheme, SchemeState(), Titles())
+    draw_half_section(ink, layout)

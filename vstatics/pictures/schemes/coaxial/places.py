@@ -11,6 +11,8 @@ from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
 """From bar to bar, and where a sign stands between them. [pt]"""
+NAMED_PITCH = 9.5
+"""From a bar with a name to a name beside it, at least. [pt of letters]"""
 CLEARANCE = 9.0
 """From the row to the bars next to it. [pt]"""
 HOUSING_BAND = 24.0
@@ -39,6 +41,14 @@ class Needs(NamedTuple):
     """Pairs by number with a sign between their bars."""
     names: Mapping[int, float]
     """Widths of the names of links that stand on their bars."""
+    letters: float = 1.0
+    """Size of letters over lengths."""
+
+    @property
+    def pitches(self) -> tuple[float, float]:
+        """From bar to bar, and where a sign stands between them [pt]."""
+        least = NAMED_PITCH * self.letters
+        return max(PITCH, least), max(SIGN_PITCH, 2 * least)
 
 
 @dataclass
@@ -66,29 +76,29 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     """The heights of bars, of the axis, and of the housing."""
     places = SectionPlaces(frame, needs.half)
     signed = [{*up.bars} for up in frame.uprights if up.kind == "pair" and up.index in needs.signed]
-    pinned = set(_pinned(frame))
+    pinned, (pitch, sign_pitch) = set(_pinned(frame)), needs.pitches
     rises: dict[Bar, list[tuple[Bar, float]]] = {}
     for low, high in frame.neighbours():
         if low not in pinned and high not in pinned:
-            step = SIGN_PITCH if {low, high} in signed else PITCH
+            step = sign_pitch if {low, high} in signed else pitch
             rises.setdefault(high, []).append((low, step))
     ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}
 
     def rise(bar: Bar) -> float:
         if bar not in found:
-            least = 0.0 if bar.is_above or bar in ends else PITCH
+            least = 0.0 if bar.is_above or bar in ends else pitch
             found[bar] = max([least, *(rise(low) + step for low, step in rises.get(bar, []))])
         return found[bar]
 
     found: dict[Bar, float] = {}
     bars = [bar for bar in frame.bars if bar not in pinned]
     depth = max((rise(bar) for bar in bars if not bar.is_above), default=0.0)
-    places.axis = -needs.half - CLEARANCE - max(depth, PITCH)
+    places.axis = -needs.half - CLEARANCE - max(depth, pitch)
     start = needs.half + CLEARANCE
     places.heights = {
         bar: rise(bar) + (start if bar.is_above else places.axis) for bar in bars
     } | dict.fromkeys(pinned, 0.0)
-    places.housing = max([start - PITCH, *places.heights.values()]) + HOUSING_BAND
+    places.housing = max([start - pitch, *places.heights.values()]) + HOUSING_BAND
     return places
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -38,21 +38,26 @@ class CoaxialScheme:
         return link > len(self.scheme.links)
 
 
-def coaxial_scheme(scheme: Scheme, sections: Mapping[int, HalfSection]) -> CoaxialScheme | None:
-    """A scheme as a train; None if a device is neither a set nor a coupling.
+def coaxial_scheme(
+    scheme: Scheme, sections: Mapping[int, HalfSection], left_out: Container[int] = ()
+) -> CoaxialScheme | None:
+    """A scheme as a train; None if a device is no set and joins more than two links.
 
     Parameters
     ----------
     sections : mapping of int to HalfSection
         The devices that are sets, by their places in the scheme.
+    left_out : container of int
+        Devices that are drawn elsewhere.
     """
     pairs: list[int] = []
     tops: list[int] = []
     others: list[int] = []
     for place, device in enumerate(scheme.devices):
-        if place in sections:
+        if place in sections or place in left_out:
             continue
-        (tops if device.is_on_housing else pairs if device.is_coupling else others).append(place)
+        joined = len(device.links)
+        (tops if device.is_on_housing else pairs if joined == 2 else others).append(place)
     if others or not scheme.ports:
         return None
     held = _HeldMembers(len(scheme.links))
@@ -66,7 +71,7 @@ def coaxial_scheme(scheme: Scheme, sections: Mapping[int, HalfSection]) -> Coaxi
     coupled = [_ends(scheme.devices[place]) for place in pairs]
     train = CoaxialTrain(planes, coupled, [link for _, link in own], start, end)
     if end and not train.is_planar and all(len(one.wheels) == 1 for one in planes):
-        port = next(p for p in scheme.ports if p.link == end and p.role != "input")
+        port = next(p for p in scheme.ports if p.link == end and not p.is_left)
         through = replace(train, tops=[*train.tops, end], end=0)
         if through.is_planar:
             train, own = through, [*own, (TopMeaning(port=port), end)]
@@ -75,14 +80,14 @@ def coaxial_scheme(scheme: Scheme, sections: Mapping[int, HalfSection]) -> Coaxi
 
 
 def _ends(device: Device) -> tuple[int, int]:
-    one, other = device.members.values()
+    one, other = (link for link in dict.fromkeys(device.members.values()) if link)
     return one, other
 
 
 def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
     """The links that come along the axis and go along it, and all other ports."""
-    start = next((port for port in scheme.ports if port.role == "input"), scheme.ports[0])
-    outputs = (port for port in scheme.ports if port.role != "input" and port.link != start.link)
+    start = next((port for port in scheme.ports if port.is_left), scheme.ports[0])
+    outputs = (port for port in scheme.ports if not port.is_left and port.link != start.link)
     end = next(outputs, None)
     along = {start.link, end.link if end else start.link}
     further = {port.link: port for port in scheme.ports if port.link not in along}

@@ -11,18 +11,18 @@ from heapq import heappop, heappush
 from itertools import count, pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.moves import (
+from vstatics.pictures.schemes.coaxial.search.moves import Moves
+from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
+from vstatics.pictures.schemes.coaxial.search.state import (
     PAIR,
     SET,
     TOP,
     WALL,
     Bars,
-    Moves,
     SectionState,
     SweepStep,
     fresh,
 )
-from vstatics.pictures.schemes.coaxial.remainder import can_go_on
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)

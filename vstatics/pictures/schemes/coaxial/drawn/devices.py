@@ -1,0 +1,101 @@
+"""Sets, couplings and what stands at the housing in a half-section."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.coaxial.drawn.ink import SchemeInk, centred
+from vstatics.pictures.schemes.coaxial.drawn.ports import port_arrow
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.layout import Upright
+from vstatics.pictures.schemes.coaxial.rooms import (
+    BRAKE,
+    SET_NAME,
+    middle_of,
+    pair_name,
+    top_name,
+)
+from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
+from vstatics.pictures.schemes.signs import Coupled, draw_coupled
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import LINE_WIDTH
+from vstatics.pictures.sheet.style import SMALL
+
+SIGN_NAME = 12.0
+"""From the middle of a coupling to its name. [pt]"""
+TOP_NAME = 8.0
+"""From the housing to the name of what stands there. [pt]"""
+
+
+def draw_devices(ink: SchemeInk, layout: CoaxialLayout) -> None:
+    """Everything that stands along the axis but walls of links."""
+    draw = {"set": _set, "pair": _pair, "top": _top}
+    for up, at in zip(layout.uprights, layout.places.at, strict=True):
+        if up.kind in draw:
+            draw[up.kind](ink, layout, up, at)
+
+
+def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
+    """Planets and the teeth of suns and rings, with their names."""
+    index = layout.device(up)
+    section, taps = layout.section(up), list(wheel_taps(layout.section(up)))
+    pen = ink.of_device(index)
+    looks: dict[float, list[Sequence[Point]]] = {}
+    for stroke in planet_strokes(section):
+        points = [(at + x, y) for x, y in stroke.points]
+        looks.setdefault(stroke.width, []).append(points)
+    faces = [(at + tap.x, tap.side * tap.depth) for tap in taps]
+    looks.setdefault(TOOTH, []).extend(((x - FACE, y), (x + FACE, y)) for x, y in faces)
+    if index in ink.state.pieces:
+        xs, ys = zip(*(p for own in looks.values() for line in own for p in line), strict=True)
+        lines = hatching((min(xs), min(ys)), (max(xs), max(ys)))
+        pen.lines(lines, color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
+    look: Look = {"color": ink.color(index), "zorder": 4, "solid_capstyle": "projecting"}
+    for thick, own in looks.items():
+        title = ink.said(index) if thick == LINE_WIDTH else ""
+        pen.lines(own, width=thick, title=title, **look)
+    look = {"color": ink.text_color(index)}
+    for (x, y), va, text in wheel_texts(section, taps):
+        centred(pen, (at + x, y), text, size=SMALL, ha="left", va=va, over=True, **look)
+    name = at + middle_of(section), layout.places.axis - SET_NAME
+    centred(pen, name, layout.device_name(index), bold=True, va="top", **look)
+
+
+def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
+    """What joins two links."""
+    index, heights = layout.device(up), layout.places.heights
+    device, pen = ink.scheme.devices[index], ink.of_device(index)
+    middle = sum(heights[bar] for bar in up.bars) / 2
+    first = up.bars[0].link == next(iter(device.members.values()))
+    is_low = first == (heights[up.bars[0]] < heights[up.bars[1]])
+    side = layout.half(up) * (1 if is_low else -1)
+    closed = index in ink.state.engaged
+    ends = (at, middle - side), (at, middle + side)
+    look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
+    draw_coupled(pen, Coupled(*look))
+    name: Look = {"color": ink.text_color(index), "bold": closed, "ha": "left"}
+    centred(pen, (at + SIGN_NAME, middle), pair_name(device, layout.line_letters), **name)
+
+
+def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
+    """A brake, a support, a fixed member of a set, or a link that leaves through the housing."""
+    meaning, roof = layout.own.tops[up.index], layout.places.housing
+    ends, name_at = ((at, roof - BRAKE), (at, roof)), (at, roof + TOP_NAME)
+    if meaning.port:
+        port_arrow(ink, meaning.port, ends[0], (0.0, 1.0))
+        centred(ink.pen, name_at, top_name(layout, up), va="bottom")
+        return
+    if meaning.device < 0:
+        lines = [ends, *ground((at, roof), 1)]
+        ink.of_link("housing").lines(lines, color=ink.pen.style.ink, zorder=4.5)
+        return
+    index = meaning.device
+    device, pen = ink.scheme.devices[index], ink.of_device(index)
+    closed, is_back = index in ink.state.engaged, device.members.get("first") == HOUSING
+    look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
+    draw_coupled(pen, Coupled(*look, is_back))
+    name: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
+    centred(pen, name_at, top_name(layout, up), **name)

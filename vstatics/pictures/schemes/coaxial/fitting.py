@@ -1,0 +1,108 @@
+"""Places of a half-section in a width: lines close up, letters stay."""
+
+from __future__ import annotations
+
+import math
+
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.layout import framed
+from vstatics.pictures.schemes.coaxial.places import Needs, SectionPlaces, heights_of, placed_along
+from vstatics.pictures.schemes.coaxial.rooms import extent, met_by, rooms_of
+from vstatics.pictures.schemes.coaxial.search.sweep import swept
+from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
+from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
+from vstatics.pictures.schemes.sets import planet_strokes
+
+LEAST_HALF = 24.0
+"""Half the height of the row of planets, at least. [pt]"""
+FEW_LETTERS = 5
+"""In a narrow picture longer names are broken at blanks."""
+FITS, SLOW_FITS = 16, 5
+"""Times that lines are closed up, at most; after so many by more each time."""
+LEAST_STEP = 1.01
+"""What they close up by, at least."""
+CLOSEST = 1.6
+"""Lengths are shorter by so much, at most, where something can stand in another row."""
+ROUNDED = 0.1
+"""Of widths. [pt]"""
+
+
+def laid_out(
+    own: CoaxialScheme,
+    wide: float = math.inf,
+    *,
+    is_small: bool = False,
+    is_quick: bool = False,
+    is_ordered: bool = False,
+) -> CoaxialLayout:
+    """Where everything stands.
+
+    Parameters
+    ----------
+    wide : float
+        For which lines close up, and letters do not. [pt]
+    is_small : bool
+        Links have no names but those at the ends of the axis.
+    is_quick : bool
+        It is one of many.
+    is_ordered : bool
+        Sets stand in the order of the case, if a way is found soon.
+    """
+    found = swept(own.train, is_ordered=is_ordered, is_quick=is_quick)
+    tried: list[CoaxialLayout] = []
+    for line_letters in (DEVICE_NAME_LETTERS, FEW_LETTERS):
+        bare = CoaxialLayout(
+            own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered
+        )
+        tried.append(_closed_up(bare._replace(is_small=is_small, line_letters=line_letters), wide))
+        if is_within(tried[-1], wide):
+            break
+    return tried[-1]
+
+
+def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
+    """With lines as close as a width asks for."""
+    letters = 1.0
+    for tried in range(FITS):
+        layout = _placed(bare._replace(letters=letters))
+        if is_within(layout, wide):
+            break
+        low, high = extent(layout)
+        lack = (high[0] - low[0]) / (wide * letters)
+        letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster where names fill it
+    return layout
+
+
+def is_within(layout: CoaxialLayout, wide: float) -> bool:
+    """Whether a half-section is no wider than it may be [pt]."""
+    low, high = extent(layout)
+    return high[0] - low[0] <= wide * layout.letters + ROUNDED
+
+
+def fits(layout: CoaxialLayout, wide: float) -> bool:
+    """Whether a half-section can be read in a width [pt]: lines have not closed up too far."""
+    return is_within(layout, wide) and layout.letters <= CLOSEST
+
+
+def _placed(bare: CoaxialLayout) -> CoaxialLayout:
+    """With places, for letters of a size."""
+    own, frame = bare.own, bare.places.frame
+    scheme = own.scheme
+    at_ends = {own.train.start, own.train.end} | {port.link for port in scheme.ports}
+    links = [] if bare.is_small else scheme.links
+    own_names = [bare.link_name(n) for n in range(1, len(links) + 1)]
+    named = {n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in at_ends}
+    lines = max((own_names[n - 1].count("\n") + 1 for n in named), default=1)
+    tops = [
+        abs(y)
+        for section in own.sections.values()
+        for stroke in planet_strokes(section)
+        for _, y in stroke.points
+    ]
+    half = max([LEAST_HALF, *(y + 8 for y in tops)])
+    needs = Needs(half, frozenset(range(len(own.pairs))), named, bare.letters * (1 + lines) / 2)
+    layout = bare._replace(places=heights_of(frame, needs))
+    rooms = [list(rooms_of(layout, up)) for up in frame.uprights]
+    offsets = {place: met_by(layout, up) for place, up in enumerate(frame.uprights)}
+    placed_along(layout.places, rooms, offsets, needs)
+    return layout

@@ -1,0 +1,73 @@
+"""A half-section with its places: what stands there, what it is called, how large letters are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.layout import Upright
+from vstatics.pictures.schemes.coaxial.places import SectionPlaces
+from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
+from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
+from vstatics.pictures.schemes.sets import HalfSection
+from vstatics.pictures.schemes.signs import half_of
+from vstatics.pictures.sheet.labels import height, width
+
+
+class CoaxialLayout(NamedTuple):
+    """A half-section with its places."""
+
+    own: CoaxialScheme
+    places: SectionPlaces
+    is_ordered: bool
+    """False if sets should stand in their order, but do not."""
+    is_small: bool = False
+    """Whether links have no names but those at the ends of the axis."""
+    letters: float = 1.0
+    """Size of letters over lengths, where lines are drawn smaller and letters are not."""
+    line_letters: int = DEVICE_NAME_LETTERS
+    """Longer names are broken at blanks."""
+
+    def width(self, text: str, *, bold: bool = False) -> float:
+        """Of a text, as lengths are here [pt]."""
+        return self.letters * width(text, bold=bold)
+
+    def height(self, text: str) -> float:
+        """Of a text, as lengths are here [pt]."""
+        return self.letters * height(text)
+
+    def device_name(self, index: int) -> str:
+        """In lines."""
+        return lines_of(self.own.scheme.devices[index].name, self.line_letters)
+
+    def link_name(self, link: int) -> str:
+        """In lines, where it stands on a bar."""
+        is_narrow = self.line_letters < DEVICE_NAME_LETTERS
+        return lines_of(self.name(link), self.line_letters) if is_narrow else self.name(link)
+
+    @property
+    def uprights(self) -> list[Upright]:
+        """From left to right."""
+        return self.places.frame.uprights
+
+    def section(self, up: Upright) -> HalfSection:
+        """A set as it stands there."""
+        section = self.own.sections[self.own.sets[up.index]]
+        columns = list(section.columns)
+        return replace(section, columns=columns[::-1] if up.is_turned else columns)
+
+    def device(self, up: Upright) -> int:
+        """The place of a device in the scheme; -1 for what is none."""
+        if up.kind == "set":
+            return self.own.sets[up.index]
+        if up.kind == "pair":
+            return self.own.pairs[up.index]
+        return self.own.tops[up.index].device if up.kind == "top" else -1
+
+    def name(self, link: int) -> str:
+        """Of a link, or of the housing."""
+        return "housing" if self.own.is_housing(link) else self.own.scheme.name(link)
+
+    def half(self, up: Upright) -> float:
+        """Half the length of the sign of a coupling."""
+        return half_of(self.own.scheme.devices[self.device(up)].kind)

@@ -1,0 +1,160 @@
+"""What stands in a half-section needs this room of the paper; where it meets bars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
+from vstatics.pictures.schemes.coaxial.places import SignRoom
+from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, FACE, lines_of
+from vstatics.pictures.schemes.scheme import Device, ratio_text
+from vstatics.pictures.schemes.sets import HalfSection
+from vstatics.pictures.sheet.groups import grouped
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.style import WIDE_MARGIN
+
+PORT = 26.0
+"""Length of the arrow of a port. [pt]"""
+BRAKE = 20.0
+"""From the end of its link to the housing. [pt]"""
+PORT_NAME = 5.0
+"""From an arrow to the name of its link. [pt]"""
+SET_NAME = 10.0
+"""From the axis to the names of sets below it. [pt]"""
+NAME_GAP = 4.0
+"""From the end of a link to its name. [pt]"""
+
+
+def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
+    """Where an upright meets bars, from its place."""
+    if up.kind != "set":
+        return {bar: [0.0] for bar in up.bars}
+    section = layout.section(up)
+    pairs = [(bar, section.x(n)) for n, own in enumerate(up.wheels) for bar in own]
+    pairs += [(bar, 0.0) for bar in up.left] + [(bar, section.width) for bar in up.right]
+    return grouped((bar, x) for bar, x in pairs if bar is not None)
+
+
+def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
+    """What an upright needs of the paper."""
+    places, scheme = layout.places, layout.own.scheme
+    ys = [places.heights[bar] for bar in up.bars]
+    if up.kind in ("start", "end"):
+        yield SignRoom(-3, 3, min(places.axis, *ys) - 3, max(ys) + 3)
+    elif up.kind == "wall":
+        yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
+    elif up.kind == "pair":
+        name = pair_name(scheme.devices[layout.device(up)], layout.line_letters)
+        yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
+        middle, high = sum(ys) / 2, layout.height(name) / 2
+        yield SignRoom(-9, 9, middle - 8, middle + 8)
+        yield SignRoom(9, 14 + layout.width(name, bold=True), middle - high, middle + high)
+    elif up.kind == "top":
+        yield SignRoom(-3, 3, min(ys) - 3, places.housing)
+        yield SignRoom(-11, 10, places.housing - BRAKE, places.housing + 6)
+        name = top_name(layout, up)
+        if name:
+            half = layout.width(name, bold=True) / 2  # as it is where it is engaged
+            yield SignRoom(
+                -half, half, places.housing + 7, places.housing + 7 + layout.height(name)
+            )
+    else:
+        yield from _of_set(layout, up)
+
+
+def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
+    """Members of a set that nothing else joins: their names stand beside their ends."""
+    if layout.is_small or up.kind != "set":
+        return
+    section, train = layout.section(up), layout.own.train
+    carrier = train.sets[up.index].carrier
+    ends = [(carrier, section.width if len(section.levels) > 1 else _pin_end(section), 0.0)]
+    ends = [] if any((*up.left, *up.right)) else ends
+    for number, own in enumerate(up.wheels):
+        for bar in own:
+            if bar is not None and bar.first == bar.last:
+                ends.append((bar.link, section.x(number), layout.places.heights[bar]))
+    at_ends = {train.start, train.end} | {port.link for port in layout.own.scheme.ports}
+    for link, x, y in ends:
+        others = [one for one in layout.uprights if one is not up]
+        elsewhere = any(bar.link == link for one in others for bar in one.all_bars)
+        if link not in at_ends and not layout.own.is_housing(link) and not elsewhere:
+            yield link, x, y
+
+
+def _pin_end(section: HalfSection) -> float:
+    return section.x(len(section.columns) - 1) + FACE
+
+
+def pair_name(device: Device, letters: int = DEVICE_NAME_LETTERS) -> str:
+    """Of what joins two links; with its ratio, where it has one and wheels that are not known."""
+    name = lines_of(device.name, letters)
+    is_bare = device.kind == "mechanism"
+    return f"{name}\n{ratio_text(device.ratio)}" if is_bare else name
+
+
+def top_name(layout: CoaxialLayout, up: Upright) -> str:
+    """Of what stands at the housing; none of a support."""
+    meaning, scheme = layout.own.tops[up.index], layout.own.scheme
+    if meaning.port:
+        return scheme.name(meaning.port.link)
+    if meaning.device < 0 or scheme.devices[meaning.device].kind == "held":
+        return ""
+    return layout.device_name(meaning.device)
+
+
+def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
+    places, section = layout.places, layout.section(up)
+    is_left = any(up.left)
+    is_right = any(up.right) or (not is_left and len(section.levels) > 1)
+    last = len(section.columns) - 1
+    left = -3.0 if is_left else section.x(0) - FACE - 3
+    right = section.width + 3 if is_right else section.x(last) + max(FACE + 3, section.beside(last))
+    yield SignRoom(left, right, -places.half, places.half)
+    for link, x, y in loose_names(layout, up):
+        name = layout.name(link)
+        yield SignRoom(x, x + NAME_GAP + layout.width(name), y - 5, y + 5)
+    for x, own in ((0.0, up.left), (section.width, up.right)):
+        for bar in own:
+            if bar is not None:
+                y = places.heights[bar]
+                yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
+    for number, own in enumerate(up.wheels):
+        for bar in own:
+            if bar is not None:
+                y, x = places.heights[bar], section.x(number)
+                yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
+    name = layout.device_name(layout.device(up))
+    middle, half = middle_of(section), layout.width(name, bold=True) / 2
+    low = places.axis - SET_NAME - layout.height(name)
+    yield SignRoom(middle - half, middle + half, low, places.axis - SET_NAME + 2)
+
+
+def middle_of(section: HalfSection) -> float:
+    """Of the planes of a set, from its left end [pt]."""
+    return (section.x(0) + section.x(len(section.columns) - 1)) / 2
+
+
+def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
+    """The lower left and the upper right corner, with room for all but the head."""
+    left, right = ends_of(layout)
+    places, train = layout.places, layout.own.train
+    before, behind = (
+        (PORT + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
+        for link in (train.start, train.end)
+    )
+    rooms = [room for up in layout.uprights for room in rooms_of(layout, up)]
+    low = min(places.axis - 8, *(room.low for room in rooms)) - 3
+    high = max(room.high for room in rooms) + 4
+    return (left - before, low), (right + behind, high)
+
+
+def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
+    """Left and right end of a half-section, without ports."""
+    xs = [
+        (at + room.left, at + room.right)
+        for up, at in zip(layout.uprights, layout.places.at, strict=True)
+        for room in rooms_of(layout, up)
+    ]
+    return min(left for left, _ in xs), max(right for _, right in xs)

@@ -1,0 +1,115 @@
+"""The next thing to the right in a half-section: a coupling, a wall of a link, a set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.search.set_moves import SetMoves
+from vstatics.pictures.schemes.coaxial.search.state import (
+    CROSSING,
+    FOLD,
+    PAIR,
+    TOP,
+    WALL,
+    Bars,
+    Move,
+    SectionState,
+    SweepStep,
+    fresh,
+    links_of,
+)
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
+
+
+class Moves(NamedTuple):
+    """All next steps of a train."""
+
+    train: CoaxialTrain
+    crosses: bool = False
+    """Whether steps may cross bars."""
+    is_ordered: bool = False
+    """Whether sets stand as they are given."""
+
+    def after(self, state: SectionState) -> Iterator[Move]:
+        """All of a state."""
+        yield from self._tops(state)
+        yield from self._pairs(state)
+        yield from self._walls(state)
+        yield from SetMoves(*self).after(state)
+
+    def _tops(self, state: SectionState) -> Iterator[Move]:
+        """Links that begin at the housing; those that end there come by themselves."""
+        below, above, done = state
+        bars = below + above
+        for index, (link, bit) in enumerate(zip(self.train.tops, self.train.top_bits, strict=True)):
+            if done & bit:
+                continue
+            ways: list[tuple[Bars, Bars, int]] = []
+            if link not in links_of(bars):
+                ways.append((below, (*above, 8 * link), 0))
+                ways += [((*below, 8 * link), above, 0)] * (not above)
+            elif self.crosses:
+                last = max(place for place, bar in enumerate(bars) if bar >> 3 == link)
+                over = sum(bar >> 3 != link for bar in bars[last + 1 :])
+                ways.append((below, above, CROSSING * over))
+            for low, high, cost in ways:
+                step = SweepStep("top", index, [(low, high)])
+                yield Move(SectionState(low, high, done | bit), TOP, cost, step)
+
+    def _pairs(self, state: SectionState) -> Iterator[Move]:
+        """Couplings of which one link begins, or begins anew, beside the other."""
+        below, above, done = state
+        bars = below + above
+        alive = links_of(bars)
+        for index, (pair, bit) in enumerate(
+            zip(self.train.pairs, self.train.pair_bits, strict=True)
+        ):
+            if done & bit:
+                continue
+            ways: list[tuple[Bars, Bars, int]] = []
+            for one, other in (pair, pair[::-1]):
+                part = fresh(other, bars)
+                if one in alive and part is not None:
+                    again = FOLD * (other in alive)
+                    for low, high, cost in _beside(below, above, one, part, wraps=not again):
+                        ways.append((low, high, cost + again))
+            if self.crosses and alive.issuperset(pair):
+                first, second = ([n for n, b in enumerate(bars) if b >> 3 == x] for x in pair)
+                over = min(abs(a - b) - 1 for a in first for b in second)
+                ways.append((below, above, CROSSING * max(over, 0)))
+            for low, high, cost in ways:
+                step = SweepStep("pair", index, [(low, high)])
+                yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
+
+    def _walls(self, state: SectionState) -> Iterator[Move]:
+        """Links that pass the row of planets."""
+        below, above, done = state
+        bars = below + above
+        ways = []
+        if below and bars.count(below[-1]) == 1:
+            ways.append((below, (below[-1], *above), below[-1], len(below) - 1))
+        if above and bars.count(above[0]) == 1:
+            ways.append(((*below, above[0]), above, above[0], len(below)))
+        for low, high, bar, place in ways:
+            step = SweepStep("wall", bar >> 3, [(low, high)], place)
+            yield Move(SectionState(low, high, done), WALL, FOLD, step)
+
+
+def _beside(
+    below: Bars, above: Bars, link: int, part: int, *, wraps: bool
+) -> Iterator[tuple[Bars, Bars, int]]:
+    """All places of a new bar next to those of a link, or between two bars of it."""
+    for row, is_low in ((below, True), (above, False)):
+        for at, bar in enumerate(row):
+            if bar >> 3 != link:
+                continue
+            ways = [((*row[:at], part, *row[at:]), 0), ((*row[: at + 1], part, *row[at + 1 :]), 0)]
+            if wraps:
+                ways.append(((*row[:at], bar, part, bar, *row[at + 1 :]), FOLD))
+            for changed, cost in ways:
+                yield (changed, above, cost) if is_low else (below, changed, cost)
+            if is_low and at == len(row) - 1:
+                yield below, (part, *above), 0
+            if not is_low and not at:
+                yield (*below, part), above, 0
