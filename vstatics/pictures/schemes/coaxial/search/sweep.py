@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from heapq import heappop, heappush
-from itertools import count, pairwise
+from itertools import count, pairwise, product
 from typing import NamedTuple
 
+from vstatics.errors import CaseError
 from vstatics.pictures.schemes.coaxial.search.moves import Moves
 from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -28,8 +29,8 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)
 QUICK_TRIES = (5.0, 400), (10.0, 2500), (3.0, 2500)
 """How much what the rest will cost at least is weighted, and how many states are gone on from."""
-LAST = 40.0, 200_000
-"""With crossings, where nothing else led to an end."""
+LAST = (100.0, 3000), (1000.0, 200_000)
+"""With crossings, where nothing else led to an end, or where this is one of many."""
 MOST_FURTHER = 2
 """Bars at one place beyond one of each link."""
 BARS_OF_REST = 2
@@ -55,6 +56,11 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = Fal
     is_quick : bool
         It is one of many.
 
+    Raises
+    ------
+    CaseError
+        If none are found with so many states as are tried.
+
     Examples
     --------
     >>> from vstatics.pictures.schemes.coaxial.train import Planes
@@ -64,16 +70,16 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = Fal
     """
     tries = QUICK_TRIES if is_quick else TRIES
     orders = [True, False] if is_ordered else [False]
-    for crosses in [False, True] if train.is_planar else [True]:
-        for ordered in orders:
-            for weight, most in tries:
-                steps = _SweepSearch(Moves(train, crosses, ordered), weight).steps(most)
-                if steps is not None:
-                    return Swept(steps, ordered or not is_ordered)
-    steps = _SweepSearch(Moves(train, crosses=True), LAST[0]).steps(LAST[1])
-    if steps is not None:
-        return Swept(steps, not is_ordered)
-    raise AssertionError(train)
+    ways = [False] * train.is_planar + [True] * (not is_quick)
+    for crosses, ordered, (weight, most) in product(ways, orders, tries):
+        steps = _SweepSearch(Moves(train, crosses, ordered), weight).steps(most)
+        if steps is not None:
+            return Swept(steps, ordered or not is_ordered)
+    for weight, most in LAST:
+        steps = _SweepSearch(Moves(train, crosses=True), weight).steps(most)
+        if steps is not None:
+            return Swept(steps, not is_ordered)
+    raise CaseError("E435", "no arrangement of this stick diagram was found; `structure` draws it")
 
 
 class _SweepSearch(NamedTuple):
