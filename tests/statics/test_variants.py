@@ -667,6 +667,7 @@ OTHER: dict[type, dict[str, object]] = {
         "allow": ("W201",),
         "inertias": {1: 0.5},
         "masses": {2: 300.0},
+        "cylinders": 6,
         "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
         "vehicle": Vehicle(1000.0, 0.3),
         "converters": (Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0))),),

@@ -213,6 +213,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
         {
             *("name", "description", "source", "link_names", "load", "allow"),
             *("drawing", "_lowered", "inertias", "masses", "dump", "vehicle", "fatigue"),
+            "cylinders",
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),
