@@ -8,7 +8,8 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.documented_pictures import ROOT, DocumentedPicture, documented
+from tests.commands import ROOT
+from tests.documented_pictures import DocumentedPicture, documented
 from vstatics.pictures import PICTURES
 
 PICTURES_THERE = list(documented())
