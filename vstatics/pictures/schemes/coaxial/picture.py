@@ -41,8 +41,6 @@ class CoaxialSheet(NamedTuple):
         if count:
             english = f"{count} crossing{'s' * (count > 1)}"
             found.append(style.text(english, f"пересечений: {count}"))
-            if self.layout.own.train.is_planar:  # no way without was found in the time there is
-                found.append(style.text("none is needed", "нужных нет"))
         if not self.layout.own.train.end:
             found.append(style.text("output through the housing", "выход через корпус"))
         if not self.layout.is_ordered:
