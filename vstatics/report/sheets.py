@@ -14,7 +14,7 @@ MOST_SHEETS = 10
 """Of paper, for a case."""
 STICK_ROOM = 1.7
 """Of small stick diagrams. [sheets]"""
-FLOW_SHEETS = 6
+FLOW_SHEETS = 5
 """Of power flow where a case has nothing else; each of the next takes some."""
 LESS_BESIDE = 2
 """Sheets that a run takes from those of power flow, and vibration, too."""
