@@ -139,7 +139,8 @@ def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path
     text = (tmp_path / "a.json").read_text(encoding="utf-8")
     (tmp_path / "b.json").write_text(text.replace("[null, 3.5]", "[null, 3]"), encoding="utf-8")
     status, out, _ = process("compare", "a.json", "b.json", cwd=tmp_path, PYTHONIOENCODING=encoding)
-    assert (status, out.decode().splitlines()[-1].split(":")[0]) == (1, "ratio, gear низшая")
+    assert status == 1
+    assert any(one.split()[:2] == ["ratio", "низшая"] for one in out.decode().splitlines())
 
 
 def test_a_name_of_a_file_may_be_any_bytes(tmp_path: Path) -> None:

@@ -84,7 +84,7 @@ def report(
     Examples:
       vstatics report gearbox.yaml -o gearbox.html
       vstatics report upshift.yaml -o upshift.html
-      vstatics report gearbox.yaml --sections overview,gears,flow --gears 1,R -o first.html
+      vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 

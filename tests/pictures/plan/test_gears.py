@@ -54,6 +54,12 @@ def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[st
     return told_panels(pages(results, "plan", "svg", Style(height=PAGE_HEIGHT)))
 
 
+def pages_of(picture: Path) -> list[bytes]:
+    """A file and its further pages, in their order."""
+    further = sorted(picture.parent.glob(f"{picture.stem}-*.svg"), key=lambda one: len(one.name))
+    return [one.read_bytes() for one in (picture, *further)]
+
+
 def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
     """The same of some pages."""
     roots = [ET.fromstring(one) for one in made]  # noqa: S314 - our own
@@ -174,7 +180,7 @@ def test_a_run_has_the_panels_whose_elements_stick_for_a_while(name: str, tmp_pa
     assert 0 < len(gone_through) <= len(found)
     picture = tmp_path / "run.svg"
     assert vstatics("plot", scenario, "-k", "plan", "-o", picture).status == 0
-    assert [engaged for _, engaged in told_panels([picture.read_bytes()])[0]] == gone_through
+    assert [engaged for _, engaged in told_panels(pages_of(picture))[0]] == gone_through
 
 
 def test_a_run_on_no_plan_says_so() -> None:
