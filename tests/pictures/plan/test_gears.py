@@ -56,7 +56,9 @@ def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[st
 
 def pages_of(picture: Path) -> list[bytes]:
     """A file and its further pages, in their order."""
-    further = sorted(picture.parent.glob(f"{picture.stem}-*.svg"), key=lambda one: len(one.name))
+    further = sorted(
+        picture.parent.glob(f"{picture.stem}-*.svg"), key=lambda one: (len(one.name), one.name)
+    )
     return [one.read_bytes() for one in (picture, *further)]
 
 
