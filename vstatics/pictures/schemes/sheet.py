@@ -3,38 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from itertools import permutations
-from typing import Any, NamedTuple
+from typing import Any
 
-from vstatics.errors import CaseError
 from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, PlacedTap, Tap
 from vstatics.pictures.schemes.glyphs import lines_of
+from vstatics.pictures.schemes.ink import ARROW, FURTHER, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.placing import Placement
-from vstatics.pictures.schemes.scheme import (
-    Device,
-    Scheme,
-    SchemePort,
-    SchemeState,
-    scheme_state,
-)
+from vstatics.pictures.schemes.scheme import Device, Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.signs import (
     PACK,
     Coupled,
     draw_coupled,
 )
-from vstatics.pictures.schemes.titles import Titles, titles_of
+from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.schemes.wires import wire_lines
-from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.labels import Point, widest, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN, Style
-from vstatics.pictures.sheet.words import fault, gear_title, title
-from vstatics.statics.results import Results
+from vstatics.pictures.sheet.style import SIZE, WIDE_MARGIN
 
-TERMINAL = 30.0
-"""Length of an arrow at an end of the picture. [pt]"""
 HEIGHT = 1.3 * SIZE
 """Of a line of text. [pt]"""
 BAND = 26.0
@@ -44,88 +34,23 @@ BRAKE_NAME_GAP = 14.0
 AXIS = 6.0
 """From the last track below to the axis. [pt]"""
 
-FURTHER = (0, (1.5, 1.5))
-"""Dashes of a wire that goes on in another row."""
-
 DrawDevice = Callable[["Sheet", int], None]
 """Draws a mechanism or an element by its index."""
 
 
-class Sheet(NamedTuple):
+@dataclass(frozen=True)
+class Sheet(SchemeInk):
     """A figure with a scheme at its place, in a state."""
 
-    pen: Pen
     placement: Placement
-    scheme: Scheme
-    state: SchemeState
-    titles: Titles
-
-    def color(self, index: int) -> str:
-        """Of a device."""
-        style = self.pen.style
-        if index in self.state.engaged:
-            return style.engaged
-        return style.faint if index in self.state.idle else style.ink
-
-    def text_color(self, index: int) -> str:
-        """Of the name of a device."""
-        return self.pen.style.soft if index in self.state.idle else self.color(index)
-
-    def rod_color(self, index: int) -> str:
-        """Of what leads to a shift element, a spring or a support."""
-        loaded = self.state.loaded
-        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
-
-    def name_color(self, link: int) -> str:
-        """Of the name of a link."""
-        style = self.pen.style
-        return style.soft if link in self.state.idle_links else style.ink
 
     def text(self, at: Point, text: str, **look: Any) -> None:
         """Text over any line, by its middle."""
-        centred: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
-        self.pen.text(*at, text, **centred | look)
+        centred(self.pen, at, text, **look)
 
     def taps(self, index: int) -> list[PlacedTap]:
         """Where wires meet a device."""
         return [tap for tap in self.placement.row.taps if tap.item == index]
-
-
-class SchemeTold(NamedTuple):
-    """What a picture of a scheme says besides the scheme."""
-
-    state: SchemeState
-    titles: Titles
-    name: str
-    """Of the picture."""
-    note: str = ""
-
-
-def told_of(  # noqa: PLR0913 - what is drawn, and how
-    results: Results,
-    scheme: Scheme,
-    style: Style,
-    gears: Sequence[int],
-    *,
-    subject: str,
-    note: str = "",
-) -> SchemeTold:
-    """What is said of no gear, or of one by its number from 1.
-
-    Raises
-    ------
-    CaseError
-        If there are several gears.
-    """
-    if len(gears) > 1:
-        raise CaseError("E410", "the picture of a scheme shows one gear at a time")
-    state, texts, own, gear = SchemeState(), [subject], None, None
-    for gear in gears:
-        own = state_of(results, gear)
-        state = scheme_state(scheme, own)
-        texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
-    titles = titles_of(results, scheme, style, gear, own)
-    return SchemeTold(state, titles, title(results.case, ", ".join(texts)), note)
 
 
 def wired(  # noqa: PLR0913 - what is drawn, and how
@@ -139,7 +64,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
 ) -> None:
     """All of a scheme at a place of a figure."""
     pen = within.fitted(*extent(scheme, placement))
-    sheet = Sheet(pen, placement, scheme, state, titles)
+    sheet = Sheet(pen, scheme, state, titles, placement)
     _wires(sheet)
     _ends(sheet)
     for index, device in enumerate(scheme.devices):
@@ -149,7 +74,7 @@ def wired(  # noqa: PLR0913 - what is drawn, and how
 def extent(scheme: Scheme, placement: Placement) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a picture with room for all but its head."""
     before, behind = (
-        TERMINAL + 4 + widest(map(scheme.name, wires)) + WIDE_MARGIN
+        ARROW + 4 + widest(map(scheme.name, wires)) + WIDE_MARGIN
         for wires in (placement.from_left, placement.to_right)
     )
     sides = {tap.side for tap in placement.row.taps if tap.reach == "edge"}
@@ -187,35 +112,19 @@ def _ends(sheet: Sheet) -> None:
             at = x, placement.y(placement.end_of(wire))
             _end(sheet, own, at, way)
             if wire not in named or any(port.is_further for port in own):
-                name = (at[0] + way * (TERMINAL + 4), at[1]), sheet.scheme.name(wire)
+                name = (at[0] + way * (ARROW + 4), at[1]), sheet.scheme.name(wire)
                 ha = "left" if way > 0 else "right"
                 sheet.text(*name, color=sheet.name_color(wire), ha=ha)
             named.add(wire)
 
 
-def _end_color(sheet: Sheet, ports: Sequence[SchemePort]) -> str:
-    """Of the line that leaves the picture; without a port no torque passes it in a gear."""
-    style, state = sheet.pen.style, sheet.state
-    is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
-    return style.ink if is_used else style.faint
-
-
 def _end(sheet: Sheet, ports: Sequence[SchemePort], at: Point, way: int) -> None:
     """The line that leaves the picture, with its arrow: where power goes, as far as is known."""
-    pen, (x, y) = sheet.pen, at
-    color, end = _end_color(sheet, ports), x + way * TERMINAL
+    color, (x, y) = sheet.end_color(ports), at
     if any(port.is_further for port in ports):
-        pen.line((x, y), (end, y), color=color, zorder=3, linestyle=FURTHER)
-        return
-    pen.line((x, y), (end, y), color=color, zorder=3)
-    ways = {sheet.state.leaving[port] for port in ports if port in sheet.state.leaving}
-    if ports and not ways:  # input and output as they are meant, others may take and give
-        is_given = all(port.role == "given" for port in ports)
-        ways = {True, False} if is_given else {way > 0}
-    for leaves in ways:
-        tip, back = (end, -9 * way) if leaves else (x + 5 * way, 9 * way)
-        head = (tip, y), (tip + back, y + 3.5), (tip + back, y - 3.5)
-        pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
+        sheet.pen.line(at, (x + way * ARROW, y), color=color, zorder=3, linestyle=FURTHER)
+    else:
+        draw_arrow(sheet.pen, at, (way, 0.0), sheet.ways(ports), color)
 
 
 def coupling_item(index: int, device: Device) -> Item:
@@ -251,7 +160,7 @@ def _draw_coupling(sheet: Sheet, index: int) -> None:
         ends = (one.x, 0.0), (other.x, 0.0)
         at = (one.x + other.x) / 2, -13
         look["va"] = "top"
-    rod, said = sheet.rod_color(index), sheet.titles.devices.get(index, "")
+    rod, said = sheet.rod_color(index), sheet.said(index)
     drawn = device.kind, *ends, sheet.color(index), closed, rod, side, said, first == HOUSING
     draw_coupled(sheet.pen, Coupled(*drawn))
     if device.kind != "held":

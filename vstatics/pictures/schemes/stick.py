@@ -26,8 +26,8 @@ from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 from vstatics.pictures.schemes.sets import HalfSection, section_of
-from vstatics.pictures.schemes.sheet import told_of
 from vstatics.pictures.schemes.titles import teeth_of
+from vstatics.pictures.schemes.told import told_of
 from vstatics.pictures.sheet.style import Style
 from vstatics.pictures.sheet.words import word
 from vstatics.statics.results import Results

@@ -15,21 +15,14 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures.schemes.board import Board
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Item, Reach, Tap
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching, lines_of
+from vstatics.pictures.schemes.ink import FURTHER
 from vstatics.pictures.schemes.placing import Placement, placed
 from vstatics.pictures.schemes.rows import SchemeRow, rows_of
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text, scheme_of
 from vstatics.pictures.schemes.search import arranged
-from vstatics.pictures.schemes.sheet import (
-    FURTHER,
-    HEIGHT,
-    SchemeTold,
-    Sheet,
-    coupling_item,
-    extent,
-    told_of,
-    wired,
-)
+from vstatics.pictures.schemes.sheet import HEIGHT, Sheet, coupling_item, extent, wired
 from vstatics.pictures.schemes.signs import meanings
+from vstatics.pictures.schemes.told import SchemeTold, told_of
 from vstatics.pictures.sheet.head import SheetHead, sheet_head
 from vstatics.pictures.sheet.labels import Point, Segment, title_width, width
 from vstatics.pictures.sheet.line_styles import Look
@@ -182,7 +175,7 @@ def member_text(device: Device, member: str, style: Style) -> str:
 
 def draw_box(sheet: Sheet, index: int) -> None:
     """A mechanism with its name, a note and its members; hatched if it turns as one piece."""
-    device, said = sheet.scheme.devices[index], sheet.titles.devices.get(index, "")
+    device, said = sheet.scheme.devices[index], sheet.said(index)
     pen, color, style = sheet.pen, sheet.color(index), sheet.pen.style
     left = sheet.placement.row.lefts[index]
     right = left + sheet.placement.row.widths[index]

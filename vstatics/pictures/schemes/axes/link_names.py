@@ -7,11 +7,10 @@ from itertools import pairwise
 
 from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
+from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.sheet.labels import Point
 
-ARROW = 16.0
-"""Length of the arrow at the end of a link. [pt]"""
 NAME_GAP = 3.0
 """From an end to its name. [pt]"""
 

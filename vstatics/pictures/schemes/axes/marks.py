@@ -74,7 +74,7 @@ def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
     xs = {index: _ends(sheet, index) for index in station.devices}
     (start,) = {own[common] for own in xs.values() if common in own}
     last = max(x for own in xs.values() for x in own.values())
-    pen = sheet.pen.within("link", name=sheet.scheme.name(common), axis=str(axis + 1))
+    pen = sheet.of_link(sheet.scheme.name(common), axis + 1)
     loaded = sheet.state.loaded
     is_used = loaded is None or any(common in loaded[index] for index in station.devices)
     color = sheet.pen.style.ink if is_used else sheet.pen.style.faint

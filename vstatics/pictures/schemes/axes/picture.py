@@ -7,7 +7,6 @@ from itertools import product
 
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError
 from vstatics.pictures.schemes.axes.board import AxesBoard
 from vstatics.pictures.schemes.axes.labels import device_labels
 from vstatics.pictures.schemes.axes.link_names import fixed_names
@@ -24,14 +23,12 @@ from vstatics.pictures.schemes.axes.sheet import (
 )
 from vstatics.pictures.schemes.axes.stations import stations_of
 from vstatics.pictures.schemes.axes.wheels import draw_pair
-from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_state
+from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import meanings
-from vstatics.pictures.schemes.titles import titles_of
-from vstatics.pictures.sheet.gear_state import state_of
+from vstatics.pictures.schemes.told import told_of
 from vstatics.pictures.sheet.head import sheet_head
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
-from vstatics.pictures.sheet.words import fault, gear_title, title
 from vstatics.statics.results import Results
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
@@ -59,26 +56,16 @@ def figures(
     found = placed(scheme, axes, style)
     labels = device_labels(found, fixed_names(found, scheme))
     for gears in shown:
-        if len(gears) > 1:
-            raise CaseError("E410", "the picture of a scheme shows one gear at a time")
-        state, texts, own, gear = (
-            SchemeState(),
-            [style.text("stick diagram", "кинематическая схема")],
-            None,
-            None,
-        )
-        for gear in gears:
-            own = state_of(results, gear)
-            state = scheme_state(scheme, own)
-            texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
-        titles = titles_of(results, scheme, style, gear, own)
+        subject = style.text("stick diagram", "кинематическая схема")
+        told = told_of(results, scheme, style, gears, subject=subject)
         low, high = extent(found, scheme)
-        name = title(results.case, ", ".join(texts))
         size = style.width, (high[1] - low[1]) / found.letters
-        head = sheet_head(name, "", meanings(state, style), size[0] - 2 * WIDE_MARGIN, style)
+        head = sheet_head(
+            told.name, "", meanings(told.state, style), size[0] - 2 * WIDE_MARGIN, style
+        )
         pen = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
         pen = pen.fitted(low, high)._replace(letters=found.letters)
-        sheet = AxesSheet(pen, found, scheme, state, titles, labels)
+        sheet = AxesSheet(pen, scheme, told.state, told.titles, found, labels)
         draw_links(sheet)
         for number, station in enumerate(found.board.stations):
             (draw_pair if station.kind == "pair" else draw_station)(sheet, number)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.labels import DeviceLabel
-from vstatics.pictures.schemes.axes.link_names import ARROW, NAME_GAP, ends_of, free_names
+from vstatics.pictures.schemes.axes.link_names import NAME_GAP, ends_of, free_names
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import (
     LinkLines,
@@ -16,62 +17,32 @@ from vstatics.pictures.schemes.axes.wires import (
     crossings,
     link_lines,
 )
-from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
-from vstatics.pictures.schemes.titles import Titles
+from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_arrow
+from vstatics.pictures.schemes.scheme import SchemePort
 from vstatics.pictures.sheet.labels import Point, Segment
 from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen
+from vstatics.pictures.sheet.pen import LINE_WIDTH
 from vstatics.pictures.sheet.style import SMALL
 
-AXIS_DASHES = (0, (12, 3, 2, 3))
 DOT = 4.2
 """Where a link branches. [pt]"""
 BRIDGE = 3.0
 """Half the gap of a line where another one passes it. [pt]"""
 
 
-class AxesSheet(NamedTuple):
+@dataclass(frozen=True)
+class AxesSheet(SchemeInk):
     """A figure with everything at its place, in a state."""
 
-    pen: Pen
     found: AxesPlaces
-    scheme: Scheme
-    state: SchemeState
-    titles: Titles
     labels: Mapping[int, Sequence[DeviceLabel]]
     """Names of devices and teeth of their wheels at their places."""
-
-    def color(self, index: int) -> str:
-        """Of a device."""
-        style = self.pen.style
-        if index in self.state.engaged:
-            return style.engaged
-        return style.faint if index in self.state.idle else style.ink
-
-    def text_color(self, index: int) -> str:
-        """Of the name of a device."""
-        return self.pen.style.soft if index in self.state.idle else self.color(index)
 
     def line_color(self, index: int, link: int) -> str:
         """Of what leads from a link to a device."""
         loaded = self.state.loaded
         is_used = loaded is None or link in loaded[index]
         return self.pen.style.ink if is_used else self.pen.style.faint
-
-    def rod_color(self, index: int) -> str:
-        """Of what leads to a sign."""
-        loaded = self.state.loaded
-        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
-
-    def said(self, index: int) -> str:
-        """What a device says when a pointer rests on it."""
-        return self.titles.devices.get(index, "")
-
-    def of_device(self, index: int) -> AxesSheet:
-        """The same, what it draws in the group of a device."""
-        device = self.scheme.devices[index]
-        kind = "element" if device.is_shift_element else "mechanism"
-        return self._replace(pen=self.pen.within(kind, name=device.name))
 
     def name(self, index: int) -> None:
         """The name of a device, if it has one, and teeth of its wheels, if they are shown."""
@@ -82,8 +53,7 @@ class AxesSheet(NamedTuple):
 
     def text(self, at: Point, text: str, **look: Any) -> None:
         """Text over any line, by its middle."""
-        centred: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
-        self.pen.text(*at, text, **centred | {"over": True} | look)
+        centred(self.pen, at, text, **{"over": True} | look)
 
 
 def draw_links(sheet: AxesSheet) -> None:
@@ -104,7 +74,7 @@ def draw_links(sheet: AxesSheet) -> None:
 def _draw_link(sheet: AxesSheet, link: int, own: LinkLines) -> None:
     found, style = sheet.found, sheet.pen.style
     axis, span = found.axis_of(link), found.spans[link]
-    pen = sheet.pen.within("link", name=sheet.scheme.name(link), axis=str(axis + 1))
+    pen = sheet.of_link(sheet.scheme.name(link), axis + 1)
     title = sheet.titles.links.get(link, "")
     look: Look = {"solid_capstyle": "projecting", "zorder": 3}
     for line, is_used in pieces(sheet, link, own.level):
@@ -181,31 +151,15 @@ def draw_ends(sheet: AxesSheet) -> None:
             (span.right if way > 0 else span.left),
             sheet.found.y(sheet.found.axis_of(port.link), sheet.found.port_height(port.link)),
         )
-        is_port = port.role != "given"
-        pen = sheet.pen.within("port", port=port.role) if is_port else sheet.pen
-        _draw_port(sheet._replace(pen=pen), port, at, way)
+        _draw_port(sheet, port, at, way)
         named.add(port.link)
     for link, at, aligned in free_names(sheet.found, sheet.scheme, named):
-        style = sheet.pen.style
-        color = style.soft if link in sheet.state.idle_links else style.ink
-        sheet.text(at, sheet.scheme.name(link), ha=aligned, color=color)
+        sheet.text(at, sheet.scheme.name(link), ha=aligned, color=sheet.name_color(link))
 
 
 def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
     """The arrow goes where power goes, as far as is known."""
-    pen, (x, y), state = sheet.pen, at, sheet.state
-    color = pen.style.faint if port in state.idle_ports else pen.style.ink
-    end = x + way * ARROW
-    pen.line((x, y), (end, y), color=color, zorder=3)
-    ways = {state.leaving[port]} if port in state.leaving else {way > 0}
-    if port.role == "given" and port not in state.leaving:
-        ways = {True, False}
-    elif port.role == "output" and port not in state.leaving:
-        ways = {True}
-    for leaves in ways:
-        tip, back = (end, -8 * way) if leaves else (x + 5 * way, 8 * way)
-        head = (tip, y), (tip + back, y + 3.2), (tip + back, y - 3.2)
-        pen.area(*head, color=color, width=0.5, joinstyle="round", zorder=4)
-    name = sheet.scheme.name(port.link)
-    ink = pen.style.soft if port.link in state.idle_links else pen.style.ink
-    sheet.text((end + way * NAME_GAP, y), name, color=ink, ha="left" if way > 0 else "right")
+    pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
+    x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
+    look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}
+    sheet.text((x + way * NAME_GAP, y), sheet.scheme.name(port.link), **look)

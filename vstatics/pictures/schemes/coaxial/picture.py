@@ -10,14 +10,13 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state
 from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
 from vstatics.pictures.schemes.coaxial.drawn.devices import draw_devices
-from vstatics.pictures.schemes.coaxial.drawn.ink import AXIS_NAME, SchemeInk
 from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
 from vstatics.pictures.schemes.coaxial.drawn.links import draw_link_names, draw_links
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_ports
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.rooms import PORT, ends_of, extent
+from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
+from vstatics.pictures.schemes.ink import ARROW, AXIS_DASHES, FURTHER, SchemeInk
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
-from vstatics.pictures.schemes.sheet import FURTHER
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.head import sheet_head
@@ -25,8 +24,6 @@ from vstatics.pictures.sheet.labels import Point, title_width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
-
-AXIS_DASHES = (0, (12, 3, 2, 3))
 
 
 class CoaxialSheet(NamedTuple):
@@ -84,8 +81,8 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """All of it, over its axis."""
     (left, right), y = ends_of(layout), layout.places.axis
-    look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": AXIS_NAME}}
-    ends = (left - PORT, y), (right + PORT, y)
+    look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
+    ends = (left - ARROW, y), (right + ARROW, y)
     ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
     draw_links(ink, layout)
     draw_link_names(ink, layout)
@@ -123,7 +120,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
             draw_half_section(ink, sheet.layout)
         else:
             scheme = replace(ink.scheme, ports=row.chain.ports)
-            draw_chain(ink._replace(scheme=scheme), row.chain)
+            draw_chain(replace(ink, scheme=scheme), row.chain)
     return page
 
 

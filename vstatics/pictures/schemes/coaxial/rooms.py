@@ -8,14 +8,13 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
 from vstatics.pictures.schemes.coaxial.places import SignRoom
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, FACE, lines_of
+from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Device, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.sheet.groups import grouped
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.style import WIDE_MARGIN
 
-PORT = 26.0
-"""Length of the arrow of a port. [pt]"""
 BRAKE = 20.0
 """From the end of its link to the housing. [pt]"""
 PORT_NAME = 5.0
@@ -141,7 +140,7 @@ def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
     left, right = ends_of(layout)
     places, train = layout.places, layout.own.train
     before, behind = (
-        (PORT + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
+        (ARROW + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
         for link in (train.start, train.end)
     )
     rooms = [room for up in layout.uprights for room in rooms_of(layout, up)]

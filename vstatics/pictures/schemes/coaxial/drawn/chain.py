@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain
-from vstatics.pictures.schemes.coaxial.drawn.ink import SchemeInk, centred
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_end
-from vstatics.pictures.schemes.coaxial.rooms import PORT, PORT_NAME, pair_name
+from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, pair_name
 from vstatics.pictures.schemes.glyphs import lines_of
+from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled, half_of
 from vstatics.pictures.sheet.labels import Point, height, width
@@ -50,7 +50,7 @@ def chain_extent(scheme: Scheme, chain: CoaxialChain) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a row [pt]."""
     at = places_of(scheme, chain)
     sides = [
-        PORT + PORT_NAME + 1 + width(scheme.name(link)) + WIDE_MARGIN
+        ARROW + PORT_NAME + 1 + width(scheme.name(link)) + WIDE_MARGIN
         for link in (chain.links[0], chain.links[-1])
     ]
     last = max(width(_device_name(scheme, chain.devices[-1])), LEAST_PITCH) / 2
@@ -79,7 +79,7 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain) -> None:
         before = chain.links[: list(chain.devices).index(index) + 1]
         way = 1 if next(iter(device.members.values())) in before else -1
         colors = ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
-        pen = ink.of_device(index)
+        pen = ink.of_device(index).pen
         draw_coupled(pen, Coupled(device.kind, (x - way * by, 0.0), (x + way * by, 0.0), *colors))
         look: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
         centred(pen, (x, ABOVE_SIGN), _device_name(scheme, index), **look)

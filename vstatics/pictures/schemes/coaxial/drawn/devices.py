@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.coaxial.drawn.ink import SchemeInk, centred
 from vstatics.pictures.schemes.coaxial.drawn.ports import port_arrow
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
@@ -17,6 +16,7 @@ from vstatics.pictures.schemes.coaxial.rooms import (
     top_name,
 )
 from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
 from vstatics.pictures.sheet.labels import Point
@@ -42,7 +42,7 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     """Planets and the teeth of suns and rings, with their names."""
     index = layout.device(up)
     section, taps = layout.section(up), list(wheel_taps(layout.section(up)))
-    pen = ink.of_device(index)
+    pen = ink.of_device(index).pen
     looks: dict[float, list[Sequence[Point]]] = {}
     for stroke in planet_strokes(section):
         points = [(at + x, y) for x, y in stroke.points]
@@ -67,7 +67,7 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
 def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     """What joins two links."""
     index, heights = layout.device(up), layout.places.heights
-    device, pen = ink.scheme.devices[index], ink.of_device(index)
+    device, pen = ink.scheme.devices[index], ink.of_device(index).pen
     middle = sum(heights[bar] for bar in up.bars) / 2
     first = up.bars[0].link == next(iter(device.members.values()))
     is_low = first == (heights[up.bars[0]] < heights[up.bars[1]])
@@ -93,7 +93,7 @@ def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
         ink.of_link("housing").lines(lines, color=ink.pen.style.ink, zorder=4.5)
         return
     index = meaning.device
-    device, pen = ink.scheme.devices[index], ink.of_device(index)
+    device, pen = ink.scheme.devices[index], ink.of_device(index).pen
     closed, is_back = index in ink.state.engaged, device.members.get("first") == HOUSING
     look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
     draw_coupled(pen, Coupled(*look, is_back))

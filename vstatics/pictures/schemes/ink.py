@@ -1,0 +1,103 @@
+"""What schemes are drawn with: a pen, a scheme in a state, the colours of its parts, arrows."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Self
+
+from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
+from vstatics.pictures.schemes.titles import Titles
+from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import Pen
+
+AXIS_DASHES = (0, (12, 3, 2, 3))
+"""Of a line about which things turn."""
+FURTHER = (0, (1.5, 1.5))
+"""Dashes of a wire that goes on in another row."""
+ARROW = 26.0
+"""Length of an arrow at the end of a link. [pt]"""
+HEAD, HALF_HEAD = 9.0, 3.5
+"""Length and half the width of the head of an arrow. [pt]"""
+ENTERS = 4.0
+"""From the end of a link to the head of an arrow that points to it. [pt]"""
+
+
+@dataclass(frozen=True)
+class SchemeInk:
+    """A scheme on paper, in a state."""
+
+    pen: Pen
+    scheme: Scheme
+    state: SchemeState
+    titles: Titles
+
+    def color(self, index: int) -> str:
+        """Of a device."""
+        style = self.pen.style
+        if index in self.state.engaged:
+            return style.engaged
+        return style.faint if index in self.state.idle else style.ink
+
+    def text_color(self, index: int) -> str:
+        """Of the name of a device."""
+        return self.pen.style.soft if index in self.state.idle else self.color(index)
+
+    def rod_color(self, index: int) -> str:
+        """Of what leads to a shift element, a spring or a support."""
+        loaded = self.state.loaded
+        return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
+
+    def name_color(self, link: int) -> str:
+        """Of the name of a link."""
+        return self.pen.style.soft if link in self.state.idle_links else self.pen.style.ink
+
+    def end_color(self, ports: Sequence[SchemePort]) -> str:
+        """Of the line that leaves the picture; without a port no torque passes it in a gear."""
+        state, style = self.state, self.pen.style
+        is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
+        return style.ink if is_used else style.faint
+
+    def said(self, index: int) -> str:
+        """What a device says when a pointer rests on it."""
+        return self.titles.devices.get(index, "")
+
+    def of_link(self, name: str, axis: int = 1) -> Pen:
+        """What draws in the group of a link, or of the housing."""
+        return self.pen.within("link", name=name, axis=str(axis))
+
+    def of_device(self, index: int) -> Self:
+        """The same, what it draws in the group of a device."""
+        device = self.scheme.devices[index]
+        kind = "element" if device.is_shift_element else "mechanism"
+        return replace(self, pen=self.pen.within(kind, name=device.name))
+
+    def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
+        """Whether power leaves by ports or enters, as far as is known.
+
+        If it is not, input and output are as they are meant; others may take and give.
+        """
+        known = {self.state.leaving[port] for port in ports if port in self.state.leaving}
+        meant = {port.role == "output" for port in ports if port.role != "given"}
+        return known or meant or ({True, False} if ports else set())
+
+
+def centred(pen: Pen, at: Point, text: str, **look: Any) -> None:
+    """A text by its middle."""
+    usual: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
+    pen.text(*at, text, **usual | look)
+
+
+def draw_arrow(pen: Pen, at: Point, way: Point, ways: Collection[bool], color: str) -> Point:
+    """A line from the end of a link, with heads where power leaves or enters; its other end."""
+    (x, y), (dx, dy) = at, way
+    end = x + dx * ARROW, y + dy * ARROW
+    pen.line(at, end, color=color, zorder=3)
+    for leaves in ways:
+        tip = end if leaves else (x + ENTERS * dx, y + ENTERS * dy)
+        back = -HEAD if leaves else HEAD
+        base = tip[0] + back * dx, tip[1] + back * dy
+        sides = [(base[0] - half * dy, base[1] + half * dx) for half in (HALF_HEAD, -HALF_HEAD)]
+        pen.area(tip, *sides, color=color, width=0.5, joinstyle="round", zorder=4)
+    return end
