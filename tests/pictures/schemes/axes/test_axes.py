@@ -230,19 +230,29 @@ def test_many_boxes_made_by_chance_can_be_built(seed: int) -> None:
     test_boxes_made_by_chance_can_be_built(seed)
 
 
-def test_a_dog_that_carries_nothing_is_marked_and_pale_behind() -> None:
-    # dual-clutch-wheels, gear 1: d2 waits for gear 2, its wheel turns without load
-    results = vstatics.solve(load("dual-clutch-wheels"))
-    figure = picture(results, "stick", Style(), (1,))
+def colors_of(name: str, *kinds: str) -> dict[str, set[str]]:
+    """Of lines in the first gear, by the names of their groups."""
+    figure = picture(vstatics.solve(load(name)), "stick", Style(), (1,))
     colors: dict[str, set[str]] = {}
     for one in figure.findobj():
         gid = one.get_gid() or ""
         for group in json.loads(gid)["groups"] if gid.startswith("{") else ():
-            if group[0] in ("element", "wheel") and hasattr(one, "get_color"):
+            if group[0] in kinds and hasattr(one, "get_color"):
                 data = dict(group[1])
                 key = data.get("name") or f"{data['mechanism']} {data['link']}"
                 colors.setdefault(key, set()).add(str(one.get_color()))
-    style = Style()
+    return colors
+
+
+def test_what_leads_to_a_port_is_pale_only_where_it_takes_nothing() -> None:
+    # toyota-p410, hybrid: engine and both machines take or give power (`vstatics flow`)
+    colors = colors_of("toyota-p410", "link")
+    assert [colors[link] for link in ("engine", "MG1", "MG2")] == [{Style().ink}] * 3
+
+
+def test_a_dog_that_carries_nothing_is_marked_and_pale_behind() -> None:
+    # dual-clutch-wheels, gear 1: d2 waits for gear 2, its wheel turns without load
+    colors, style = colors_of("dual-clutch-wheels", "element", "wheel"), Style()
     assert style.engaged in colors["d1"]
     assert style.engaged in colors["d2"]
     assert style.engaged not in colors["d3"]

@@ -38,11 +38,17 @@ class AxesSheet(SchemeInk):
     labels: Mapping[int, Sequence[DeviceLabel]]
     """Names of devices and teeth of their wheels at their places."""
 
+    def is_used(self, index: int, link: int) -> bool:
+        """Whether torque passes from a link to a device, or leaves by a port, below 0."""
+        if self.state.loaded is None:
+            return True
+        if index < 0:
+            return link not in {port.link for port in self.state.idle_ports}
+        return link in self.state.loaded[index]
+
     def line_color(self, index: int, link: int) -> str:
-        """Of what leads from a link to a device."""
-        loaded = self.state.loaded
-        is_used = loaded is None or link in loaded[index]
-        return self.pen.style.ink if is_used else self.pen.style.faint
+        """Of what leads from a link to a device, or to a port."""
+        return self.pen.style.ink if self.is_used(index, link) else self.pen.style.faint
 
     def name(self, index: int) -> None:
         """The name of a device, if it has one, and teeth of its wheels, if they are shown."""
@@ -120,12 +126,11 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
     if sheet.state.loaded is None:
         yield line, True
         return
-    loaded, unused = sheet.state.loaded, {port.link for port in sheet.state.idle_ports}
     used = [
         one.x
         for one in sheet.found.contacts
         if one.link == link
-        and (link not in unused if one.device < 0 else link in loaded[one.device])
+        and sheet.is_used(one.device, link)
         and not (one.kind == "road" and link in sheet.state.idle_links)
     ]
     low, high = (min(used), max(used)) if used else (right, right)
