@@ -72,7 +72,7 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 	$(BIN)/pytest -q -n 0 tests/test_golden.py --regenerate
 
 messages: .venv/dev.stamp ## rewrite causes and cures in docs/messages.md
-	$(BIN)/python -m vstatics.messages.page docs/messages.md
+	$(BIN)/python -m tests.message_page docs/messages.md
 
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.cli.schemas schemas

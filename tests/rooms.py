@@ -21,7 +21,6 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     "start",
     "errors",
-    "messages",
     "extras",
     "numerics",
     "model",

@@ -51,7 +51,7 @@ COMMANDS = {
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),
-    "compare": ("vstatics.cli.compare.command", "Compare two results: what changed."),
+    "compare": ("vstatics.cli.compare", "Compare two results: what changed."),
 }
 """Module and summary of each command; a module is imported when its command is called."""
 

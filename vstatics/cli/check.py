@@ -181,7 +181,7 @@ def check(
 
 def _explained(asked: str, form: str) -> str:
     """What an id, or all of them, stand for."""
-    from vstatics.messages import explained, known_ids, text
+    from vstatics.writers.explained import explained, known_ids, text
 
     try:
         told = [explained(one) for one in (known_ids() if asked == "all" else [asked])]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from vstatics.errors import Problem
-from vstatics.messages import explained
+from vstatics.writers.explained import explained
 
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
 """Of GitHub by severity."""

@@ -8,11 +8,11 @@ from collections.abc import Callable
 
 import click
 
-from vstatics.cli.compare.pairs import verdicts_of_directories, verdicts_of_files
 from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command, refuse
+from vstatics.cli.frame.result_pairs import verdicts_of_directories, verdicts_of_files
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
 from vstatics.comparison.sweeps import sweep_differences

@@ -1,7 +1,7 @@
 """What is behind each id of a message: its cause, its cure, and a case that shows it.
 
 `causes.txt` has a line for each id, the folder `examples` a case for each that a case alone can
-show. The page docs/messages.md is made of both: ``python -m vstatics.messages.page FILE``.
+show; both stand in the folder `messages`. The last part of docs/messages.md is made of them.
 
 >>> told = explained("W318")
 >>> told.severity, told.cause
@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 from vstatics.errors import DOUBTS, Severity, nearest, quoted, severity
 
+_FOLDER = resources.files("vstatics.writers").joinpath("messages")
+
 
 class ExplainedMessage(NamedTuple):
     """A kind of message."""
@@ -33,7 +35,7 @@ class ExplainedMessage(NamedTuple):
 @cache
 def _lines() -> dict[str, tuple[str, str]]:
     """Cause and cure of each id, in the order of the page."""
-    text = resources.files(__name__).joinpath("causes.txt").read_text("utf-8")
+    text = _FOLDER.joinpath("causes.txt").read_text("utf-8")
     rows = (line.split(" | ") for line in text.splitlines() if not line.startswith("#"))
     return {identity: (DOUBTS.get(identity, cause), cure) for identity, cause, cure in rows}
 
@@ -54,7 +56,7 @@ def explained(identity: str) -> ExplainedMessage:
     if identity not in _lines():
         message = f"there is no message {quoted(identity)}{nearest(identity, _lines())}"
         raise ValueError(message)
-    file = resources.files(__name__).joinpath("examples", f"{identity}.yaml")
+    file = _FOLDER.joinpath("examples", f"{identity}.yaml")
     example = file.read_text("utf-8") if file.is_file() else None
     return ExplainedMessage(identity, severity(identity), *_lines()[identity], example)
 

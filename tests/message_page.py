@@ -1,10 +1,10 @@
-"""The part of docs/messages.md that is made here: ``python -m vstatics.messages.page FILE``."""
+"""The part of docs/messages.md that is made here: ``python -m tests.message_page FILE``."""
 
 from __future__ import annotations
 
 import sys
 
-from vstatics.messages import explained, known_ids
+from vstatics.writers.explained import explained, known_ids
 
 BEGIN = "## Causes, cures, examples\n"
 

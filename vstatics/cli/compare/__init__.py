@@ -1,1 +1,0 @@
-"""`vstatics compare`: `pairs` reads what is held against what, `command` tells the outcome."""
