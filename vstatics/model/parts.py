@@ -75,7 +75,9 @@ def damping_fault(
 
 
 HOUSING = 0
-KW_OF_RPM_NM = math.pi / 30 / 1000
+RAD_PER_RPM = math.pi / 30
+"""1 rpm. [rad/s]"""
+KW_OF_RPM_NM = RAD_PER_RPM / 1000
 """1 N*m at 1 rpm, in kW."""
 
 ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]

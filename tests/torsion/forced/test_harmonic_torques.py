@@ -11,10 +11,10 @@ from hypothesis import given
 from tests.chance import seeded
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.forced.torque_table import read_torque_table
-from vstatics.torsion.system.working_points import RAD_PER_RPM
 from vstatics.torsion.vibration.gear_modes import modes
 
 SPEEDS = np.array([100.0, 300.0, 1000.0])

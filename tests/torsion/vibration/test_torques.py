@@ -13,8 +13,8 @@ from tests.chance import count, seeded
 from tests.torsion.systems import Array
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import Transmission, loads
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
-from vstatics.torsion.system.working_points import RAD_PER_RPM
 
 LINKS = ("engine", "s1", "r1", "link", "r2", "c2", "wheel")
 """The carrier of the first set is the sun of the second."""

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 import numpy as np
 
 from vstatics.errors import printable
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.run.elements import carrying, loaded
@@ -16,8 +17,6 @@ from vstatics.simulation.record.motion import Motion
 
 LEAST_HEAT_SHARE = 0.01
 """Less heat, as part of the largest, has no line. [-]"""
-RPM = np.pi / 30
-"""[rad/s]"""
 
 _ASKED = {
     "accelerations": ("acceleration, rad/s²", "ускорение, рад/с²", 1.0),
@@ -45,10 +44,10 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
     Links and springs that are many stand behind what every shift is judged by.
     """
     words = "speed, rpm", "скорость, об/мин"
-    speeds = panels_of("speed", words, RPM, _speeds(case, motion), by_size=True)
+    speeds = panels_of("speed", words, RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
         *speeds[:1],
-        *panels_of("slip", ("slip, rpm", "скольжение, об/мин"), RPM, _slips(motion)),
+        *panels_of("slip", ("slip, rpm", "скольжение, об/мин"), RAD_PER_RPM, _slips(motion)),
         *_carried(motion),
         *_output(case, motion),
         *_heat(motion),

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from matplotlib.figure import Figure
 
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.pictures.sheet.ends import along
 from vstatics.pictures.sheet.free import Taken, first_free
 from vstatics.pictures.sheet.labels import LEADER, LINE_HEIGHT, Label, Point, width
@@ -19,9 +19,6 @@ from vstatics.pictures.vehicle.driven import DrivenGear, DrivenVehicle, driven, 
 from vstatics.statics.results import Results
 from vstatics.summary.design_table import ranges
 from vstatics.summary.operation.traction import KMH
-
-RPM = 30 / math.pi
-"""1 rad/s."""
 
 
 def draw(
@@ -50,11 +47,11 @@ def draw(
         (True, "shifts at the last speed of the engine", "переключения", _tooth(style)),
         (True, "first speed of the engine", "наименьшая частота вращения", _first(style)),
     ]
-    up = AxisScale(0.0, RPM * max(one.pull.last for one in every))
+    up = AxisScale(0.0, max(one.pull.last for one in every) / RAD_PER_RPM)
     fastest = max(one.fastest for one in every)
     above = LEADER + LINE_HEIGHT * SIZE
     pen = speed_panel(title(results.case, said), key, fastest, up, names, SIZE, above, style)
-    least = pen.up(RPM * made.pull.first)
+    least = pen.up(made.pull.first / RAD_PER_RPM)
     pen.line((0.0, least), (pen.size[0], least), **_first(style))
     for gear in made.gears:
         _draw_gear(pen, made, gear)
@@ -62,7 +59,7 @@ def draw(
     if len(teeth) > 2:
         pen.line(*teeth, kind="saw", **_tooth(style))
         _name_drops(pen, teeth[1:])
-    last = pen.up(RPM * made.pull.last)
+    last = pen.up(made.pull.last / RAD_PER_RPM)
     ends = [Label(pen.across(KMH * one.largest_speed), one.name, style.ink) for one in made.gears]
     along(pen.panel(pen.corner, (pen.size[0], last)), "top", ends, upright=False)
     return [pen.figure]
@@ -77,9 +74,9 @@ def _first(style: Style) -> Look:
 
 
 def _draw_gear(pen: Pen, made: DrivenVehicle, gear: DrivenGear) -> None:
-    per_speed = RPM * made.pull.last / (KMH * gear.largest_speed)
+    per_speed = made.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
     own = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
-    end = pen.across(KMH * gear.largest_speed), pen.up(RPM * made.pull.last)
+    end = pen.across(KMH * gear.largest_speed), pen.up(made.pull.last / RAD_PER_RPM)
     unit = pen.style.text("rpm per km/h", "об/мин на км/ч")
     said = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
     own.line((0.0, 0.0), end, title=said, **gear.look)
@@ -96,7 +93,7 @@ def _teeth(pen: Pen, gears: Sequence[DrivenGear], made: DrivenVehicle) -> Iterat
     """Up in a gear to the last speed of the engine, down to what it is in the next one."""
     if gears:
         yield 0.0, 0.0
-    last = pen.up(RPM * made.pull.last)
+    last = pen.up(made.pull.last / RAD_PER_RPM)
     for one, other in pairwise(gears):
         x = pen.across(KMH * one.largest_speed)
         yield x, last

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Complex, Floats
 from vstatics.numerics.tolerances import NO_POWER
@@ -20,7 +21,6 @@ from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_v
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.system.working_points import (
-    RAD_PER_RPM,
     Ratios,
     WorkingGear,
     working_gear,

@@ -17,6 +17,7 @@ import numpy as np
 from vstatics.errors import CaseError, Path, listed, nearest, plural, spoken
 from vstatics.model.converters import Converter
 from vstatics.model.open_converters import with_mechanisms, with_open_converters
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
@@ -28,7 +29,6 @@ from vstatics.torsion.system.converters import (
 from vstatics.torsion.system.gear_system import torsional_system
 from vstatics.torsion.tolerances import REAL_EIGENVALUE
 
-RAD_PER_RPM = math.pi / 30
 Ratios = Mapping[str, float]
 """Speed ratios of converters, by their names [-]."""
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.tolerances import NO_POWER
 from vstatics.pictures.sheet.style import Excitation
@@ -22,8 +23,6 @@ FASTEST_INPUT = 6000.0
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
 """How far a diagram goes above the only speed that is known, above the highest of several."""
 PER_MINUTE = 60.0
-RPM = PER_MINUTE / math.tau
-"""Of 1 rad/s."""
 
 
 class Order(NamedTuple):
@@ -92,7 +91,7 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
     [900.0, 5800.0]
     """
     found = [*asked.speeds, *(case.gear_load(gear).speed or 0.0 for gear in gears)]
-    found += (RPM * one for one in _of_engine(case))
+    found += (one / RAD_PER_RPM for one in _of_engine(case))
     return sorted({certain(abs(one)) for one in found if one})
 
 
@@ -111,7 +110,7 @@ def scenario_speeds(scenario: Scenario) -> tuple[float, ...]:
     for link, law in scenario.torques:
         if link == entry and getattr(law, "over", "") == "speed":
             found += law.x  # type: ignore[union-attr]
-    return tuple(RPM * abs(one) for one in found if one)
+    return tuple(abs(one) / RAD_PER_RPM for one in found if one)
 
 
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:
