@@ -20,6 +20,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.model.springs import between
 from vstatics.pictures import picture, render
 from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
@@ -350,8 +351,8 @@ def test_planes_of_a_set_are_in_one_order() -> None:
     # sun 4 of the third plane is held, the input sun of the first and the output ring of the
     # third close the axis round it
     planes = Planes(3, [(1, 4), (0, 5), (2, 6)])
-    assert not CoaxialTrain([planes], [(1, 2)], [3, 4, 2, 5], 1, 6).is_planar
-    assert CoaxialTrain([planes], [(1, 2)], [3, 4, 5], 1, 6).is_planar
+    assert not has_half_section(CoaxialTrain([planes], [(1, 2)], [3, 4, 2, 5], 1, 6))
+    assert has_half_section(CoaxialTrain([planes], [(1, 2)], [3, 4, 5], 1, 6))
 
 
 def test_a_sun_is_below_its_planets_and_its_ring_above() -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import Device, Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
@@ -70,10 +71,10 @@ def coaxial_scheme(
     own += [(TopMeaning(port=port), port.link) for port in further]
     coupled = [_ends(scheme.devices[place]) for place in pairs]
     train = CoaxialTrain(planes, coupled, [link for _, link in own], start, end)
-    if end and not train.is_planar and all(len(one.wheels) == 1 for one in planes):
+    if end and not has_half_section(train) and all(len(one.wheels) == 1 for one in planes):
         port = next(p for p in scheme.ports if p.link == end and not p.is_left)
         through = replace(train, tops=[*train.tops, end], end=0)
-        if through.is_planar:
+        if has_half_section(through):
             train, own = through, [*own, (TopMeaning(port=port), end)]
     meanings = [meaning for meaning, _ in own]
     return CoaxialScheme(scheme, train, sections, [*sections], pairs, meanings)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 from typing import NamedTuple
 
 AXIS, HOUSING_VERTEX = -1, 0
@@ -46,8 +45,8 @@ class CoaxialTrain:
     Examples
     --------
     >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [], [2], 1, 3)
-    >>> train.is_planar, len(train.edges)
-    (True, 4)
+    >>> len(train.edges)
+    4
     """
 
     sets: Sequence[Planes]
@@ -127,61 +126,3 @@ class CoaxialTrain:
             for b, link in zip(self.top_bits, self.tops, strict=True)
         ]
         return [*found, TrainEdge(self.end_bit, self.end, AXIS)] if self.end else found
-
-    @cached_property
-    def is_planar(self) -> bool:
-        """Whether a half-section without crossings exists.
-
-        The axis is joined to the housing. A set of several planes is a wheel: around its hub are
-        the suns, one end of the carrier, the rings, the other end; what joins the carrier does so
-        at either end.
-        """
-        import networkx as nx  # an extra
-
-        split = [one for one in self.sets if len(one.wheels) > 1]
-        met = [
-            (place, edge)
-            for place, edge in enumerate(self.edges)
-            for one in split
-            if one.carrier in edge[1:] and not edge.bit & self._wheels_of(one)
-        ]
-        if len(met) > MOST_SPLIT or len({one.carrier for one in split}) < len(split):
-            met, split = [], []
-        graphs = (nx.Graph(self._joined(split, ends)) for ends in product((0, 1), repeat=len(met)))
-        return any(nx.check_planarity(graph)[0] for graph in graphs)
-
-    def _wheels_of(self, one: Planes) -> int:
-        return sum(bit for both in self.wheel_bits[self.sets.index(one)] for bit in both)
-
-    def _joined(self, split: Sequence[Planes], ends: Sequence[int]) -> Iterator[_Joined]:
-        """The graph: vertices of links are numbers, those of split carriers have names."""
-        yield AXIS, HOUSING_VERTEX
-        named: dict[int, list[_Vertex]] = {}
-        for one in split:
-            rim: list[_Vertex] = [(one.carrier, 0)]
-            rim += [(one.carrier, 2 * n + 2) for n in range(len(one.wheels))]
-            rim += [(one.carrier, 1)]
-            rim += [(one.carrier, 2 * n + 3) for n in reversed(range(len(one.wheels)))]
-            yield from zip(rim, [*rim[1:], rim[0]], strict=True)
-            yield from (((one.carrier, -1), vertex) for vertex in rim)
-            for n, (sun, ring) in enumerate(one.wheels):
-                yield from [((one.carrier, 2 * n + 2), sun)] * bool(sun)
-                yield from [((one.carrier, 2 * n + 3), ring)] * bool(ring)
-            named[one.carrier] = rim
-        own = sum(self._wheels_of(one) for one in split)
-        choice = iter(ends)
-
-        def vertex(link: int) -> _Vertex:
-            return (link, next(choice)) if link in named else link
-
-        start = (self.start, 0) if self.start in named else self.start
-        yield AXIS, start
-        for bit, first, second in self.edges:
-            if not bit & own and first != second:
-                yield vertex(first), vertex(second)
-
-
-MOST_SPLIT = 6
-"""Edges of carriers of sets with several planes, of which all ends are tried."""
-_Vertex = int | tuple[int, int]
-_Joined = tuple[_Vertex, _Vertex]

@@ -26,8 +26,8 @@ class Moves(NamedTuple):
     """All next steps of a train."""
 
     train: CoaxialTrain
-    crosses: bool = False
-    """Whether steps may cross bars."""
+    crossing: int = 0
+    """The bits of what may cross bars."""
     is_ordered: bool = False
     """Whether sets stand as they are given."""
 
@@ -49,7 +49,7 @@ class Moves(NamedTuple):
             if link not in links_of(bars):
                 ways.append((below, (*above, 8 * link), 0))
                 ways += [((*below, 8 * link), above, 0)] * (not above)
-            elif self.crosses:
+            elif self.crossing & bit:
                 last = max(place for place, bar in enumerate(bars) if bar >> 3 == link)
                 over = sum(bar >> 3 != link for bar in bars[last + 1 :])
                 ways.append((below, above, CROSSING * over))
@@ -74,7 +74,7 @@ class Moves(NamedTuple):
                     again = FOLD * (other in alive)
                     for low, high, cost in _beside(below, above, one, part, wraps=not again):
                         ways.append((low, high, cost + again))
-            if self.crosses and alive.issuperset(pair):
+            if self.crossing & bit and alive.issuperset(pair):
                 first, second = ([n for n, b in enumerate(bars) if b >> 3 == x] for x in pair)
                 over = min(abs(a - b) - 1 for a in first for b in second)
                 ways.append((below, above, CROSSING * max(over, 0)))

@@ -62,8 +62,8 @@ class SetMoves(NamedTuple):
     """All ways to draw the next set of a train."""
 
     train: CoaxialTrain
-    crosses: bool
-    """Whether steps may cross bars."""
+    crossing: int
+    """The bits of what may cross bars."""
     is_ordered: bool
     """Whether sets stand as they are given."""
 
@@ -123,15 +123,15 @@ class SetMoves(NamedTuple):
             return
         (sun, ring), (sun_bit, ring_bit) = planes[0]
         (below, above, done), cost, seen = begun
-        for low, extra in self._wheel(below, above, sun):
-            for mirrored, more in self._wheel(above[::-1], low, ring):
+        for low, extra in self._wheel(below, above, sun, sun_bit):
+            for mirrored, more in self._wheel(above[::-1], low, ring, ring_bit):
                 high = mirrored[::-1]
                 now = SectionState(low, high, done | sun_bit | ring_bit)
                 rest = self._without_ended(now, carrier)
                 step = _Begun(rest, cost + extra + more, (*seen, (low, high)))
                 yield from self._meshed(step, planes[1:], carrier)
 
-    def _wheel(self, row: Bars, others: Bars, link: int) -> Iterator[tuple[Bars, int]]:
+    def _wheel(self, row: Bars, others: Bars, link: int, bit: int) -> Iterator[tuple[Bars, int]]:
         """The bars with that of a wheel as the last, and what this costs."""
         if not link or _is_last(row, link):
             yield row, 0
@@ -139,7 +139,7 @@ class SetMoves(NamedTuple):
         part = fresh(link, row + others)
         if part is not None:
             yield (*row, part), FOLD * (link in links_of(row + others))
-        if self.crosses and link in links_of(row):
+        if self.crossing & bit and link in links_of(row):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
 
     def _without_ended(self, state: SectionState, carrier: int) -> SectionState:

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from heapq import heappop, heappush
-from itertools import count, pairwise, product
+from itertools import combinations, count, islice, pairwise, product
 from typing import NamedTuple
 
 from vstatics.errors import CaseError
+from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.search.moves import Moves
 from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -29,8 +30,15 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)
 QUICK_TRIES = (5.0, 400), (10.0, 2500), (3.0, 2500)
 """How much what the rest will cost at least is weighted, and how many states are gone on from."""
-LAST = (100.0, 3000), (1000.0, 200_000)
-"""With crossings, where nothing else led to an end, or where this is one of many."""
+CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
+LAST = (1000.0, 400), (100.0, 800)
+"""With crossings of all that can cross, where nothing else led to an end."""
+MOST_SETS = 20
+"""A train of more has fewer states, each takes longer; and none with crossings."""
+MOST_CROSSING = 2
+"""Couplings of which all choices are tried as those that cross."""
+MOST_CHOICES = 12
+"""Of those, in the order of the train."""
 MOST_FURTHER = 2
 """Bars at one place beyond one of each link."""
 BARS_OF_REST = 2
@@ -68,27 +76,56 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = Fal
     >>> [step.kind for step in swept(train).steps]
     ['set', 'top']
     """
-    tries = QUICK_TRIES if is_quick else TRIES
     orders = [True, False] if is_ordered else [False]
-    ways = [False] * train.is_planar + [True] * (not is_quick)
-    for crosses, ordered, (weight, most) in product(ways, orders, tries):
-        steps = _SweepSearch(Moves(train, crosses, ordered), weight).steps(most)
-        if steps is not None:
-            return Swept(steps, ordered or not is_ordered)
-    for weight, most in LAST:
-        steps = _SweepSearch(Moves(train, crosses=True), weight).steps(most)
-        if steps is not None:
-            return Swept(steps, not is_ordered)
+    is_planar = has_half_section(train)
+    if is_planar:
+        tries = QUICK_TRIES if is_quick else TRIES
+        for ordered, (weight, most) in product(orders, tries):
+            found = _SweepSearch(Moves(train, 0, ordered), weight).found(most)
+            if found is not None:
+                return Swept(found.steps, ordered or not is_ordered)
+    may_cross = len(train.sets) <= MOST_SETS
+    for ordered in orders * may_cross:
+        ways = [
+            found
+            for crossing in _crossing(train, is_planar=is_planar)
+            for weight, most in CROSSING_TRIES
+            if (found := _SweepSearch(Moves(train, crossing, ordered), weight).found(most))
+        ]
+        if ways:
+            return Swept(min(ways, key=lambda way: way.cost).steps, ordered or not is_ordered)
+    for weight, most in LAST * may_cross:
+        found = _SweepSearch(Moves(train, train.all_bits), weight).found(most)
+        if found is not None:
+            return Swept(found.steps, not is_ordered)
     raise CaseError("E435", "no arrangement of this stick diagram was found; `structure` draws it")
+
+
+def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
+    """The bits of what may cross: as few couplings as possible, so that the rest is planar."""
+    bits = [*train.pair_bits, *train.top_bits]
+    for number in range(1, MOST_CROSSING + 1):
+        ways = (sum(way) for way in combinations(bits, number))
+        fit = (way for way in ways if is_planar or has_half_section(train, way))
+        found = list(islice(fit, MOST_CHOICES))
+        if found:
+            return found
+    return []
+
+
+class _Found(NamedTuple):
+    steps: Sequence[SweepStep]
+    cost: int
 
 
 class _SweepSearch(NamedTuple):
     moves: Moves
     weight: float
 
-    def steps(self, most: int) -> list[SweepStep] | None:  # noqa: C901 - one loop
+    def found(self, most: int) -> _Found | None:  # noqa: C901 - one loop
         """The steps to the end; None if it is not reached with so many states."""
         train, number = self.moves.train, count()
+        most = int(most * min(1.0, MOST_SETS / max(1, len(train.sets))) ** 2)
         waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
         best: dict[SectionState, int] = {}
         closed: set[SectionState] = set()
@@ -108,11 +145,11 @@ class _SweepSearch(NamedTuple):
                 continue
             closed.add(state)
             bars = state.below + state.above
-            if not self.moves.crosses and not can_go_on(train, bars, state.done):
+            if not can_go_on(train, bars, state.done | self.moves.crossing):
                 continue
             ends = {8 * train.end} if train.end else set()
             if state.done == train.all_bits and set(bars) == ends:
-                return _unrolled(trace)
+                return _Found(_unrolled(trace), cost)
             most -= 1
             if most < 0:
                 return None
