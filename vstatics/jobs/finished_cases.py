@@ -21,7 +21,6 @@ from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
 from vstatics.jobs.files import appending, forget, replace
 from vstatics.jobs.lock import lock, unlock
-from vstatics.jobs.page_files import replace_pages
 
 Description = dict[str, Any]
 """Everything that finished work depends on, besides what is read."""
@@ -184,6 +183,8 @@ class FinishedCases:
         OSError
             If that is not possible.
         """
+        from vstatics.jobs.page_files import replace_pages  # few runs write pages
+
         replace_pages(target, result, self.mark)
         name, others = os.path.basename(target), {one: _hash_of_file(one) for one in beside}  # noqa: PTH119
         entry = [name, _hash(case), others, self._run, _state(target), failed]

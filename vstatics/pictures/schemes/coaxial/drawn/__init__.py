@@ -1,4 +1,6 @@
-"""Half-sections on paper: `ink` is what they are drawn with, `lines` the wires of links.
+"""Half-sections on paper, drawn with the ink of all schemes.
 
-`links`, `devices` and `ports` draw those; `chain` is what stands one behind the other.
+`lines` are the wires of links, `links` their names and the axis, `devices` the signs of sets and
+shift elements, `ports` the arrows of input and output; `chain` is what stands one behind the
+other.
 """

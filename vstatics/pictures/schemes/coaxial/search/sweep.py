@@ -113,7 +113,7 @@ def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
     return []
 
 
-class _Found(NamedTuple):
+class _FoundSteps(NamedTuple):
     steps: Sequence[SweepStep]
     cost: int
 
@@ -122,7 +122,7 @@ class _SweepSearch(NamedTuple):
     moves: Moves
     weight: float
 
-    def found(self, most: int) -> _Found | None:  # noqa: C901 - one loop
+    def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - one loop
         """The steps to the end; None if it is not reached with so many states."""
         train, number = self.moves.train, count()
         most = int(most * min(1.0, MOST_SETS / max(1, len(train.sets))) ** 2)
@@ -149,7 +149,7 @@ class _SweepSearch(NamedTuple):
                 continue
             ends = {8 * train.end} if train.end else set()
             if state.done == train.all_bits and set(bars) == ends:
-                return _Found(_unrolled(trace), cost)
+                return _FoundSteps(_unrolled(trace), cost)
             most -= 1
             if most < 0:
                 return None
