@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import matplotlib as mpl
 import pytest
 
-from vstatics.pictures.sheet.labels import spread
+from vstatics.pictures.sheet.files import settings_of
+from vstatics.pictures.sheet.labels import spread, width
+from vstatics.pictures.sheet.style import Style
 
 
 def test_labels_move_as_little_as_they_can() -> None:
@@ -23,3 +26,11 @@ def test_labels_keep_their_order_and_their_distance() -> None:
     order = sorted(range(5), key=wanted.__getitem__)
     for one, other in pairwise(order):
         assert places[other] - places[one] >= (sizes[one] + sizes[other]) / 2 - 1e-9
+
+
+def test_a_text_is_as_wide_under_any_settings_of_the_user() -> None:
+    texts = ["input", "carrier and second ring", "E"]
+    with settings_of(Style()):
+        widths = [width.__wrapped__(text) for text in texts]
+    with mpl.rc_context({"text.hinting": "force_autohint"}):
+        assert [width.__wrapped__(text) for text in texts] == widths

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import Any, NamedTuple
 
+import matplotlib as mpl
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.ticker import MaxNLocator
 
-from vstatics.pictures.sheet.style import FONT, SIZE, TITLE
+from vstatics.pictures.sheet.style import FONT, HINTING, SIZE, TITLE
 
 POINTS_PER_INCH = 72.0
 """In an inch."""
@@ -85,10 +86,11 @@ def _renderer() -> Any:
 
 @cache
 def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
-    """Width of a text of one or more lines [pt]."""
+    """Width of a text of one or more lines [pt]; the same whatever matplotlib is set to."""
     font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     measure = _renderer().get_text_width_height_descent
-    return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
+    with mpl.rc_context(HINTING):
+        return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
 
 title_width = partial(width, size=TITLE, bold=True)

@@ -12,6 +12,8 @@ FONT = "DejaVu Sans"
 """It comes with matplotlib and has Cyrillic letters."""
 FAMILIES = "DejaVu Sans, Verdana, Bitstream Vera Sans, sans-serif"
 """Of texts in SVG; the first three have letters of the same width."""
+HINTING: dict[Any, Any] = {"text.hinting": "none"}
+"""A setting of matplotlib; with others stems of single capitals become one pixel wide."""
 SIZE = 8.0
 """Of texts. [pt]"""
 TITLE = 10.0
@@ -181,7 +183,7 @@ class Style(NamedTuple):
             "text.parse_math": False,  # names of links may have any letters
             "svg.hashsalt": "vstatics",
             "svg.fonttype": "none",
-            "text.hinting": "none",  # else stems of single capitals become one pixel wide
+            **HINTING,
             "lines.solid_capstyle": "butt",
             "lines.dash_capstyle": "butt",
             "pdf.fonttype": 42,
