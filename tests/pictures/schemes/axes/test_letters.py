@@ -47,6 +47,7 @@ def test_letters_stand_clear_of_letters_and_lines(browser: Any, name: str) -> No
     check(browser, load(name), Style(wheels=True), (1,))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wheels", [False, True])
 @pytest.mark.parametrize("width", [NARROW, PAGE_WIDTH])
 def test_a_manual_box_of_nine_pairs_fits_into_a_narrow_page(
