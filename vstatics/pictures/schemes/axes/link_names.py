@@ -30,7 +30,12 @@ def free_names(
         if not own:
             continue
         left, right = ends_of(found, axis)
+        taken = {
+            link for one in found.board.stations if one.layout for link in one.layout.places.names
+        }
         for link in own:
+            if link in taken:
+                continue
             span = found.spans[link]
             y = found.y(axis, span.height)
             has_port = {port.link for port in scheme.ports}

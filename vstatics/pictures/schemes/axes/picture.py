@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from matplotlib.figure import Figure
 
-from vstatics.pictures.schemes.axes.board import AxesBoard
+from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.labels import device_labels
 from vstatics.pictures.schemes.axes.link_names import fixed_names
 from vstatics.pictures.schemes.axes.marks import draw_station
 from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
+from vstatics.pictures.schemes.axes.row_sections import RowSection, row_sections
 from vstatics.pictures.schemes.axes.rows import axis_rows
-from vstatics.pictures.schemes.axes.search import arranged
+from vstatics.pictures.schemes.axes.search import arranged, passing
 from vstatics.pictures.schemes.axes.sheet import (
     AxesSheet,
     draw_ends,
@@ -23,7 +24,13 @@ from vstatics.pictures.schemes.axes.sheet import (
 )
 from vstatics.pictures.schemes.axes.stations import stations_of
 from vstatics.pictures.schemes.axes.wheels import draw_pair
+from vstatics.pictures.schemes.axes.wires import crossings, link_lines
+from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
+from vstatics.pictures.schemes.coaxial.fitting import CLOSEST
+from vstatics.pictures.schemes.coaxial.picture import crossings_told, order_told
+from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import Scheme
+from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.told import told_of
 from vstatics.pictures.sheet.head import sheet_head
@@ -53,7 +60,8 @@ def figures(
     CaseError
         If one is of several gears.
     """
-    found = placed(scheme, axes, style)
+    found = placed(scheme, axes, sections_of(scheme, results.case, style), style)
+    remarks = _remarks(found, style)
     labels = device_labels(found, fixed_names(found, scheme))
     for gears in shown:
         subject = style.text("stick diagram", "кинематическая схема")
@@ -61,7 +69,11 @@ def figures(
         low, high = extent(found, scheme)
         size = style.width, (high[1] - low[1]) / found.letters
         head = sheet_head(
-            told.name, "", meanings(told.state, style), size[0] - 2 * WIDE_MARGIN, style
+            ", ".join([told.name, *remarks]),
+            "",
+            meanings(told.state, style),
+            size[0] - 2 * WIDE_MARGIN,
+            style,
         )
         pen = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
         pen = pen.fitted(low, high)._replace(letters=found.letters)
@@ -73,22 +85,48 @@ def figures(
         yield [sheet.pen.figure]
 
 
-def placed(scheme: Scheme, axes: ParallelAxes, style: Style) -> AxesPlaces:
+def _remarks(found: AxesPlaces, style: Style) -> list[str]:
+    """What the title says besides."""
+    layouts = [one.layout for one in found.board.stations if one.layout is not None]
+    count = len(crossings(link_lines(found))) + sum(map(crossings_of, layouts))
+    orders = [text for layout in layouts for text in order_told(layout, style)]
+    return [*crossings_told(count, style), *dict.fromkeys(orders)]
+
+
+def placed(
+    scheme: Scheme, axes: ParallelAxes, sections: Mapping[int, HalfSection], style: Style
+) -> AxesPlaces:
     """Where everything stands in the width of a page."""
-    stations = stations_of(scheme, axes, style._replace(wheels=False))
-    board = AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports)
-    chosen = arranged(board).chosen
-    for part, letters, gap in product(PARTS, (LETTERS, FEW_LETTERS), GAPS):
-        own = stations_of(scheme, axes, style, letters)
+    inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
+    chosen = _chosen(scheme, axes, inner)
+    if chosen is None:  # something would lead through a half-section
+        inner, chosen = [], _chosen(scheme, axes, [])
+    assert chosen is not None  # noqa: S101 - nothing leads through none
+    small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
+    small += [(True, part) for part in PARTS * bool(inner)]
+    for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
+        layouts = [one.laid_out(1 / part, letters, is_small=is_small) for one in inner]
+        own = stations_of(scheme, axes, style, letters, layouts)
         rows = axis_rows(axes, own, 1 / part)
-        board = AxesBoard(axes, rows, own, scheme.ports, gap)
-        found = places(board, chosen)._replace(letters=1 / part)
-        if part * max(found.xs) > style.width:
-            continue
-        low, high = extent(found, scheme)
-        if part * (high[0] - low[0]) <= style.width:
-            break
+        for gap in GAPS:
+            board = AxesBoard(axes, rows, own, scheme.ports, gap)
+            found = places(board, chosen)._replace(letters=1 / part)
+            if part * max(found.xs) > style.width:
+                continue
+            low, high = extent(found, scheme)
+            if part * (high[0] - low[0]) <= style.width:
+                return found
     return found
+
+
+def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
+    """The order of the stations; None if something would lead through a half-section."""
+    stations = stations_of(scheme, axes, Style(), sections=[one.laid_out() for one in inner])
+    found = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
+    for one, x in zip(stations, found.xs, strict=True):
+        if one.layout is not None and any(passing(found, one, x)):
+            return None
+    return found.chosen
 
 
 def extent(found: AxesPlaces, scheme: Scheme) -> tuple[Point, Point]:

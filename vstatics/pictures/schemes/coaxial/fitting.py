@@ -49,10 +49,14 @@ def laid_out(
         Sets stand in the order of the case, if a way is found soon.
     """
     found = swept(own.train, is_ordered=is_ordered, is_quick=is_quick)
+    ends = frozenset([own.train.start, own.train.end, *(port.link for port in own.scheme.ports)])
     tried: list[CoaxialLayout] = []
     for line_letters in (DEVICE_NAME_LETTERS, FEW_LETTERS):
         bare = CoaxialLayout(
-            own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered
+            own,
+            SectionPlaces(framed(own.train, found.steps), 0.0),
+            found.is_ordered,
+            named_beside=ends,
         )
         tried.append(_closed_up(bare._replace(is_small=is_small, line_letters=line_letters), wide))
         if is_within(tried[-1], wide):
@@ -64,7 +68,7 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
     """With lines as close as a width asks for."""
     letters = 1.0
     for tried in range(FITS):
-        layout = _placed(bare._replace(letters=letters))
+        layout = placed_by_letters(bare._replace(letters=letters))
         if is_within(layout, wide):
             break
         low, high = extent(layout)
@@ -84,14 +88,15 @@ def fits(layout: CoaxialLayout, wide: float) -> bool:
     return is_within(layout, wide) and layout.letters <= CLOSEST
 
 
-def _placed(bare: CoaxialLayout) -> CoaxialLayout:
-    """With places, for letters of a size."""
+def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
+    """With places, for letters of its size."""
     own, frame = bare.own, bare.places.frame
     scheme = own.scheme
-    at_ends = {own.train.start, own.train.end} | {port.link for port in scheme.ports}
     links = [] if bare.is_small else scheme.links
     own_names = [bare.link_name(n) for n in range(1, len(links) + 1)]
-    named = {n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in at_ends}
+    named = {
+        n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in bare.named_beside
+    }
     lines = max((own_names[n - 1].count("\n") + 1 for n in named), default=1)
     tops = [
         abs(y)

@@ -27,6 +27,8 @@ class CoaxialLayout(NamedTuple):
     """Size of letters over lengths, where lines are drawn smaller and letters are not."""
     line_letters: int = DEVICE_NAME_LETTERS
     """Longer names are broken at blanks."""
+    named_beside: frozenset[int] = frozenset()
+    """Links whose names stand at arrows, not on bars."""
 
     def width(self, text: str, *, bold: bool = False) -> float:
         """Of a text, as lengths are here [pt]."""
