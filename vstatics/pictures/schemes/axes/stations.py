@@ -147,7 +147,7 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
         names = [] if device.kind == "held" else names
         return Station("brake", (index,), (row,), links, 11.0, names)
     if device.is_coupling:
-        half = (SPRING if device.kind == "spring" else SIGN) / 2
+        half = (SPRING if device.sign in ("spring", "play") else SIGN) / 2
         shifted = device.is_shift_element
         return Station("coupling", (index,), (row,), links, half, names, is_shifted=shifted)
     is_differential = device.kind == "bevel" or is_bare_differential(device)

@@ -72,4 +72,4 @@ class CoaxialLayout(NamedTuple):
 
     def half(self, up: Upright) -> float:
         """Half the length of the sign of a coupling."""
-        return half_of(self.own.scheme.devices[self.device(up)].kind)
+        return half_of(self.own.scheme.devices[self.device(up)].sign)

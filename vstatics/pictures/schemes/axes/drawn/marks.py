@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.axes.obstacles import BOX, BRAKE, ROOF
-from vstatics.pictures.schemes.axes.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE, ROOF
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
@@ -50,7 +50,7 @@ def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
         first, second = device.members["first"], device.members["second"]
         closed = index in sheet.state.engaged
         ends = (xs[first], y), (xs[second], y)
-        one = Coupled(device.kind, *ends, sheet.color(index), closed, sheet.rod_color(index))
+        one = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
         draw_coupled(own.pen, one._replace(title=sheet.said(index)))
         own.name(index)
 
@@ -65,7 +65,7 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
     x, low = found.xs[number], sign_height(found, index)
     ends = (x, found.y(axis, low)), (x, found.y(axis, low + BRAKE))
     is_backward = device.members.get("first") == HOUSING
-    drawn = device.kind, *ends, sheet.color(index), index in sheet.state.engaged
+    drawn = device.sign, *ends, sheet.color(index), index in sheet.state.engaged
     rest = sheet.rod_color(index), side, sheet.said(index), is_backward
     draw_coupled(own.pen, Coupled(*drawn, *rest))
     own.name(index)

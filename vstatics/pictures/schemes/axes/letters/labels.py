@@ -8,14 +8,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.pictures.schemes.axes.obstacles import (
+from vstatics.pictures.schemes.axes.letters.obstacles import (
     BOX,
     BRAKE,
     GROUND,
     ROOF,
     SIGN,
+    Obstacle,
     Rectangle,
-    obstacles,
 )
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import CAGE, Station
@@ -74,12 +74,13 @@ class DeviceLabel(NamedTuple):
     """Or else the teeth of a wheel."""
 
 
-def device_labels(found: AxesPlaces, fixed: Sequence[Rectangle]) -> dict[int, list[DeviceLabel]]:
+def device_labels(
+    found: AxesPlaces, fixed: Sequence[Rectangle], solid: Sequence[Obstacle]
+) -> dict[int, list[DeviceLabel]]:
     """Texts by device, none over another or over one of the fixed boxes.
 
     A text stands as near to what it names as can be, and on as few signs and lines.
     """
-    solid = list(obstacles(found))
     walls = np.array([[*one.box] for one in solid] + [[*box] for box in fixed])
     costs = np.array([one.cost for one in solid] + [ON_TEXT for _ in fixed])
     owners = np.array([[*one.box, one.device] for one in solid])

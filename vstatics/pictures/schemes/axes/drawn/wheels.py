@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.pictures.schemes.axes.obstacles import CONE
+from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.letters.obstacles import CONE
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
-from vstatics.pictures.schemes.axes.sheet import AxesSheet
 from vstatics.pictures.schemes.axes.stations import WHEEL
 from vstatics.pictures.schemes.glyphs import MESH, TOOTH
 from vstatics.pictures.sheet.labels import Point
