@@ -34,6 +34,8 @@ UNDER, BESIDE = 5.0, 9.0
 """What standing on the other side of it, or beside it, costs in points of distance."""
 BESIDES = 8
 """Heights at which a text may stand beside it, less one."""
+SHORT = 30.0
+"""Beside what is lower a text stands best at its middle, else at its end. [pt]"""
 ON_TEXT = 1e5
 """What it costs to stand on other letters."""
 STRANGE, NEAR = 12.0, 3.0
@@ -124,13 +126,14 @@ def _candidates(found: AxesPlaces, own: WantedLabel) -> tuple[Boxes, NDArray[np.
                 rows.append((left, low, left + 2 * half, low + tall))
                 dear.append(extra + abs(away) + 0.7 * abs(aside))
     ends = (y - own.up * tall, own.below + own.up * tall)
+    best = (y + own.below) / 2 if abs(y - own.below) < SHORT else y
     for step in range(BESIDES + 1):
         middle = ends[0] + (ends[1] - ends[0]) * step / BESIDES + own.up * tall / 2
         for off in (0.0, 5.0, 12.0):
             for way in (1, -1):
                 left = x + way * (own.half + off + half) - half
                 rows.append((left, middle - tall / 2, left + 2 * half, middle + tall / 2))
-                dear.append(BESIDE + off + 0.1 * abs(middle - y))
+                dear.append(BESIDE + off + 0.1 * abs(middle - best))
     return np.array(rows), np.array(dear)
 
 
@@ -180,12 +183,6 @@ def _start(found: AxesPlaces, number: int, one: Station, place: int) -> tuple[Po
         ]
         return (x, max(ends) + 3.0), min(ends) - 3.0, 1
     middle = sign_height(found, one.devices[place])
-    if len(one.devices) > 1 and one.kind == "coupling":
-        text = one.names[place]
-        aside = x + one.half + 3.0 + found.wide(text, bold=True) / 2
-        half = side * LINE * SIZE * found.letters * (text.count("\n") + 1) / 2
-        y = found.y(axis, middle)
-        return (aside, y - half), y - half, side
     if one.kind == "drum":
         x = next(
             own.x

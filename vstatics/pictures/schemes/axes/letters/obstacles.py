@@ -21,6 +21,8 @@ GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
 """How much teeth of bevel wheels are slanted. [pt]"""
+CONE_RIM = 9.0
+"""How deep the cone of a large one is drawn. [pt]"""
 HALF_LINE = 1.2
 """Half of what a line takes, with what is clear beside it. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
@@ -90,7 +92,7 @@ def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]
         for rim in (y - radius, y + radius):
             ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)
             yield Obstacle(
-                about(*ends, CONE + 2.0 if is_crossed else 3.5 if off else 2.5),
+                about(*ends, CONE_RIM if is_crossed else 3.5 if off else 2.5),
                 device=one.devices[0],
             )
     yield Obstacle(about((x, middles[0]), (x, middles[1]), 3.5 if is_far else HALF_LINE), ON_LINE)
