@@ -56,7 +56,8 @@ class CoaxialLayout(NamedTuple):
         """A set as it stands there."""
         section = self.own.sections[self.own.sets[up.index]]
         columns = list(section.columns)
-        return replace(section, columns=columns[::-1] if up.is_turned else columns)
+        turned = columns[::-1] if up.is_turned else columns
+        return replace(section, columns=turned, letters=self.letters)
 
     def device(self, up: Upright) -> int:
         """The place of a device in the scheme; -1 for what is none."""
