@@ -42,6 +42,7 @@ def test_planar_boxes_before_a_final_drive_are_drawn_without_crossings(count: in
         assert wheel.x == pytest.approx(other.x, abs=0.1)
 
 
+@pytest.mark.slow
 def test_a_title_says_how_often_links_cross() -> None:
     boxes = (next_box(Random(seed)) for seed in range(100))  # noqa: S311
     others = islice((box for box in boxes if not box_is_planar(box)), 3)
