@@ -59,11 +59,7 @@ def test_a_shipped_case_has_at_most_ten_sheets(shipped: list[PrintedSheet]) -> N
 
 
 @pytest.mark.slow
-def test_letters_on_paper_can_be_read(
-    shipped: list[PrintedSheet], request: pytest.FixtureRequest
-) -> None:
-    if "8hp70" in request.node.name and "zf-8hp70" not in request.node.name:
-        request.applymarker(pytest.mark.xfail(strict=False))  # several axes in half a page
+def test_letters_on_paper_can_be_read(shipped: list[PrintedSheet]) -> None:
     least = LEAST_LETTERS - ROUNDED
     small = {one for sheet in shipped for one in sheet.letters if one[1] < least}
     assert small == set()

@@ -21,8 +21,8 @@ class TwistCurve(NamedTuple):
     Examples
     --------
     >>> play = TwistCurve((-0.2, -0.1, 0.1, 0.2), (-30.0, 0.0, 0.0, 30.0))
-    >>> play.at(0.05), round(play.at(0.3), 9), round(play.energy(-0.2), 9)
-    (0.0, 60.0, 1.5)
+    >>> play.at(0.05), round(play.at(0.3), 9), round(play.energy(-0.2), 9), play.has_play
+    (0.0, 60.0, 1.5, True)
     """
 
     twists: tuple[float, ...]
@@ -50,6 +50,11 @@ class TwistCurve(NamedTuple):
     def bends(self) -> bool:
         """Whether it is not straight through 0."""
         return len(self.twists) > 2 or self.piece(0)[0] != 0
+
+    @property
+    def has_play(self) -> bool:
+        """Whether it has no torque about a twist of 0."""
+        return self.piece(bisect_right(self.corners, 0.0)) == (0.0, 0.0)
 
     @property
     def steepest(self) -> float:

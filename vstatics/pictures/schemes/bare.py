@@ -10,8 +10,8 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted, painted_within
 from vstatics.pictures.schemes.coaxial.rooms import extent
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
+from vstatics.pictures.schemes.planetary import as_sets, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
-from vstatics.pictures.schemes.stick import as_sets, sections_of
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.pen import Pen

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
@@ -32,6 +32,8 @@ class SchemeInk:
     scheme: Scheme
     state: SchemeState
     titles: Titles
+    axis: int = field(default=1, kw_only=True)
+    """About which its links turn, from 1."""
 
     def color(self, index: int) -> str:
         """Of a device."""
@@ -63,9 +65,9 @@ class SchemeInk:
         """What a device says when a pointer rests on it."""
         return self.titles.devices.get(index, "")
 
-    def of_link(self, name: str, axis: int = 1) -> Pen:
-        """What draws in the group of a link, or of the housing."""
-        return self.pen.within("link", name=name, axis=str(axis))
+    def of_link(self, name: str, axis: int = 0) -> Pen:
+        """What draws in the group of a link, or of the housing; of its own axis, or another."""
+        return self.pen.within("link", name=name, axis=str(axis or self.axis))
 
     def of_device(self, index: int) -> Self:
         """The same, what it draws in the group of a device."""

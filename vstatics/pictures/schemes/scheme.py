@@ -13,7 +13,7 @@ from vstatics.elements.drawing import parts_of
 from vstatics.elements.element import Element
 from vstatics.errors import CaseError
 from vstatics.model.parts import ELEMENT_KINDS
-from vstatics.model.springs import Spring, ends
+from vstatics.model.springs import Spring, TwistCurve, ends
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.tables.numbers import typeset
@@ -38,6 +38,8 @@ class Device(NamedTuple):
     """Of a mechanism. [-]"""
     labels: Mapping[str, str] = MappingProxyType({})
     """What is written of members, where it is not what they are called."""
+    has_gap: bool = False
+    """Whether it is elastic behind a gap: a spring with play, a dog clutch that twists."""
 
     @property
     def is_shift_element(self) -> bool:
@@ -49,6 +51,11 @@ class Device(NamedTuple):
         """Whether it stands on the line between two links, or a link and the housing."""
         is_shaft = self.kind == "spring" and "second" in self.members
         return is_shaft or self.is_shift_element or self.kind == "held"
+
+    @property
+    def sign(self) -> str:
+        """Its kind, or ``play``, by which it is drawn."""
+        return "play" if self.has_gap else self.kind
 
     @property
     def links(self) -> set[int]:
@@ -206,6 +213,7 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
             one.kind or ("clutch" if one.first and one.second else "brake"),
             {"first": one.first, "second": one.second},
             (number,),
+            has_gap=one.kind == "dog_clutch" and one.stiffness is not None,
         )
         for number, one in enumerate(elements)
     ]
@@ -216,7 +224,8 @@ def _spring(number: int, spring: Spring, case: Transmission) -> Device:
     shaft = ends(spring.twist)
     if shaft is not None:
         members = dict(zip(("first", "second"), shaft, strict=True))
-        return Device(spring.name, "spring", members, (number,))
+        has_gap = isinstance(spring.curve, TwistCurve) and spring.curve.has_play
+        return Device(spring.name, "spring", members, (number,), has_gap=has_gap)
     members = {case.link_name(link): link for link in spring.form}
     labels = {case.link_name(link): f"×{part:.5g}" for link, part in spring.form.items()}
     return Device(spring.name, "spring", members, (number,), labels=labels)

@@ -56,6 +56,8 @@ class HalfSection:
     columns: Sequence[WheelColumn] = field(default_factory=list)
     names: Mapping[str, str] = field(default_factory=dict)
     """What is written beside wheels and rims."""
+    letters: float = 1.0
+    """Size of letters over lengths."""
 
     def x(self, column: int) -> float:
         """Of the plane of a column."""
@@ -72,7 +74,7 @@ class HalfSection:
         own = self.columns[column]
         wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
         texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
-        return max((width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
+        return max((self.letters * width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
 
     def y(self, level: int) -> float:
         """Of an axle."""

@@ -161,7 +161,7 @@ def _draw_coupling(sheet: Sheet, index: int) -> None:
         at = (one.x + other.x) / 2, -13
         look["va"] = "top"
     rod, said = sheet.rod_color(index), sheet.said(index)
-    drawn = device.kind, *ends, sheet.color(index), closed, rod, side, said, first == HOUSING
+    drawn = device.sign, *ends, sheet.color(index), closed, rod, side, said, first == HOUSING
     draw_coupled(sheet.pen, Coupled(*drawn))
     if device.kind != "held":
         sheet.text(at, text, **look)

@@ -14,7 +14,7 @@ from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen, zigzag
 from vstatics.pictures.sheet.style import Style
 
-HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0}
+HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0, "play": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
 PACK = 6.5
 """Half the length of a pack of plates. [pt]"""
@@ -22,6 +22,8 @@ HALF_BOX_SIGN = 8.0
 """Half the length of the box of what has no sign. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Where plates of the one side stand across the line, and those between them. [pt]"""
+GAP_IN_LINE = 5.0
+"""From a spring with play to the end of its sign. [pt]"""
 PLATE_CLEARANCE = 2.5
 """From a plate to the drum of the others. [pt]"""
 Place = Callable[[float, float], Point]
@@ -66,7 +68,7 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     length = abs(x2 - x) + abs(y2 - y)
     dx, dy = (x2 - x) / length, (y2 - y) / length
     half = half_of(one.kind)
-    is_at_wall = one.housing and one.kind not in ("freewheel", "spring")
+    is_at_wall = one.housing and one.kind not in ("freewheel", "spring", "play")
     center = length - half if is_at_wall else length / 2
 
     def at(forward: float, across: float) -> Point:
@@ -80,7 +82,13 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     if one.rod and one.rod != one.color:
         pen.lines(lines, color=one.rod, title=one.title, zorder=4.5)
         lines = []
-    draw = {"spring": _spring, "freewheel": _freewheel, "dog_clutch": _dogs, "held": _support}
+    draw = {
+        "spring": _spring,
+        "play": _play,
+        "freewheel": _freewheel,
+        "dog_clutch": _dogs,
+        "held": _support,
+    }
     usual = _plates if one.kind in ELEMENT_KINDS else _box
     lines += draw.get(one.kind, usual)(pen, at, half, one)
     pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
@@ -115,6 +123,19 @@ def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Poi
 
 def _spring(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:
     return [[at(*turn) for turn in zigzag(0.0, 0.0, half, 6.0)]]
+
+
+def _play(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
+    """A spring with a gap behind it, which a dog clutch closes."""
+    near, far = half - GAP_IN_LINE, half - 1.0
+    if one.is_closed:
+        _sign(pen, [at(near, 6), at(far, 6), at(far, -6), at(near, -6)], one, one.color)
+    coil = (near - half) / 2
+    return [
+        [at(*turn) for turn in zigzag(coil, 0.0, near - coil, 6.0)],
+        *((at(x, 6), at(x, -6)) for x in (near, far)),
+        (at(far, 0), at(half, 0)),
+    ]
 
 
 def _freewheel(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -393,6 +394,50 @@ def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
     assert is_within == (kind == "internal_pair")  # a pinion within the wheel, else beside it
     gap = max(first.low, second.low) - min(first.high, second.high)
     assert (gap > 10) == (kind in ("chain", "belt", "idler"))
+
+
+def strokes(group: ET.Element) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """All straight pieces of a group."""
+    paths = [one.attrib["d"] for one in group.iter(f"{SVG}path")]
+    parts = [ET.Element("path", d=f"M{part}") for path in paths for part in path.split("M")[1:]]
+    return [piece for part in parts for piece in pairwise(points(part))]
+
+
+def slanted(wheel: ET.Element) -> set[frozenset[tuple[float, float]]]:
+    """Lines of a wheel that are neither level nor upright."""
+    return {frozenset((a, b)) for a, b in strokes(wheel) if a[0] != b[0] and a[1] != b[1]}
+
+
+@pytest.mark.parametrize("kind", ["bevel_pair", "gear_pair"])
+def test_bevel_wheels_are_cones_that_touch_along_one_line(kind: str) -> None:
+    first, second = map(slanted, of_class(svg_of(one_pair(kind)), "wheel"))
+    is_bevel = kind == "bevel_pair"
+    assert len(first & second) == is_bevel
+    assert len(first) == len(second) == 2 * is_bevel
+
+
+def gaps(root: ET.Element, kind: str, name: str) -> int:
+    """How often the sign of a device on a level line is interrupted."""
+    [group] = [one for one in of_class(root, kind) if one.get("data-name") == name]
+    spans = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in strokes(group))
+    end, count = spans[0][1], 0
+    for low, high in spans:
+        count += low > end + ROUNDED
+        end = max(end, high)
+    return count
+
+
+def test_what_is_elastic_behind_a_gap_shows_it_until_it_is_engaged() -> None:
+    # moskvich412: dog clutches with a stiffness; the first shaft is a plain spring
+    case = load("moskvich412")
+    bare, gear = svg_of(case), svg_of(case, (1,))
+    assert [gaps(bare, "element", one) for one in ("damper", "shaft 1", "shaft 2")] == [1, 1, 1]
+    assert [gaps(gear, "element", one) for one in ("damper", "shaft 1", "shaft 2")] == [0, 0, 1]
+    assert gaps(bare, "mechanism", "first shaft") == 0
+    shaft, *others = case.springs
+    loose = shaft._replace(compliance=None, points=[(0, 0), (0.1, 0), (0.2, 300)])
+    with_play = svg_of(replace(case, springs=[loose, *others]))
+    assert gaps(with_play, "mechanism", "first shaft") == 1
 
 
 def test_a_manual_box_has_its_idler_between_two_axes() -> None:

@@ -159,9 +159,14 @@ class AxesBoard:
             for other in rows.order:
                 distance = abs(rows.heights[axis] - rows.heights[other])
                 towards = rows.sides[other] * (rows.heights[axis] - rows.heights[other]) > 0
-                if other not in found and radius > distance - (SIGNS if towards else 18.0):
+                if other not in found and radius > distance - self._room(other, towards):
                     found.append(other)
         return found
+
+    def _room(self, axis: int, is_above: bool) -> float:  # noqa: FBT001
+        """From an axis to where wheels of others may be, on the side of its links or under it."""
+        reach = [one.reach[is_above] for one in self.stations if axis in one.axes]
+        return max([SIGNS if is_above else 18.0, *map(abs, reach)])
 
     def bell(self, index: int, way: int) -> tuple[int, float]:
         """The place in its pair of an internal wheel, and how far its web is beside its teeth.

@@ -90,11 +90,8 @@ def _fixed(
             yield AxisContact(link, at, device, "sign")
     elif one.kind == "drum":
         yield from _of_drum(one, chosen.ways[index], x)
-    elif one.kind == "differential":
-        *sides, cage = one.links
-        left, right = sides[:: -1 if chosen.ways[index] else 1]
-        for link, at in ((left, -CAGE), (right, CAGE), (cage, -CAGE), (cage, CAGE)):
-            yield AxisContact(link, x + at, device, "bar")
+    elif one.kind in ("differential", "section"):
+        yield from _of_ends(one, chosen.ways[index], x)
     elif one.kind == "set":
         glyph = one.glyphs[chosen.ways[index]]
         yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in taps_of(glyph))
@@ -112,6 +109,20 @@ def _of_pair(
         yield AxisContact(link, at + WHEEL, device, "bar")
     if one.joint is not None and one.joint.frame:
         yield AxisContact(one.joint.frame, x - one.half, device, "sign")
+
+
+def _of_ends(one: Station, way: int, x: float) -> Iterator[AxisContact]:
+    """Of what has shafts on both sides: a differential, a half-section."""
+    if one.layout is not None:
+        devices = one.layout.own.scheme.devices
+        for link, at in zip(one.links, (x - one.half, x + one.half), strict=True):
+            own = (index for index in one.devices if link in devices[index].links)
+            yield from (AxisContact(link, at, index, "bar") for index in own)
+        return
+    *sides, cage = one.links
+    left, right = sides[:: -1 if way else 1]
+    for link, at in ((left, -CAGE), (right, CAGE), (cage, -CAGE), (cage, CAGE)):
+        yield AxisContact(link, x + at, one.devices[0], "bar")
 
 
 def _of_drum(one: Station, way: int, x: float) -> Iterator[AxisContact]:

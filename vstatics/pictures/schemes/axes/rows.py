@@ -70,7 +70,9 @@ def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 
     between = [{place[first], place[second]} for first, second in idlers.values()]
     if any(max(own) - min(own) > 1 or between.count(own) > 1 for own in between):
         idlers, order = {}, _order(count, stations, {})
-    sides = {axis: -1 if axis == order[-1] and len(order) > 1 else 1 for axis in order}
+    upright = {axis for one in stations if one.layout for axis in one.axes}
+    is_last = {order[-1]} - upright if len(order) > 1 else set()
+    sides = {axis: -1 if axis in is_last else 1 for axis in order}
     rooms = [_room(axis, stations) for axis in order[1:] if sides[axis] == 1]
     distance = max([DISTANCE * max(0.85 * letters, 1.0), *(room + CLEARANCE for room in rooms)])
     heights = {axis: -place * distance for place, axis in enumerate(order)}
@@ -93,7 +95,8 @@ def _order(
 def _room(axis: int, stations: Sequence[Station]) -> float:
     """Height of what stands above an axis [pt]."""
     halves = [glyph.half for one in stations if axis in one.axes for glyph in one.glyphs]
-    return 2 * max(halves) + SIGNS if halves else SIGNS
+    sets = 2 * max(halves) + SIGNS if halves else SIGNS
+    return max([sets, *(one.reach[1] for one in stations if axis in one.axes)])
 
 
 def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[int, int]]]:

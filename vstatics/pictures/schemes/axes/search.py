@@ -9,7 +9,8 @@ from itertools import pairwise
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.starts import starts
-from vstatics.pictures.schemes.axes.wires import crossings, link_lines, overlaps
+from vstatics.pictures.schemes.axes.stations import Station
+from vstatics.pictures.schemes.axes.wires import EPSILON, crossings, link_lines, overlaps
 
 CROSSING, HOLLOW, DRUM = 150.0, 1.5, 1.3
 """What a crossing costs, and a length of a hollow shaft, or of a drum, over one of a shaft."""
@@ -138,6 +139,8 @@ def _misplaced(found: AxesPlaces) -> float:
             before = {*one.axes} - board.rim
             own = [n for n, other in enumerate(board.stations) if {*other.axes} & before]
             value += LAST * (right - x) + FIRST * sum(found.xs[n] > x for n in own)
+        elif one.kind == "section":
+            value += THROUGH * len(list(passing(found, one, x)))
         elif one.kind == "differential":
             axis = one.axes[0]
             own_axis = [link for link in found.spans if found.axis_of(link) == axis]
@@ -148,6 +151,14 @@ def _misplaced(found: AxesPlaces) -> float:
             own = [n for n, other in enumerate(board.stations) if {*other.axes} & {*one.axes}]
             value += FIRST * sum(found.xs[n] < x for n in own)
     return value
+
+
+def passing(found: AxesPlaces, section: Station, x: float) -> Iterator[int]:
+    """Links that would pass through a half-section from one side of it to the other."""
+    left, right = x - section.half + EPSILON, x + section.half - EPSILON
+    for link, span in found.spans.items():
+        if found.axis_of(link) == section.axes[0] and span.left < right and span.right > left:
+            yield link
 
 
 def _is_turned(found: AxesPlaces, link: int, role: str) -> bool:

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel
-from vstatics.elements.group import PlanetGroup, group_of
+from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
+from vstatics.model.parts import Mechanism
 from vstatics.pictures.schemes.axes.recognition import (
     AxisJoint,
     ParallelAxes,
     is_bare_differential,
 )
 from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
 from vstatics.pictures.schemes.glyphs import Glyph, lines_of
+from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
@@ -42,13 +45,15 @@ class Station(NamedTuple):
     """Something at one place along the axes."""
 
     kind: str
-    """``pair``, ``coupling``, ``brake``, ``drum``, ``set``, ``differential`` or ``box``."""
+    """``pair``, ``coupling``, ``brake``, ``drum``, ``set``, ``differential``, ``box``, or
+    ``section`` of several sets."""
     devices: Sequence[int]
     """By their places in `Scheme.devices`; of a drum those of its clutches."""
     axes: Sequence[int]
     """On which it stands: both of a pair."""
     links: Sequence[int]
-    """That it joins; of a pair by its wheels, of a drum that of the drum first."""
+    """That it joins; of a pair by its wheels, of a drum that of the drum first, of a half-section
+    those that go on to its left and to its right."""
     half: float
     """Half its width. [pt]"""
     names: Sequence[str] = ()
@@ -60,6 +65,16 @@ class Station(NamedTuple):
     """Whether a clutch joins its links, not a spring."""
     teeth: Sequence[str] = ()
     """Of the two wheels of a pair, if they are shown."""
+    layout: CoaxialLayout | None = None
+    """Of a half-section."""
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """From its axis down and up to the ends of a half-section; 0 of anything else [pt]."""
+        if self.layout is None:
+            return 0.0, 0.0
+        (_, low), (_, high) = extent(self.layout)
+        return low - self.layout.places.axis, high - self.layout.places.axis
 
     @property
     def has_two_sides(self) -> bool:
@@ -68,13 +83,20 @@ class Station(NamedTuple):
 
 
 def stations_of(
-    scheme: Scheme, axes: ParallelAxes, style: Style, letters: int = 12
+    scheme: Scheme,
+    axes: ParallelAxes,
+    style: Style,
+    letters: int = 12,
+    sections: Sequence[CoaxialLayout] = (),
 ) -> list[Station]:
     """All stations of a box, in the order of its devices; longer names are broken."""
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
-    found: list[Station] = []
+    found = [_section(layout, axes) for layout in sections]
+    inside = {index for one in found for index in one.devices}
     for index, device in enumerate(scheme.devices):
+        if index in inside:
+            continue
         names = [lines_of(device.name, letters)]
         if index in joints:
             joint = joints[index]
@@ -88,6 +110,12 @@ def stations_of(
             row = axes.of(next(iter(device.links)))
             found.append(_alone(index, device, row, names, style))
     return list(_stacked(found))
+
+
+def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
+    own, (left, right) = layout.own, ends_of(layout)
+    links, row = (own.train.start, own.train.end), axes.of(own.train.start)
+    return Station("section", own.devices, (row,), links, (right - left) / 2, layout=layout)
 
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
@@ -119,7 +147,7 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
         names = [] if device.kind == "held" else names
         return Station("brake", (index,), (row,), links, 11.0, names)
     if device.is_coupling:
-        half = (SPRING if device.kind == "spring" else SIGN) / 2
+        half = (SPRING if device.sign in ("spring", "play") else SIGN) / 2
         shifted = device.is_shift_element
         return Station("coupling", (index,), (row,), links, half, names, is_shifted=shifted)
     is_differential = device.kind == "bevel" or is_bare_differential(device)
@@ -156,20 +184,14 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
     if device.kind != "mechanism" or "third" not in device.members:
         return []
     first, second, carrier = device.members.values()
-    sun, ring = (first, second) if abs(device.ratio) >= 1 else (second, first)
-    rims = ("planet",) if device.ratio < 0 else ("inner", "outer")
-    wheels = [
-        CentralWheel("sun", sun, 1, internal=False, rim=rims[0]),
-        CentralWheel("ring", ring, 1, internal=True, rim=rims[-1]),
-    ]
-    meshes = [rims] if len(rims) == 2 else []
-    return set_glyphs(PlanetGroup(carrier, wheels, {rim: {rim: None} for rim in rims}, meshes))
+    return set_glyphs(bare_group(Mechanism(first, second, carrier, device.ratio)))
 
 
 def drum_of(scheme: Scheme) -> list[int]:
     """Clutches whose packs are in one drum on the side of the input: those of a dual clutch.
 
-    >>> from vstatics.pictures.schemes.scheme import SchemePort
+    >>> from vstatics.pictures.schemes.planetary import bare_group
+    from vstatics.pictures.schemes.scheme import SchemePort
     >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]
     >>> drum_of(Scheme(["engine", "odd", "even"], clutches, [SchemePort(1, "input")]))
     [0, 1]

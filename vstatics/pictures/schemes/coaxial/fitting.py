@@ -17,6 +17,10 @@ LEAST_HALF = 24.0
 """Half the height of the row of planets, at least. [pt]"""
 FEW_LETTERS = 5
 """In a narrow picture longer names are broken at blanks."""
+NAMED = (DEVICE_NAME_LETTERS, False), (FEW_LETTERS, False), (FEW_LETTERS, True)
+"""Letters of a line, and whether links have no names: what is tried, from wide to narrow."""
+MOST_NAMED = 3.0
+"""Links have names while lengths are shorter by so much, at most; else signs are not seen."""
 FITS, SLOW_FITS = 16, 5
 """Times that lines are closed up, at most; after so many by more each time."""
 LEAST_STEP = 1.01
@@ -49,22 +53,23 @@ def laid_out(
         Sets stand in the order of the case, if a way is found soon.
     """
     found = swept(own.train, is_ordered=is_ordered, is_quick=is_quick)
-    tried: list[CoaxialLayout] = []
-    for line_letters in (DEVICE_NAME_LETTERS, FEW_LETTERS):
-        bare = CoaxialLayout(
-            own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered
-        )
-        tried.append(_closed_up(bare._replace(is_small=is_small, line_letters=line_letters), wide))
-        if is_within(tried[-1], wide):
+    ends = frozenset([own.train.start, own.train.end, *(port.link for port in own.scheme.ports)])
+    bare = CoaxialLayout(
+        own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered, named_beside=ends
+    )
+    for line_letters, without in NAMED:
+        named = bare._replace(is_small=is_small or without, line_letters=line_letters)
+        layout = _closed_up(named, wide)
+        if is_within(layout, wide) and layout.letters <= MOST_NAMED:
             break
-    return tried[-1]
+    return layout
 
 
 def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
     """With lines as close as a width asks for."""
     letters = 1.0
     for tried in range(FITS):
-        layout = _placed(bare._replace(letters=letters))
+        layout = placed_by_letters(bare._replace(letters=letters))
         if is_within(layout, wide):
             break
         low, high = extent(layout)
@@ -84,14 +89,15 @@ def fits(layout: CoaxialLayout, wide: float) -> bool:
     return is_within(layout, wide) and layout.letters <= CLOSEST
 
 
-def _placed(bare: CoaxialLayout) -> CoaxialLayout:
-    """With places, for letters of a size."""
+def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
+    """With places, for letters of its size."""
     own, frame = bare.own, bare.places.frame
     scheme = own.scheme
-    at_ends = {own.train.start, own.train.end} | {port.link for port in scheme.ports}
     links = [] if bare.is_small else scheme.links
     own_names = [bare.link_name(n) for n in range(1, len(links) + 1)]
-    named = {n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in at_ends}
+    named = {
+        n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in bare.named_beside
+    }
     lines = max((own_names[n - 1].count("\n") + 1 for n in named), default=1)
     tops = [
         abs(y)
@@ -100,7 +106,13 @@ def _placed(bare: CoaxialLayout) -> CoaxialLayout:
         for _, y in stroke.points
     ]
     half = max([LEAST_HALF, *(y + 8 for y in tops)])
-    needs = Needs(half, frozenset(range(len(own.pairs))), named, bare.letters * (1 + lines) / 2)
+    needs = Needs(
+        half,
+        frozenset(range(len(own.pairs))),
+        named,
+        bare.letters * (1 + lines) / 2,
+        any(section.names for section in own.sections.values()),
+    )
     layout = bare._replace(places=heights_of(frame, needs))
     rooms = [list(rooms_of(layout, up)) for up in frame.uprights]
     offsets = {place: met_by(layout, up) for place, up in enumerate(frame.uprights)}

@@ -27,6 +27,8 @@ class CoaxialLayout(NamedTuple):
     """Size of letters over lengths, where lines are drawn smaller and letters are not."""
     line_letters: int = DEVICE_NAME_LETTERS
     """Longer names are broken at blanks."""
+    named_beside: frozenset[int] = frozenset()
+    """Links whose names stand at arrows, not on bars."""
 
     def width(self, text: str, *, bold: bool = False) -> float:
         """Of a text, as lengths are here [pt]."""
@@ -54,7 +56,8 @@ class CoaxialLayout(NamedTuple):
         """A set as it stands there."""
         section = self.own.sections[self.own.sets[up.index]]
         columns = list(section.columns)
-        return replace(section, columns=columns[::-1] if up.is_turned else columns)
+        turned = columns[::-1] if up.is_turned else columns
+        return replace(section, columns=turned, letters=self.letters)
 
     def device(self, up: Upright) -> int:
         """The place of a device in the scheme; -1 for what is none."""
@@ -70,4 +73,4 @@ class CoaxialLayout(NamedTuple):
 
     def half(self, up: Upright) -> float:
         """Half the length of the sign of a coupling."""
-        return half_of(self.own.scheme.devices[self.device(up)].kind)
+        return half_of(self.own.scheme.devices[self.device(up)].sign)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -126,7 +127,7 @@ class _FrameMaker:
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
         if self.train.end:
             self._stand(Upright("end", 0, ends[:1]))
-        return self.frame
+        return _without_dead_ends(self.frame)
 
     def _start(self, step: SweepStep) -> None:
         below, _ = step.bars[0]
@@ -138,11 +139,6 @@ class _FrameMaker:
         self.is_started = True
 
     def _stand(self, upright: Upright) -> None:
-        place = len(self.frame.uprights)
-        for bar in upright.all_bars:
-            if not any(bar in up.all_bars for up in self.frame.uprights):
-                bar.first = place
-            bar.last = place
         self.frame.uprights.append(upright)
 
     def _note(self) -> None:
@@ -194,6 +190,27 @@ class _FrameMaker:
         ]
         _, _, low, high = min(ways, key=lambda way: way[:2])
         return [low, high]
+
+
+def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
+    """Without webs to bars that nothing else meets; bars know where they begin and end."""
+    while True:
+        met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
+        kept = [
+            up for up in frame.uprights if up.kind != "wall" or all(met[bar] > 1 for bar in up.bars)
+        ]
+        if len(kept) == len(frame.uprights):
+            break
+        frame.uprights = kept
+    for place, up in reversed([*enumerate(frame.uprights)]):
+        for bar in up.all_bars:
+            bar.first = place
+    for place, up in enumerate(frame.uprights):
+        for bar in up.all_bars:
+            bar.last = place
+    rows = [tuple([bar for bar in row if bar in met] for row in both) for both in frame.rows]
+    frame.rows = [(below, above) for below, above in rows]
+    return frame
 
 
 def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:

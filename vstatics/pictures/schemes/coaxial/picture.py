@@ -34,15 +34,10 @@ class CoaxialSheet(NamedTuple):
 
     def remarks(self, style: Style) -> list[str]:
         """What the title says besides: crossings, an output that can't leave along the axis."""
-        found, count = [], crossings_of(self.layout)
-        if count:
-            english = f"{count} crossing{'s' * (count > 1)}"
-            found.append(style.text(english, f"пересечений: {count}"))
+        found = crossings_told(crossings_of(self.layout), style)
         if not self.layout.own.train.end:
             found.append(style.text("output through the housing", "выход через корпус"))
-        if not self.layout.is_ordered:
-            found.append(style.text("sets in another order", "ряды в ином порядке"))
-        return found
+        return found + order_told(self.layout, style)
 
     def rows(self, room: float) -> Iterator[CoaxialRow]:
         """From above, in a width [pt]."""
@@ -73,6 +68,22 @@ class CoaxialRow(NamedTuple):
         return part * (right - left), part * (high - low)
 
 
+def crossings_told(count: int, style: Style) -> list[str]:
+    """What a title says where links cross so often.
+
+    >>> crossings_told(2, Style()), crossings_told(0, Style())
+    (['2 crossings'], [])
+    """
+    text = f"{count} crossing{'s' * (count > 1)}", f"пересечений: {count}"
+    return [style.text(*text)] if count else []
+
+
+def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
+    """What a title says where sets do not stand as they should."""
+    text = "sets in another order", "ряды в ином порядке"
+    return [] if layout.is_ordered else [style.text(*text)]
+
+
 def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:
     low, high = chain_extent(scheme, chain)
     return high[0] - low[0]
@@ -84,10 +95,15 @@ def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
     look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
     ends = (left - ARROW, y), (right + ARROW, y)
     ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
+    draw_parts(ink, layout)
+    draw_ports(ink, layout)
+
+
+def draw_parts(ink: SchemeInk, layout: CoaxialLayout) -> None:
+    """Its links and devices, without what leads along the axis."""
     draw_links(ink, layout)
     draw_link_names(ink, layout)
     draw_devices(ink, layout)
-    draw_ports(ink, layout)
 
 
 def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how

@@ -15,6 +15,8 @@ NAMED_PITCH = 9.5
 """From a bar with a name to a name beside it, at least. [pt of letters]"""
 CLEARANCE = 9.0
 """From the row to the bars next to it. [pt]"""
+WHEEL_NAME = 13.0
+"""Height of the name of a wheel, with half of that of a link on a bar. [pt of letters]"""
 HOUSING_BAND = 24.0
 """From the outermost drum to the housing. [pt]"""
 GAP = 5.0
@@ -43,6 +45,13 @@ class Needs(NamedTuple):
     """Widths of the names of links that stand on their bars."""
     letters: float = 1.0
     """Size of letters over lengths."""
+    has_wheel_names: bool = False
+    """Whether names of wheels stand between the row and the bars next to it."""
+
+    @property
+    def clearance(self) -> float:
+        """From the row to the bars next to it [pt]."""
+        return CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
 
     @property
     def pitches(self) -> tuple[float, float]:
@@ -93,8 +102,8 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     found: dict[Bar, float] = {}
     bars = [bar for bar in frame.bars if bar not in pinned]
     depth = max((rise(bar) for bar in bars if not bar.is_above), default=0.0)
-    places.axis = -needs.half - CLEARANCE - max(depth, pitch)
-    start = needs.half + CLEARANCE
+    places.axis = -needs.half - needs.clearance - max(depth, pitch)
+    start = needs.half + needs.clearance
     places.heights = {
         bar: rise(bar) + (start if bar.is_above else places.axis) for bar in bars
     } | dict.fromkeys(pinned, 0.0)

@@ -66,19 +66,17 @@ def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float
     """Members of a set that nothing else joins: their names stand beside their ends."""
     if layout.is_small or up.kind != "set":
         return
-    section, train = layout.section(up), layout.own.train
-    carrier = train.sets[up.index].carrier
+    section, carrier = layout.section(up), layout.own.train.sets[up.index].carrier
     ends = [(carrier, section.width if len(section.levels) > 1 else _pin_end(section), 0.0)]
     ends = [] if any((*up.left, *up.right)) else ends
     for number, own in enumerate(up.wheels):
         for bar in own:
             if bar is not None and bar.first == bar.last:
                 ends.append((bar.link, section.x(number), layout.places.heights[bar]))
-    at_ends = {train.start, train.end} | {port.link for port in layout.own.scheme.ports}
     for link, x, y in ends:
         others = [one for one in layout.uprights if one is not up]
         elsewhere = any(bar.link == link for one in others for bar in one.all_bars)
-        if link not in at_ends and not layout.own.is_housing(link) and not elsewhere:
+        if link not in layout.named_beside and not layout.own.is_housing(link) and not elsewhere:
             yield link, x, y
 
 

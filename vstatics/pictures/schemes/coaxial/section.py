@@ -34,6 +34,11 @@ class CoaxialScheme:
     pairs: Sequence[int]
     tops: Sequence[TopMeaning]
 
+    @property
+    def devices(self) -> list[int]:
+        """What is drawn of the scheme, by places in it."""
+        return [*self.sets, *self.pairs, *(one.device for one in self.tops if one.device >= 0)]
+
     def is_housing(self, link: int) -> bool:
         """Whether it is a fixed member of a set."""
         return link > len(self.scheme.links)

@@ -83,6 +83,15 @@ class CoaxialTrain:
         return [1 << (first + n) for n in range(len(self.pairs))]
 
     @cached_property
+    def couplings(self) -> dict[tuple[int, int], list[tuple[int, int]]]:
+        """By two links, in both orders, the pairs that join them, and their bits."""
+        found: dict[tuple[int, int], list[tuple[int, int]]] = {}
+        for index, ((one, other), bit) in enumerate(zip(self.pairs, self.pair_bits, strict=True)):
+            for ends in {(one, other), (other, one)}:
+                found.setdefault(ends, []).append((index, bit))
+        return found
+
+    @cached_property
     def top_bits(self) -> list[int]:
         """By top."""
         first = self._first_bit + len(self.sets) + len(self.pairs)

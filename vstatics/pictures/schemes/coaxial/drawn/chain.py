@@ -62,7 +62,7 @@ def chain_extent(scheme: Scheme, chain: CoaxialChain) -> tuple[Point, Point]:
 def draw_chain(ink: SchemeInk, chain: CoaxialChain) -> None:
     """Signs on the axis with their names above, links with theirs below."""
     scheme, at = ink.scheme, places_of(ink.scheme, chain)
-    half = [half_of(scheme.devices[index].kind) for index in chain.devices]
+    half = [half_of(scheme.devices[index].sign) for index in chain.devices]
     end = at[-1] + max(width(_device_name(scheme, chain.devices[-1])), LEAST_PITCH) / 2
     starts = [0.0, *(x + by for x, by in zip(at, half, strict=True))]
     ends = [*(x - by for x, by in zip(at, half, strict=True)), end]
@@ -80,7 +80,7 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain) -> None:
         way = 1 if next(iter(device.members.values())) in before else -1
         colors = ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
         pen = ink.of_device(index).pen
-        draw_coupled(pen, Coupled(device.kind, (x - way * by, 0.0), (x + way * by, 0.0), *colors))
+        draw_coupled(pen, Coupled(device.sign, (x - way * by, 0.0), (x + way * by, 0.0), *colors))
         look: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
         centred(pen, (x, ABOVE_SIGN), _device_name(scheme, index), **look)
     draw_end(ink, chain.links[0], (0.0, 0.0), -1.0)

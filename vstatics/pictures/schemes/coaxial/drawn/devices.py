@@ -74,7 +74,7 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
     side = layout.half(up) * (1 if is_low else -1)
     closed = index in ink.state.engaged
     ends = (at, middle - side), (at, middle + side)
-    look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
+    look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
     draw_coupled(pen, Coupled(*look))
     name: Look = {"color": ink.text_color(index), "bold": closed, "ha": "left"}
     centred(pen, (at + SIGN_NAME, middle), pair_name(device, layout.line_letters), **name)
@@ -95,7 +95,7 @@ def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     index = meaning.device
     device, pen = ink.scheme.devices[index], ink.of_device(index).pen
     closed, is_back = index in ink.state.engaged, device.members.get("first") == HOUSING
-    look = device.kind, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
+    look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
     draw_coupled(pen, Coupled(*look, is_back))
     name: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
     centred(pen, name_at, top_name(layout, up), **name)

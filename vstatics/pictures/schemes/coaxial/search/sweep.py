@@ -27,7 +27,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
-TRIES = (3.0, 400), (5.0, 2500), (10.0, 4000)
+TRIES = (3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)
 QUICK_TRIES = (5.0, 400), (10.0, 2500), (3.0, 2500)
 """How much what the rest will cost at least is weighted, and how many states are gone on from."""
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
@@ -197,13 +197,10 @@ class _SweepSearch(NamedTuple):
             if one >> 3 == other >> 3 and one != other:
                 low, high = (tuple(one if b == other else b for b in row) for row in (below, above))
                 return SectionState(low, high, done), SweepStep("wall", one >> 3, here, place), WALL
-            for index, (pair, bit) in enumerate(zip(train.pairs, train.pair_bits, strict=True)):
-                if not done & bit and {*pair} == {one >> 3, other >> 3}:
-                    return (
-                        state._replace(done=done | bit),
-                        SweepStep("pair", index, here, place),
-                        PAIR,
-                    )
+            for index, bit in train.couplings.get((one >> 3, other >> 3), ()):
+                if not done & bit:
+                    step = SweepStep("pair", index, here, place)
+                    return state._replace(done=done | bit), step, PAIR
         for index, (link, bit) in enumerate(zip(train.tops, train.top_bits, strict=True)):
             if bars and not done & bit and link == bars[-1] >> 3:
                 return state._replace(done=done | bit), SweepStep("top", index, here), TOP

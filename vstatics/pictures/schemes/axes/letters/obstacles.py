@@ -11,6 +11,8 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
 from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
 from vstatics.pictures.schemes.axes.wires import link_lines, sign_height
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
 from vstatics.pictures.sheet.labels import Point
 
 BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
@@ -19,6 +21,8 @@ GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
 """How much teeth of bevel wheels are slanted. [pt]"""
+CONE_RIM = 9.0
+"""How deep the cone of a large one is drawn. [pt]"""
 HALF_LINE = 1.2
 """Half of what a line takes, with what is clear beside it. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
@@ -56,6 +60,8 @@ def obstacles(found: AxesPlaces) -> Iterator[Obstacle]:
             yield from _of_pair(found, number, one)
         elif one.kind == "set":
             yield from _of_set(found, number, one)
+        elif one.layout is not None:
+            yield from _of_section(one, one.layout, found.xs[number], found.y(one.axes[0], 0.0))
         else:
             for device in one.devices:
                 box = _box_of(found, number, one, sign_height(found, device))
@@ -86,7 +92,7 @@ def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]
         for rim in (y - radius, y + radius):
             ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)
             yield Obstacle(
-                about(*ends, CONE + 2.0 if is_crossed else 3.5 if off else 2.5),
+                about(*ends, CONE_RIM if is_crossed else 3.5 if off else 2.5),
                 device=one.devices[0],
             )
     yield Obstacle(about((x, middles[0]), (x, middles[1]), 3.5 if is_far else HALF_LINE), ON_LINE)
@@ -114,6 +120,18 @@ def _of_set(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]:
             yield Obstacle(about(at(tap.x, tap.side * tap.depth), at(tap.x, end)))
             wall = tap.side * (glyph.half + 5 + GROUND)
             yield Obstacle(about(at(tap.x - 9, end), at(tap.x + 9, wall)))
+
+
+def _of_section(one: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
+    """All over its axis, and the names under it."""
+    low, high = x - one.half, x + one.half
+    yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + one.reach[1]))
+    for up, at in zip(layout.uprights, layout.places.at, strict=True):
+        start = low + at - ends_of(layout)[0]
+        for room in rooms_of(layout, up):
+            if room.low < layout.places.axis:
+                under, over = (y + by - layout.places.axis for by in (room.low, room.high))
+                yield Obstacle(Rectangle(start + room.left, under, start + room.right, over))
 
 
 def _box_of(found: AxesPlaces, number: int, one: Station, middle: float) -> Rectangle:

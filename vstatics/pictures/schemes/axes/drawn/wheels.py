@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from vstatics.pictures.schemes.axes.obstacles import CONE
-from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
-from vstatics.pictures.schemes.axes.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.letters.obstacles import CONE, CONE_RIM
+from vstatics.pictures.schemes.axes.recognition import FAR
 from vstatics.pictures.schemes.axes.stations import WHEEL
 from vstatics.pictures.schemes.glyphs import MESH, TOOTH
 from vstatics.pictures.sheet.labels import Point
@@ -51,7 +52,10 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
     if off:  # its web above its rim, which stands over the teeth of the pinion
         lines.append(((x + off, y + side * (radius - MESH)), (x + off, y + side * radius)))
     pen.lines(lines, color=color, zorder=3.2, title=said, solid_capstyle="butt")
-    slant = CONE if joint is not None and joint.kind in CROSSED else 0.0
+    if joint is not None and joint.kind == "bevel_pair":
+        _cone(replace(sheet, pen=pen), number, place, radius)
+        return
+    slant = CONE if joint is not None and joint.kind == "worm" else 0.0
     slant *= -1 if place else 1
     rims: list[Sequence[Point]] = []
     for way in (-1, 1):
@@ -59,6 +63,28 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
         left, right = min(x - WHEEL, x + off), max(x + WHEEL, x + off)
         rims.append(((left, rim - tilt), (right, rim + tilt)))
     pen.lines(rims, color=color, width=2.2 * TOOTH, zorder=3.5, title=said)
+
+
+def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
+    """A bevel wheel: a pinion is a whole cone, narrow at its free end, a large one has a rim."""
+    found, station = sheet.found, sheet.found.board.stations[number]
+    index, x, link = station.devices[0], found.xs[number], station.links[place]
+    radii = found.board.radii[number][::2]
+    pinion = min((0, 1), key=lambda one: radii[one])
+    span, y = found.spans[station.links[pinion]], found.y(station.axes[place], 0.0)
+    is_pinion, free = place == pinion, 1 if x - span.left >= span.right - x else -1
+    wide = -CONE * free * (1 if is_pinion else -1)
+    deep = radius if is_pinion else min(radius, CONE_RIM)
+    teeth: list[Sequence[Point]] = []
+    edges: list[Sequence[Point]] = []
+    for way in (-1, 1):
+        ends = [(x + by * WHEEL, y + way * (radius + by * wide)) for by in (-1, 1)]
+        back = [(at, y + way * (radius - deep)) for at, _ in reversed(ends)]
+        teeth.append(ends)
+        edges += [[ends[1], *back, ends[0]]]
+    color, said = sheet.line_color(index, link), sheet.said(index)
+    sheet.pen.lines(teeth, color=color, width=2.2 * TOOTH, zorder=3.5, title=said)
+    sheet.pen.lines(edges, color=color, zorder=3.4, title=said)
 
 
 def _between(sheet: AxesSheet, number: int) -> None:

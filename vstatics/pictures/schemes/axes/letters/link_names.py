@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from vstatics.pictures.schemes.axes.obstacles import Rectangle, obstacles
+from vstatics.pictures.schemes.axes.letters.obstacles import Obstacle, Rectangle
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
@@ -22,25 +22,38 @@ def ends_of(found: AxesPlaces, axis: int) -> tuple[float, float]:
 
 
 def free_names(
-    found: AxesPlaces, scheme: Scheme, named: set[int]
+    found: AxesPlaces, scheme: Scheme, named: set[int], solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Names of links that have room at an end of their row, or on the other side of it."""
+    """Names of links that have room at an end of their row, or on the other side of it.
+
+    Parameters
+    ----------
+    named : set of int
+        Links that have names.
+    solid : sequence of Obstacle
+        What names keep clear of.
+    """
     for axis, links in enumerate(found.board.axes.axes):
         own = [link for link in sorted(links) if link in found.spans]
         if not own:
             continue
         left, right = ends_of(found, axis)
+        taken = {
+            link for one in found.board.stations if one.layout for link in one.layout.places.names
+        }
         for link in own:
+            if link in taken:
+                continue
             span = found.spans[link]
             y = found.y(axis, span.height)
             has_port = {port.link for port in scheme.ports}
             if link in named or link in has_port:
                 continue
             wide, off = found.wide(scheme.name(link)), 10 + NAME_GAP
-            if span.left == left and not _covers(found, (left - off - wide, y), wide):
+            if span.left == left and not _covers(found, solid, (left - off - wide, y), wide):
                 named.add(link)
                 yield link, (left - off, y), "right"
-            elif span.right == right and not _covers(found, (right + off, y), wide):
+            elif span.right == right and not _covers(found, solid, (right + off, y), wide):
                 named.add(link)
                 yield link, (right + off, y), "left"
             else:
@@ -50,7 +63,7 @@ def free_names(
                     yield link, (place, found.y(axis, -found.bases[axis] - 7.5)), "center"
 
 
-def _covers(found: AxesPlaces, left: Point, wide: float) -> bool:
+def _covers(found: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
     """Whether a name, by its left end, would cover a wheel of another axis, or a sign."""
     (x, y), half = left, 4.0 * found.letters
     return any(
@@ -58,7 +71,7 @@ def _covers(found: AxesPlaces, left: Point, wide: float) -> bool:
         and x < one.box.right
         and one.box.low < y + half
         and y - half < one.box.high
-        for one in obstacles(found)
+        for one in solid
     )
 
 
@@ -79,7 +92,7 @@ def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
     return None
 
 
-def fixed_names(found: AxesPlaces, scheme: Scheme) -> list[Rectangle]:
+def fixed_names(found: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) -> list[Rectangle]:
     """Of links, with the arrows of ports: what all other names keep clear of."""
     boxes, tall = [], 5.0 * found.letters
     for port in scheme.ports:
@@ -90,7 +103,9 @@ def fixed_names(found: AxesPlaces, scheme: Scheme) -> list[Rectangle]:
         start = span.right if way > 0 else span.left
         end = start + way * (ARROW + NAME_GAP + found.wide(scheme.name(port.link)))
         boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
-    for link, (x, y), aligned in free_names(found, scheme, {port.link for port in scheme.ports}):
+    for link, (x, y), aligned in free_names(
+        found, scheme, {port.link for port in scheme.ports}, solid
+    ):
         wide = found.wide(scheme.name(link))
         left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
         boxes.append(Rectangle(left, y - tall, left + wide, y + tall))

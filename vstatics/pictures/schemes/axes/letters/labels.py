@@ -8,14 +8,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.pictures.schemes.axes.obstacles import (
+from vstatics.pictures.schemes.axes.letters.obstacles import (
     BOX,
     BRAKE,
     GROUND,
     ROOF,
     SIGN,
+    Obstacle,
     Rectangle,
-    obstacles,
 )
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import CAGE, Station
@@ -34,6 +34,8 @@ UNDER, BESIDE = 5.0, 9.0
 """What standing on the other side of it, or beside it, costs in points of distance."""
 BESIDES = 8
 """Heights at which a text may stand beside it, less one."""
+SHORT = 30.0
+"""Beside what is lower a text stands best at its middle, else at its end. [pt]"""
 ON_TEXT = 1e5
 """What it costs to stand on other letters."""
 STRANGE, NEAR = 12.0, 3.0
@@ -74,12 +76,13 @@ class DeviceLabel(NamedTuple):
     """Or else the teeth of a wheel."""
 
 
-def device_labels(found: AxesPlaces, fixed: Sequence[Rectangle]) -> dict[int, list[DeviceLabel]]:
+def device_labels(
+    found: AxesPlaces, fixed: Sequence[Rectangle], solid: Sequence[Obstacle]
+) -> dict[int, list[DeviceLabel]]:
     """Texts by device, none over another or over one of the fixed boxes.
 
     A text stands as near to what it names as can be, and on as few signs and lines.
     """
-    solid = list(obstacles(found))
     walls = np.array([[*one.box] for one in solid] + [[*box] for box in fixed])
     costs = np.array([one.cost for one in solid] + [ON_TEXT for _ in fixed])
     owners = np.array([[*one.box, one.device] for one in solid])
@@ -123,13 +126,14 @@ def _candidates(found: AxesPlaces, own: WantedLabel) -> tuple[Boxes, NDArray[np.
                 rows.append((left, low, left + 2 * half, low + tall))
                 dear.append(extra + abs(away) + 0.7 * abs(aside))
     ends = (y - own.up * tall, own.below + own.up * tall)
+    best = (y + own.below) / 2 if abs(y - own.below) < SHORT else y
     for step in range(BESIDES + 1):
         middle = ends[0] + (ends[1] - ends[0]) * step / BESIDES + own.up * tall / 2
         for off in (0.0, 5.0, 12.0):
             for way in (1, -1):
                 left = x + way * (own.half + off + half) - half
                 rows.append((left, middle - tall / 2, left + 2 * half, middle + tall / 2))
-                dear.append(BESIDE + off + 0.1 * abs(middle - y))
+                dear.append(BESIDE + off + 0.1 * abs(middle - best))
     return np.array(rows), np.array(dear)
 
 
@@ -179,12 +183,6 @@ def _start(found: AxesPlaces, number: int, one: Station, place: int) -> tuple[Po
         ]
         return (x, max(ends) + 3.0), min(ends) - 3.0, 1
     middle = sign_height(found, one.devices[place])
-    if len(one.devices) > 1 and one.kind == "coupling":
-        text = one.names[place]
-        aside = x + one.half + 3.0 + found.wide(text, bold=True) / 2
-        half = side * LINE * SIZE * found.letters * (text.count("\n") + 1) / 2
-        y = found.y(axis, middle)
-        return (aside, y - half), y - half, side
     if one.kind == "drum":
         x = next(
             own.x

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.axes.obstacles import BOX, BRAKE, ROOF
-from vstatics.pictures.schemes.axes.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE, ROOF
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
+from vstatics.pictures.schemes.coaxial.picture import draw_parts
+from vstatics.pictures.schemes.coaxial.rooms import ends_of
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.ink import SchemeInk
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
 from vstatics.pictures.sheet.labels import Point, Segment
 from vstatics.pictures.sheet.line_styles import Look
@@ -28,6 +32,7 @@ def draw_station(sheet: AxesSheet, number: int) -> None:
         "drum": _drum,
         "differential": _differential,
         "set": _set,
+        "section": _section,
     }
     draw[station.kind](sheet, number, station)
 
@@ -45,7 +50,7 @@ def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
         first, second = device.members["first"], device.members["second"]
         closed = index in sheet.state.engaged
         ends = (xs[first], y), (xs[second], y)
-        one = Coupled(device.kind, *ends, sheet.color(index), closed, sheet.rod_color(index))
+        one = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
         draw_coupled(own.pen, one._replace(title=sheet.said(index)))
         own.name(index)
 
@@ -60,7 +65,7 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
     x, low = found.xs[number], sign_height(found, index)
     ends = (x, found.y(axis, low)), (x, found.y(axis, low + BRAKE))
     is_backward = device.members.get("first") == HOUSING
-    drawn = device.kind, *ends, sheet.color(index), index in sheet.state.engaged
+    drawn = device.sign, *ends, sheet.color(index), index in sheet.state.engaged
     rest = sheet.rod_color(index), side, sheet.said(index), is_backward
     draw_coupled(own.pen, Coupled(*drawn, *rest))
     own.name(index)
@@ -161,3 +166,28 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
         pen.lines(strokes, color=color, width=thick, zorder=4, **look)
     own.name(index)
+
+
+def _section(sheet: AxesSheet, number: int, station: Station) -> None:
+    """Sets and couplings as a half-section over their axis."""
+    layout, found, axis = station.layout, sheet.found, station.axes[0]
+    assert layout is not None  # noqa: S101 - a half-section has one
+    left, right = ends_of(layout)
+    corner = (
+        found.xs[number] - (left + right) / 2,
+        found.y(axis, 0.0) - layout.places.axis,
+    )
+    own = layout.own.scheme
+    idle = {port for port in own.ports if not _goes_on(sheet, port.link, station)}
+    state = replace(sheet.state, idle_ports=idle)
+    pen = sheet.pen.panel(corner, sheet.pen.size)
+    draw_parts(SchemeInk(pen, own, state, sheet.titles, axis=axis + 1), layout)
+
+
+def _goes_on(sheet: AxesSheet, link: int, station: Station) -> bool:
+    """Whether torque passes from a half-section to a link beside it."""
+    others = set(range(len(sheet.scheme.devices))) - set(station.devices)
+    ports = {port.link for port in sheet.scheme.ports}
+    return (link in ports and sheet.is_used(-1, link)) or any(
+        sheet.is_used(index, link) for index in others
+    )

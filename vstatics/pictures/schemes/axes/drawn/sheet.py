@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
-from vstatics.pictures.schemes.axes.labels import DeviceLabel
-from vstatics.pictures.schemes.axes.link_names import NAME_GAP, ends_of, free_names
+from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel
+from vstatics.pictures.schemes.axes.letters.link_names import NAME_GAP, ends_of, free_names
+from vstatics.pictures.schemes.axes.letters.obstacles import obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import (
     LinkLines,
@@ -158,7 +159,9 @@ def draw_ends(sheet: AxesSheet) -> None:
         )
         _draw_port(sheet, port, at, way)
         named.add(port.link)
-    for link, at, aligned in free_names(sheet.found, sheet.scheme, named):
+    for link, at, aligned in free_names(
+        sheet.found, sheet.scheme, named, [*obstacles(sheet.found)]
+    ):
         sheet.text(at, sheet.scheme.name(link), ha=aligned, color=sheet.name_color(link))
 
 

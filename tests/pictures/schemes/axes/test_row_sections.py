@@ -1,0 +1,78 @@
+"""Gearboxes of several planetary sets on one of the axes are half-sections without crossings."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import islice
+from random import Random
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.pictures.schemes.axes.boxes import axes_by_link, of_class, svg_of, wheels
+from tests.pictures.schemes.axes.test_axes import check_bridged, check_joined, colors_of
+from tests.pictures.schemes.test_coaxial import crossings, next_box, planar_boxes
+from vstatics import Mechanism, Transmission
+from vstatics.pictures import picture
+from vstatics.pictures.sheet.style import Style
+from vstatics.synthesis import box_is_planar
+
+
+def transaxle(box: Transmission) -> Transmission:
+    """A box, and a pair from its output to a second axis."""
+    last = box.links + 1
+    pair = Mechanism(box.output, last, 0, -3.2)
+    mechanisms = [*box.mechanisms, pair]
+    return replace(box, links=last, link_names=(), mechanisms=mechanisms, output=last)
+
+
+@pytest.mark.parametrize("count", [4, pytest.param(25, marks=pytest.mark.slow)])
+def test_planar_boxes_before_a_final_drive_are_drawn_without_crossings(count: int) -> None:
+    for box in planar_boxes(count):
+        case = transaxle(box)
+        root = svg_of(case)
+        check_joined(root)
+        assert check_bridged(root) == crossings(ET.tostring(root)) == 0
+        heights = axes_by_link(root)
+        assert heights[str(case.input)] == heights[str(box.output)] != heights[str(case.output)]
+        wheel, other = wheels(root)
+        assert wheel.x == pytest.approx(other.x, abs=0.1)
+
+
+@pytest.mark.slow
+def test_a_title_says_how_often_links_cross() -> None:
+    boxes = (next_box(Random(seed)) for seed in range(100))  # noqa: S311
+    others = islice((box for box in boxes if not box_is_planar(box)), 3)
+    told = []
+    for case in map(transaxle, others):
+        count = len(of_class(svg_of(case), "crossing"))
+        title = picture(vstatics.solve(case), "stick", Style()).texts[0].get_text()
+        said = re.search(r"(\d+) crossing", title)
+        assert count == int(said[1] if said else 0)
+        told.append(count)
+    assert any(told)
+
+
+def test_the_gearbox_of_a_driveline_is_drawn_like_the_gearbox_alone() -> None:
+    alone, case = (vstatics.load(CASES / f"{one}.yaml") for one in ("zf-8hp70", "driveline-8hp70"))
+    orders = []
+    for one in (alone, case):
+        figure = picture(vstatics.solve(one), "stick", Style())
+        at = {text.get_text(): text.get_position()[0] for text in figure.texts}
+        orders.append(sorted(("P1", "P2", "P3", "P4", "A", "B", "C", "D", "E"), key=at.__getitem__))
+    assert orders[0] == orders[1]
+    root = svg_of(case)
+    assert check_bridged(root) == crossings(ET.tostring(root)) == 0
+    assert len(of_class(root, "axis")) == 2
+
+
+def test_a_link_is_pale_from_where_it_carries_nothing() -> None:
+    # driveline-8hp70, gear 1: E and D are open, so carrier 3 and ring 2 carry nothing
+    # (`vstatics run`); input and output carry torque on both sides of the half-section
+    colors, style = colors_of("driveline-8hp70", "link"), Style()
+    assert [colors[link] for link in ("carrier 3", "ring 2")] == [{style.faint}] * 2
+    assert colors["input"] == {style.ink}
+    assert style.ink in colors["output"]

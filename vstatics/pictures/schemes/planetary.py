@@ -1,0 +1,78 @@
+"""Which devices of a scheme are planetary sets, or may be some, and how each is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from vstatics.elements.element import CentralWheel
+from vstatics.elements.group import PlanetGroup, group_of
+from vstatics.elements.kinds import Planetary
+from vstatics.model.parts import Mechanism
+from vstatics.model.transmission import Transmission
+from vstatics.pictures.schemes.scheme import Device, Scheme
+from vstatics.pictures.schemes.sets import HalfSection, section_of
+from vstatics.pictures.schemes.titles import teeth_of
+from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.words import word
+
+
+def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
+    """The planetary sets of a scheme by their places, also mechanisms that may be some."""
+    found = {}
+    for index, device in enumerate(scheme.devices):
+        element = device.element
+        names: dict[str, str] = {}
+        if element is not None and isinstance(element.shape, Planetary):
+            group = group_of(element)
+            if style.wheels:
+                teeth = teeth_of(element).items()
+                names = {one: f"{word(one, style)}: {count:g}" for one, count in teeth}
+        elif element is None and ("carrier" in device.members or can_be_set(device)):
+            group = bare_group(case.mechanisms[device.numbers[0]])
+        else:
+            continue
+        found[index] = replace(section_of(group), names=names)
+    return found
+
+
+def can_be_set(device: Device) -> bool:
+    """Whether it may be a planetary set: a mechanism with a carrier that is not the housing."""
+    return device.kind == "mechanism" and "third" in device.members
+
+
+def as_sets(devices: Sequence[Device], mechanisms: Sequence[Mechanism]) -> list[Device]:
+    """Devices with their mechanisms as sets of sun, ring and carrier.
+
+    Below 0 a ratio is that of a simple set, above 0 one of meshed planets; where its size is
+    below 1 the first link has the ring.
+
+    >>> devices = [Device("D1", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,))]
+    >>> as_sets(devices, [Mechanism(1, 2, 3, -2.5)])[0].members
+    {'sun': 1, 'ring': 2, 'carrier': 3}
+    """
+    sets = [*devices]
+    for index, device in enumerate(devices):
+        if can_be_set(device):
+            group = bare_group(mechanisms[device.numbers[0]])
+            members = {wheel.member: wheel.link for wheel in group.wheels}
+            sets[index] = device._replace(members={**members, "carrier": group.carrier})
+    return sets
+
+
+def bare_group(mechanism: Mechanism) -> PlanetGroup:
+    """Wheels and planets of a set, with teeth that stand for any.
+
+    >>> [wheel.link for wheel in bare_group(Mechanism(1, 2, 3, -0.4)).wheels]
+    [2, 1]
+    """
+    first, second, carrier = mechanism.links
+    sun, ring = (first, second) if abs(mechanism.ratio) >= 1 else (second, first)
+    is_simple = mechanism.ratio < 0
+    rims = ("planet",) if is_simple else ("inner", "outer")
+    wheels = [
+        CentralWheel("sun", sun, 1, internal=False, rim=rims[0]),
+        CentralWheel("ring", ring, 1, internal=True, rim=rims[-1]),
+    ]
+    meshes = [] if is_simple else [("inner", "outer")]
+    return PlanetGroup(carrier, wheels, {rim: {rim: None} for rim in rims}, meshes)
