@@ -32,6 +32,7 @@ ROOMS = (
     "damage",
     "torsion",
     "simulation",
+    "examples",
     "sweep",
     "writers",
     "flow",

@@ -42,6 +42,7 @@ from vstatics.sweep import sweep
 if TYPE_CHECKING:
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
+    from vstatics.examples import example
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
@@ -77,6 +78,7 @@ __all__ = [
     "VstaticsError",
     "__version__",
     "distribution_matrix",
+    "example",
     "explain_gear",
     "flows",
     "load",
@@ -97,6 +99,7 @@ _LATER = {
     "Motion": "vstatics.simulation.record.motion",
     "PlanetMass": "vstatics.elements.element",
     "Scenario": "vstatics.simulation.scenario.parts",
+    "example": "vstatics.examples",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
