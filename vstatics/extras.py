@@ -89,7 +89,7 @@ def missing(extra: str, purpose: str) -> str:
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '
-    ...         'pip install "vstatics[formula]", or "vstatics[all]" for whatever there is')
+    ...         'pip install "vstatics[formula]", or "vstatics[all]"')
     True
     """
     from importlib.util import find_spec
@@ -97,7 +97,7 @@ def missing(extra: str, purpose: str) -> str:
     for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
         if find_spec(package) is None:
             needs = f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
-            return f'{needs}, or "vstatics[all]" for whatever there is'
+            return f'{needs}, or "vstatics[all]"'
     return ""
 
 

@@ -89,7 +89,7 @@ def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
     case = on_own_links(load(BELAZ)).case
     given = {"P1": -0.7, "P2": -1.4, "P3": -1.0}
     mechanisms = [one._replace(planet_ratio=given.get(one.name)) for one in case.mechanisms]
-    file.write_text(write(case.replace(mechanisms=mechanisms), "yaml")[0], encoding="utf-8")
+    file.write_bytes(write(case.replace(mechanisms=mechanisms), "yaml")[0])
     bounds = ("--bounds", "P4=1.5:4")
     wanted = ("--ratios", "2=4.2,4=2.1,R2=12", *bounds, "--write", str(fitted))
     answer = said(*wanted, case=file)

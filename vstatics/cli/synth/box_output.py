@@ -143,8 +143,8 @@ def _items(found: FoundBoxes) -> list[BoxFiles]:
 
 def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
     """The files of a box by their suffixes: its case, and its stick diagram."""
-    text, _lost = write(item.case, "yaml")
-    made = {".yaml": files.encoded(text)}
+    data, _lost = write(item.case, "yaml")
+    made = {".yaml": data}
     if item.is_drawn:
         from vstatics.pictures.boxes.stick import stick_diagram
 

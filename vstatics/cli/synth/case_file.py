@@ -56,10 +56,10 @@ def write_case(case: Transmission, target: str, form: str) -> bool:
         If what is left of it would be another case, or it can't be written.
     """
     try:
-        text, lost = write(case, form)
+        data, lost = write(case, form)
     except CaseError as error:
         raise ReadError(one.in_file(target) for one in error.problems) from error
-    files.write_output(text, target)
+    files.write_data(data, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
     return not lost

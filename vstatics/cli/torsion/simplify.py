@@ -175,7 +175,7 @@ def simplify(
                     own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
                 ]
                 made = scheme_case(found.scheme, own.name, ends, chosen.name)
-                files.write_output(write_case(made, written)[0], output)
+                files.write_data(write_case(made, written)[0], output)
             return True
 
         notes = slope_notes(reading, [chosen.name])
