@@ -64,7 +64,10 @@ REFUSED = {
         "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method lhs",
         "@ vstatics.sweep(case, {'P1.ratio': '-3:-2'}, sample=4)",
     ),
-    "parquet": ("vstatics sweep case.yaml --vary P1.ratio=-3,-2 -o out.parquet",),
+    "parquet": (
+        "vstatics run case.yaml -o out.parquet",
+        "vstatics sweep case.yaml --vary P1.ratio=-3,-2 -o out.parquet",
+    ),
     "dask": ("vstatics sweep case.yaml --vary P1.ratio=-3,-2 --scheduler tcp://127.0.0.1:9",),
     "pandas": (
         "@ vstatics.solve(case).to_dataframe()",
