@@ -33,6 +33,7 @@ ROOMS = (
     "torsion",
     "simulation",
     "examples",
+    "checking",
     "sweep",
     "writers",
     "flow",

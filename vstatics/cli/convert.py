@@ -10,53 +10,8 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import CaseError, ReadError
-from vstatics.model.transmission import Transmission
-from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import suffix_of
-
-
-def write(case: Transmission, output_format: str) -> tuple[bytes, list[str]]:
-    """A case as a file holds it, and what the format cannot keep of it.
-
-    Raises
-    ------
-    CaseError
-        If what is left of it in the format would be another case.
-    """
-    if output_format == "xlsx":
-        from vstatics.writers import workbook
-
-        return workbook.write(case), []
-    text, lost = _as_text(case, output_format)
-    return files.encoded(text), lost
-
-
-def _as_text(case: Transmission, output_format: str) -> tuple[str, list[str]]:
-    if output_format == "deck":
-        from vstatics.writers.deck import lost
-        from vstatics.writers.deck import write as write_deck
-        from vstatics.writers.deck_limits import check_deck
-
-        check_deck(case)
-        results = solve(case)
-        conflicts = [
-            f"that gear {gear.name} is in conflict: a deck does without the freewheel"
-            for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
-            if is_so
-        ]
-        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
-    if output_format == "modelica":
-        from vstatics.writers import modelica, modelica_limits
-
-        return modelica.write(case), modelica_limits.lost(case)
-    if output_format == "matrices":
-        from vstatics.writers import matrices
-
-        return matrices.write(case), []
-    from vstatics.writers import named
-
-    writer = named.write_yaml if output_format == "yaml" else named.write_json
-    return writer(case), []
+from vstatics.writers.saving import case_data
 
 
 @click.command()
@@ -107,7 +62,7 @@ def convert(
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     try:
-        data, lost = write(reading.case, wanted)
+        data, lost = case_data(reading.case, wanted)
     except CaseError as error:
         raise ReadError(one.in_file(source) for one in error.problems) from error
     files.write_data(data, target)
