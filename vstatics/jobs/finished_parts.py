@@ -71,6 +71,8 @@ class FinishedParts:
         self.path = os.path.join(self.directory, PARTS)  # noqa: PTH118
         self.options = options
         self._parts: dict[str, _Stretch] = {}
+        """Of the run that is taken up."""
+        self._added = False
         self._lock: int | None = None
         self._file: IO[bytes] | None = None
 
@@ -82,17 +84,13 @@ class FinishedParts:
         """Let go of the parts, which stay after an error, if there are any."""
         if self._file is not None:
             self._file.close()
-        if self._file is not None and (error[0] is None or not self._parts):
+        if self._file is not None and (error[0] is None or not (self._parts or self._added)):
             for path in (self.path, os.path.join(self.directory, LOCK)):  # noqa: PTH118
                 with contextlib.suppress(OSError):
                     os.unlink(path)  # noqa: PTH108
             with contextlib.suppress(OSError):
                 os.rmdir(self.directory)  # noqa: PTH106
         unlock(self._lock)
-
-    def __len__(self) -> int:
-        """So many parts are there."""
-        return len(self._parts)
 
     def open(self, *, resume: bool) -> str:
         """Begin, or take up what is there; why nothing is taken up, where that was asked for.
@@ -160,7 +158,7 @@ class FinishedParts:
         """
         assert self._file is not None  # noqa: S101 - it was opened
         head = json.dumps([file, mark.case, mark.beside, len(part)]).encode() + b"\n"
-        start = self._file.seek(0, os.SEEK_END) + len(head)
+        self._file.seek(0, os.SEEK_END)
         self._file.write(head + part)
         self._file.flush()
-        self._parts[file] = _Stretch(mark, start, len(part))
+        self._added = True  # what is new is in memory no longer than it takes to write it
