@@ -32,6 +32,8 @@ ROOMS = (
     "damage",
     "torsion",
     "simulation",
+    "examples",
+    "checking",
     "sweep",
     "writers",
     "flow",

@@ -40,8 +40,11 @@ from vstatics.statics.state import GearState
 from vstatics.sweep import sweep
 
 if TYPE_CHECKING:
+    from vstatics.checking import check
+    from vstatics.comparison.compare import compare
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
+    from vstatics.examples import example
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
@@ -52,6 +55,8 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.parts import Scenario
     from vstatics.summary import summarize
+    from vstatics.summary.operation.cycles import cycle
+    from vstatics.writers.saving import save
 
 __all__ = [
     "CaseError",
@@ -76,13 +81,18 @@ __all__ = [
     "Transmission",
     "VstaticsError",
     "__version__",
+    "check",
+    "compare",
+    "cycle",
     "distribution_matrix",
+    "example",
     "explain_gear",
     "flows",
     "load",
     "load_scenario",
     "loads",
     "plot",
+    "save",
     "simulate",
     "solve",
     "summarize",
@@ -97,10 +107,15 @@ _LATER = {
     "Motion": "vstatics.simulation.record.motion",
     "PlanetMass": "vstatics.elements.element",
     "Scenario": "vstatics.simulation.scenario.parts",
+    "check": "vstatics.checking",
+    "compare": "vstatics.comparison.compare",
+    "cycle": "vstatics.summary.operation.cycles",
+    "example": "vstatics.examples",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
     "plot": "vstatics.pictures.plotting",
+    "save": "vstatics.writers.saving",
     "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.summary",
     "write_report": "vstatics.report",

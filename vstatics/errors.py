@@ -29,6 +29,37 @@ class Place(NamedTuple):
     column: int
     text: str = ""
 
+    def __str__(self) -> str:
+        """As it is told before a message."""
+        return f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+
+
+class CellPlace(Place):
+    """A cell of a workbook: line and column are its own, and it has a sheet."""
+
+    sheet: str = ""
+
+    @classmethod
+    def of(cls, place: Place, sheet: str) -> CellPlace:
+        """The cell of a sheet.
+
+        >>> str(CellPlace.of(Place("box.xlsx", 4, 28), "gears"))
+        'box.xlsx:gears!AB4'
+        """
+        made = cls(*place)
+        made.sheet = sheet
+        return made
+
+    def __str__(self) -> str:
+        """As a spreadsheet program names it."""
+        if not (self.sheet and self.line):
+            return super().__str__()
+        letters, rest = "", self.column
+        while rest:
+            rest, letter = divmod(rest - 1, 26)
+            letters = chr(ord("A") + letter) + letters
+        return f"{self.file}:{self.sheet}!{letters}{self.line}"
+
 
 def severity(identity: str) -> Severity:
     """What the first letter of an id says.
@@ -165,9 +196,7 @@ class Problem(NamedTuple):
         """The problem in one line that is safe to print, in the wording of a compiler."""
         text = self.told
         if self.place is not None:
-            file, line, column, _ = self.place
-            where = f"{file}:{line}:{column}: " if line else f"{file}: "
-            return printable(f"{where}{self.severity}: {text}")
+            return printable(f"{self.place}: {self.severity}: {text}")
         return printable(f"{path_text(self.path)}: {text}" if self.path else text)
 
     def in_file(self, file: str) -> Problem:

@@ -88,14 +88,16 @@ def missing(extra: str, purpose: str) -> str:
     """What to install for a purpose, or nothing where it is installed.
 
     >>> missing("formula", "the formula") in (
-    ...     "", 'the formula needs the package sympy: pip install "vstatics[formula]"')
+    ...     "", 'the formula needs the package sympy: '
+    ...         'pip install "vstatics[formula]", or "vstatics[all]"')
     True
     """
     from importlib.util import find_spec
 
     for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
         if find_spec(package) is None:
-            return f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
+            needs = f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
+            return f'{needs}, or "vstatics[all]"'
     return ""
 
 

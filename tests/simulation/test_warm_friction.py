@@ -13,11 +13,11 @@ from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_golden import closes
 from vstatics import loads
-from vstatics.cli.convert import write
 from vstatics.errors import CaseError, ReadError
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.writers import modelica
+from vstatics.writers.saving import case_data
 
 PER_PRESSURE = 0.1 * 0.006 * 8
 """``radius area surfaces`` of the pack [m^3]."""
@@ -141,7 +141,7 @@ def test_random_tables_agree_with_an_independent_integrator(seed: int) -> None:
 def test_what_is_written_is_read_again() -> None:
     read = loads(case(FADING))
     for form in ("yaml", "json"):
-        assert loads(write(read, form)[0]) == read
+        assert loads(case_data(read, form)[0]) == read
     assert "mu_pos = [0.0, 0.12]" in modelica.write(read)  # as warm as at the beginning
 
 

@@ -12,9 +12,9 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command, refuse
-from vstatics.cli.frame.result_pairs import verdicts_of_directories, verdicts_of_files
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
+from vstatics.comparison.pairs import verdicts_of_directories, verdicts_of_files
 from vstatics.comparison.sweeps import sweep_differences
 from vstatics.comparison.verdicts import Tolerances, Verdict, verdict
 from vstatics.errors import plural
@@ -86,7 +86,7 @@ def compare(
     if any(folders):
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
         cases = []
-        for one in verdicts_of_directories(actual, expected, how):
+        for one in verdicts_of_directories(actual, expected, how, files.read_input):
             if isinstance(one, list):
                 files.show(one)
                 failed = True

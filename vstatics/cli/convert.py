@@ -10,44 +10,8 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import CaseError, ReadError
-from vstatics.model.transmission import Transmission
-from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import suffix_of
-
-
-def write(case: Transmission, output_format: str) -> tuple[str, list[str]]:
-    """A case as text, and what the format cannot keep of it.
-
-    Raises
-    ------
-    CaseError
-        If what is left of it in the format would be another case.
-    """
-    if output_format == "deck":
-        from vstatics.writers.deck import lost
-        from vstatics.writers.deck import write as write_deck
-        from vstatics.writers.deck_limits import check_deck
-
-        check_deck(case)
-        results = solve(case)
-        conflicts = [
-            f"that gear {gear.name} is in conflict: a deck does without the freewheel"
-            for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
-            if is_so
-        ]
-        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
-    if output_format == "modelica":
-        from vstatics.writers import modelica, modelica_limits
-
-        return modelica.write(case), modelica_limits.lost(case)
-    if output_format == "matrices":
-        from vstatics.writers import matrices
-
-        return matrices.write(case), []
-    from vstatics.writers import named
-
-    writer = named.write_yaml if output_format == "yaml" else named.write_json
-    return writer(case), []
+from vstatics.writers.saving import case_data
 
 
 @click.command()
@@ -68,10 +32,11 @@ def convert(
     output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert the case IN to OUT: deck (.dat), YAML, JSON or Modelica (.mo); - is a stream.
+    """Convert the case IN to OUT: deck (.dat), YAML, JSON, XLSX or Modelica (.mo); - is a stream.
 
     Numbers and names are kept to the last digit; torques and speeds with a unit are
-    written relative to the load. A deck has mechanisms in place of elements, and
+    written relative to the load. A workbook (XLSX) has a sheet for the parts of each kind.
+    A deck has mechanisms in place of elements, and
     freewheels are engaged where they hold. What the format cannot keep is listed, and
     the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
     written at all. Modelica is written only: a model on its standard library, whose
@@ -83,6 +48,7 @@ def convert(
     Examples:
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
+      vstatics convert gearbox.yaml gearbox.xlsx
       vstatics convert gearbox.yaml gearbox.mo
       vstatics convert gearbox.yaml - --to matrices
     """
@@ -92,14 +58,14 @@ def convert(
     if wanted is None:
         raise click.UsageError(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
-            ".mo, or --to"
+            ".xlsx, .mo, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     try:
-        text, lost = write(reading.case, wanted)
+        data, lost = case_data(reading.case, wanted)
     except CaseError as error:
         raise ReadError(one.in_file(source) for one in error.problems) from error
-    files.write_output(text, target)
+    files.write_data(data, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
     return FAILED if lost or telling.fails(reading.warnings) else DONE

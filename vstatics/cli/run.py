@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -13,15 +14,19 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError, printable
-from vstatics.jobs.files import STDOUT
+from vstatics.jobs.files import STDOUT, is_stream
+from vstatics.jobs.workers import cores
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
 """Of a text in a file, without colours."""
-FORMATS = ("listing", *formats.TABLES[1:])
+FORMATS = ("listing", *formats.TABLES[1:], "parquet")
+MANY = 100
+"""From so many cases on all cores share them."""
 
 
 @click.command()
@@ -37,12 +42,13 @@ FORMATS = ("listing", *formats.TABLES[1:])
     "-j",
     "--jobs",
     type=click.IntRange(min=1),
-    default=1,
-    show_default=True,
-    help="Processes that share several cases.",
+    help=f"Processes that share several cases.  [default: 1; all cores from {MANY} cases on]",
 )
 @click.option(
-    "--resume", is_flag=True, help="Leave out cases whose result is in the directory already."
+    "--resume",
+    is_flag=True,
+    help="Leave out cases whose result is in the directory already, or, of a run into .jsonl or "
+    ".parquet that was stopped, beside the file.",
 )
 @click.option(
     "--pretty", is_flag=True, help="One coloured table of the gears, for people; plain with -o."
@@ -60,12 +66,12 @@ def run(
     cases: tuple[str, ...],
     wanted: OutputOptions,
     files_from: str | None,
-    jobs: int,
+    jobs: int | None,
     resume: bool,
     pretty: bool,
     settings: CaseOptions,
 ) -> int:
-    """Calculate every gear of each CASE: a deck, YAML or JSON; - is standard input.
+    """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX; - is standard input.
 
     \b
     Examples:
@@ -74,8 +80,10 @@ def run(
       vstatics run gearbox.yaml -f json | jq .ratio
       cat gearbox.dat | vstatics run - --coast
       vstatics run variants/*.dat -f json -o results/ --jobs 4
+      vstatics run 'drawer/**/*.dat' -o all.parquet
       find . -name '*.dat' | vstatics run --files-from - -f jsonl -o all.jsonl
 
+    Patterns in quotes are expanded here; ** stands for any folders.
     Into a directory each case gives a file: its stem and .lst, .json or .csv. A case
     that fails does not stop the others. After Ctrl-C, --resume goes on.
 
@@ -89,13 +97,16 @@ def run(
     several = len(names) > 1 or files_from is not None
     others = [] if files_from is None else [files_from]
     if pretty:
-        if wanted.form is not None or jobs > 1 or resume or wanted.style.lang == "source":
+        if wanted.form is not None or jobs is not None or resume or wanted.style.lang == "source":
             without = "-f, --jobs, --resume, --lang source"
             raise click.UsageError(f"--pretty is for people: without {without}")
         return _pretty(names, settings, wanted, [*names, *others], several=several)
     to = wanted.destination([*names, *others], several=several)
-    if resume and not to.is_folder:
-        raise click.UsageError("--resume needs a directory to go on with: -o DIRECTORY/")
+    if resume and not to.is_folder and (to.form not in formats.STREAMS or is_stream(to.output)):
+        message = (
+            "--resume needs a directory to go on with, -o DIRECTORY/, or a file .jsonl, .parquet"
+        )
+        raise click.UsageError(message)
     job = Job(
         "run",
         settings,
@@ -103,6 +114,7 @@ def run(
         partial(show, style=to.style),
         _frame() if to.form == "csv" else None,
     )
+    jobs = jobs or (cores() if len(names) >= MANY else 1)
     return carry_out(job, names, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
@@ -125,6 +137,11 @@ def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.C
             return result_csv.write(results, raw=style.raw)
         return result_csv.rows(file, results, raw=style.raw)
 
+    def parquet(file: str | None) -> bytes:
+        from vstatics.writers import result_parquet
+
+        return result_parquet.rows(file or outcome.file, results)
+
     def document() -> dict[str, Any]:
         from vstatics.writers import result_json
 
@@ -142,7 +159,8 @@ def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.C
         return [*of_results(results), *[messages] * bool(messages.rows)]
 
     titles = [results.case.name or outcome.file]
-    own = {"listing": listing, "csv": csv}
+    own: dict[str, Callable[[str | None], str | bytes]]
+    own = {"listing": listing, "csv": csv, "parquet": parquet}
     return texts.CaseOutput(titles, own, grids, document, lay_out)
 
 
@@ -213,10 +231,10 @@ def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
     if files_from is None:
         if not cases:
             raise click.UsageError("Missing argument 'CASE...'.")
-        names = list(cases)
+        names = expanded(cases)
     else:
         if files_from == files.STDIN and files.STDIN in cases:
             raise click.UsageError("standard input (-) is the list of cases, and no case")
-        names = [*cases, *files.read_names(files_from)]
+        names = [*expanded(cases), *files.read_names(files_from)]
     arguments.check_streams(names)
     return names

@@ -38,19 +38,53 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
     return [key for key in wanted if key in known and known[key] != wanted[key]]
 
 
-def _hash(case: bytes) -> str:
+def hash_of(case: bytes) -> str:
+    """The hash of a case as it was read."""
     return hashlib.sha256(case).hexdigest()
 
 
-def _hash_of_file(name: str) -> str | None:
+def hash_of_file(name: str) -> str | None:
     """The hash of a case; None if it is no file that stays."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123
-                return _hash(file.read())
+                return hash_of(file.read())
     except OSError:
         pass
     return None
+
+
+def described(options: Description) -> bytes:
+    """A line that tells of what run something is: its options, and the build of this package."""
+    return json.dumps({"build": build(), **options}).encode()
+
+
+def why_not_taken(first: bytes, options: Description, path: str) -> str:
+    """Why finished work can't be taken up, by the line that tells of what run it is; "" if it can.
+
+    Raises
+    ------
+    ReadError
+        If that run had other options, so that its results would not go together
+        with those to come.
+    """
+    try:
+        known = dict(json.loads(first))
+    except (ValueError, TypeError):
+        return NO_RUN
+    if not known.keys() & options.keys():
+        return NO_RUN
+    changed = "; ".join(
+        f"{key} was {_shown(known[key])}, is {_shown(options[key])}"
+        for key in differing(known, options)
+    )
+    if changed:
+        message = (
+            f"the run to go on with was another one ({changed}): use the same options, "
+            "or calculate all cases again without --resume"
+        )
+        raise ReadError([of_file("E031", path, message)])
+    return "" if first.rstrip(b"\n") == described(options) else OTHER_BUILD
 
 
 class _Entry(NamedTuple):
@@ -76,8 +110,7 @@ class FinishedCases:
         self.name = f".vstatics-run-{self.mark}"
         self.path = os.path.join(folder, self.name)  # noqa: PTH118
         self.options = options
-        self._description = json.dumps({"build": build(), **options})
-        self._run = hashlib.sha256(self._description.encode()).hexdigest()[:16]
+        self._run = hashlib.sha256(described(options)).hexdigest()[:16]
         self._done: dict[str, _Entry] = {}
         self._lock: int | None = None
 
@@ -107,7 +140,7 @@ class FinishedCases:
         OSError
             If that cannot be written.
         """
-        replace(self.path, self._description.encode() + b"\n")
+        replace(self.path, described(self.options) + b"\n")
 
     def resume(self) -> str:
         """Take up the run that is there; why every case is calculated, if there is none.
@@ -121,23 +154,11 @@ class FinishedCases:
         try:
             with open(self.path, encoding="utf-8") as file:  # noqa: PTH123
                 first, *lines = file.read().splitlines()
-            known = dict(json.loads(first))
-        except (OSError, ValueError, TypeError):
+        except (OSError, ValueError):
             return NO_RUN
-        if not known.keys() & self.options.keys():
-            return NO_RUN
-        changed = "; ".join(
-            f"{key} was {_shown(known[key])}, is {_shown(self.options[key])}"
-            for key in differing(known, self.options)
-        )
-        if changed:
-            message = (
-                f"the run to go on with was another one ({changed}): use the same options, "
-                "or calculate all cases again without --resume"
-            )
-            raise ReadError([of_file("E031", self.path, message)])
-        if first != self._description:
-            return OTHER_BUILD
+        without = why_not_taken(first.encode(), self.options, self.path)
+        if without:
+            return without
         for line in lines:
             self._take(line)
         return ""
@@ -158,7 +179,7 @@ class FinishedCases:
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
         hashes = {file: entry.case, **entry.beside}
-        return all(_hash_of_file(name) == known for name, known in hashes.items())
+        return all(hash_of_file(name) == known for name, known in hashes.items())
 
     def put(
         self,
@@ -186,8 +207,8 @@ class FinishedCases:
         from vstatics.jobs.page_files import replace_pages  # few runs write pages
 
         replace_pages(target, result, self.mark)
-        name, others = os.path.basename(target), {one: _hash_of_file(one) for one in beside}  # noqa: PTH119
-        entry = [name, _hash(case), others, self._run, _state(target), failed]
+        name, others = os.path.basename(target), {one: hash_of_file(one) for one in beside}  # noqa: PTH119
+        entry = [name, hash_of(case), others, self._run, _state(target), failed]
         with appending(self.path) as write:
             write(json.dumps(entry).encode() + b"\n")
 

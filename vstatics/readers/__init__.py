@@ -9,7 +9,8 @@
 
 `load` reads a file, `loads` a text, `from_dict` plain data. `expressions` reads formulas. In
 `deck` and `named` a text becomes values with their places, these a case; `reading` ends what both
-do. `results` and `sweep_tables` read what was written as results.
+do. `workbook` makes of sheets what `named` reads. `results` and `sweep_tables` read what was
+written as results.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from vstatics.errors import ReadError, type_and_value
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
-Format = Literal["deck", "yaml", "json"]
+Format = Literal["deck", "yaml", "json", "xlsx"]
 
 
 class Stream(Protocol):
@@ -38,6 +39,7 @@ READERS: dict[Format, tuple[str, str]] = {
     "deck": ("vstatics.readers.deck.reader", "read"),
     "yaml": ("vstatics.readers.named.reader", "read_yaml"),
     "json": ("vstatics.readers.named.reader", "read_json"),
+    "xlsx": ("vstatics.readers.workbook", "read"),
 }
 """Module and function of each format; imported when needed, as YAML costs start-up time."""
 
@@ -48,7 +50,11 @@ SUFFIXES: dict[str, Format] = {
     ".yaml": "yaml",
     ".yml": "yaml",
     ".json": "json",
+    ".xlsx": "xlsx",
 }
+
+_PACKED = b"PK\x03\x04"
+"""With this begins a workbook, which is a ZIP file."""
 
 
 def format_of_name(file: str) -> Format | None:
@@ -62,6 +68,8 @@ def format_of(file: str, data: bytes) -> Format:
     named = format_of_name(file)
     if named is not None:
         return named
+    if data.startswith(_PACKED):
+        return "xlsx"
     from vstatics.readers.deck.text import holds_deck
 
     if data.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{":
@@ -78,7 +86,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
         The content of a file.
     file : str
         Its name, for messages and to tell the format.
-    format : {"deck", "yaml", "json"}, optional
+    format : {"deck", "yaml", "json", "xlsx"}, optional
         The format, where it is known.
 
     Raises
@@ -95,13 +103,13 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
 
 
 def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) -> Transmission:  # noqa: A002
-    r"""Read a case: a Visual-Statics deck, YAML or JSON.
+    r"""Read a case: a Visual-Statics deck, YAML, JSON or a workbook.
 
     Parameters
     ----------
     source : path-like or stream
         The file, or something opened: text or bytes.
-    format : {"deck", "yaml", "json"}, optional
+    format : {"deck", "yaml", "json", "xlsx"}, optional
         The format; told by the suffix, else by the content, when not given.
 
     Raises

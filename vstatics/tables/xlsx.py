@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import io
+import math
 import re
 import zipfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import CaseError
@@ -54,6 +55,21 @@ def write(
         for grid in grids:
             book.add(file, grid)
     return book.data()
+
+
+def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
+    """A workbook of sheets by name, each with its rows, the first of which are headings.
+
+    The same sheets give the same bytes.
+    """
+    from openpyxl import Workbook
+
+    book = _Book(Workbook(write_only=True), several=False, digits=None)
+    for name, (headings, *rows) in sheets.items():
+        _Worksheet(book.book.create_sheet(name), book).add([], list(headings), rows)
+    written = io.BytesIO()
+    book.book.save(written)
+    return _without_dates(written)
 
 
 class _Book:
@@ -124,10 +140,12 @@ class _Worksheet:
         if isinstance(datum, str):
             cell = WriteOnlyCell(self.sheet, _CONTROL.sub("�", datum))
             cell.data_type = "s"
+        elif isinstance(datum, float) and math.isfinite(datum):
+            cell = WriteOnlyCell(self.sheet, repr(float(datum)))  # openpyxl writes 16 digits
+            cell.data_type = "n"
+            cell.number_format = self.book.number_format
         else:
             cell = WriteOnlyCell(self.sheet, datum)
-            if isinstance(datum, float):
-                cell.number_format = self.book.number_format
         if font is not None:
             cell.font = font
         return cell

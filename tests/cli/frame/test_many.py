@@ -170,7 +170,7 @@ def test_a_result_that_would_overwrite_a_case_or_the_list_is_refused() -> None:
         ("-o in -f jsonl", "jsonl is one stream: expected -o FILE, not in"),
         ("-o new/ -f jsonl", "jsonl is one stream: expected -o FILE, not new/"),
         ("--resume", "--resume needs a directory"),
-        ("--resume -f jsonl -o all.jsonl", "--resume needs a directory"),
+        ("--resume -f csv -o all.csv", "--resume needs a directory"),
         ("--jobs 0", "x>=1"),
         ("--files-from -  -", "standard input (-) is the list of cases, and no case"),
         ("- -", "standard input (-) can be read once"),

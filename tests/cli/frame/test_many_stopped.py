@@ -150,8 +150,13 @@ def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
         run.send_signal(signal.SIGTERM)
         told = ended(run)
         os.close(pipe)
-    assert told == (143, ["stopped after 2 of 5 cases; all.jsonl was not written"])
-    assert names(".") == sorted(CASES)
+    assert told == (
+        143,
+        [
+            "stopped after 2 of 5 cases; all.jsonl was not written; the same command with --resume goes on"
+        ],
+    )
+    assert names(".") == sorted([*CASES, "all.jsonl.parts"])
 
 
 def kill_the_reader(run: subprocess.Popen[bytes]) -> None:

@@ -11,8 +11,8 @@ import pytest
 from tests.cli.test_schemas import validator
 from tests.commands import CASES, Said, vstatics
 from vstatics import load, solve
-from vstatics.cli.convert import write
 from vstatics.explain.bodies import on_own_links
+from vstatics.writers.saving import case_data
 
 BELAZ = CASES / "belaz7516.yaml"
 GOLDEN = ("--ratios", "2=4.00,4=2.01,R2=-5.12,5=1.4925")
@@ -89,7 +89,7 @@ def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
     case = on_own_links(load(BELAZ)).case
     given = {"P1": -0.7, "P2": -1.4, "P3": -1.0}
     mechanisms = [one._replace(planet_ratio=given.get(one.name)) for one in case.mechanisms]
-    file.write_text(write(case.replace(mechanisms=mechanisms), "yaml")[0], encoding="utf-8")
+    file.write_bytes(case_data(case.replace(mechanisms=mechanisms), "yaml")[0])
     bounds = ("--bounds", "P4=1.5:4")
     wanted = ("--ratios", "2=4.2,4=2.1,R2=12", *bounds, "--write", str(fitted))
     answer = said(*wanted, case=file)

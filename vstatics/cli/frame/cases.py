@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, NamedTuple, get_args
 import click
 
 from vstatics import readers
+from vstatics.checking import located_messages
 from vstatics.cli.frame import documents, files
 from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
-from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file, plural, spoken
+from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.model.checks import hints
 from vstatics.model.open_converters import with_needed_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
-from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Language, Results
 from vstatics.statics.solve import solve
 
@@ -198,7 +198,7 @@ def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
         results = _solved(reading, settings, opens=opens)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
-        found = _located(reading, results, each_gear=each)
+        found = located_messages(reading, results, each_gear=each)
         if settings.of_runs and scenario is not None:
             found = (one._replace(id="N004") for one in found)
         problems = not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
@@ -257,20 +257,3 @@ def unexpected(name: str, error: Exception) -> Problem:
     text = " ".join(f"{type(error).__name__}: {error}".split())
     message = f"an error of vstatics, please report it with this case: {text}{where}"
     return of_file("E002", name, message)
-
-
-def _located(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-    """The messages of a result as problems: at the place of each gear, or of the first of many."""
-    if not results.messages:
-        return
-    numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
-    together: dict[object, list[Message]] = {}
-    for message in results.messages:
-        if message.gear:
-            key = message if each_gear else message._replace(gear="")
-            together.setdefault(key, []).append(message)
-    for first, *others in together.values():
-        place = reading.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
-        names = spoken([first.gear, *(other.gear for other in others)])
-        text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
-        yield Problem(first.id, text, place=place)

@@ -19,8 +19,10 @@ from vstatics.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffi
 
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """The formats of a command with tables."""
-FULL = ("json", "jsonl", "csv")
+FULL = ("json", "jsonl", "csv", "parquet")
 """They have all digits of a number."""
+STREAMS = ("jsonl", "parquet")
+"""All cases are one file, whatever their number; a run that was stopped can go on."""
 
 
 class TextStyle(NamedTuple):
@@ -98,7 +100,7 @@ class OutputOptions(NamedTuple):
             raise click.UsageError(f"-f {message}")
         if form is None and suffix:
             form = told
-        is_folder = several and not (suffix or together or form == "jsonl" or is_stream(output))
+        is_folder = several and not (suffix or together or form in STREAMS or is_stream(output))
         if is_folder and os.path.exists(output):  # noqa: PTH110
             message = f"several cases give a result each, and {output} is a file"
             raise click.UsageError(f"{message}: expected a directory, or a name with a suffix")
@@ -110,8 +112,8 @@ class OutputOptions(NamedTuple):
         all_digits = f"--digits does not apply to {chosen}, which has all digits"
         refuse(
             (
-                is_folder and chosen == "jsonl",
-                f"jsonl is one stream: expected -o FILE, not {self.output}",
+                is_folder and chosen in STREAMS,
+                f"{chosen} is one stream: expected -o FILE, not {self.output}",
             ),
             (style.digits is not None and chosen in FULL, all_digits),
             (style.raw and chosen != "csv", "--raw is for CSV"),
@@ -124,7 +126,8 @@ class OutputOptions(NamedTuple):
                 "--own-tables is for --lang source: other listings have them",
             ),
         )
-        if chosen == "xlsx" and (message := missing("xlsx", "XLSX")):
+        needed = {"xlsx": "XLSX", "parquet": "Parquet"}.get(chosen)
+        if needed and (message := missing(chosen, needed)):
             raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)
 

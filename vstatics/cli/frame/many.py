@@ -1,26 +1,25 @@
-"""Several cases, each to a file of a directory or all to one stream; what is refused beforehand."""
+"""Several cases, each to a file of a directory or all to one stream."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from functools import lru_cache, partial
-from typing import NamedTuple
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 
 import click
 
 from vstatics.cli.frame import files, texts
-from vstatics.cli.frame.cases import CalculatedCase, calculate_one, unexpected
+from vstatics.cli.frame.case_tasks import CaseTask, tasks
+from vstatics.cli.frame.case_work import RULES_OF_CASES, Done, calculate_and_write
 from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
+from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import Problem, ReadError, of_file, plural
-from vstatics.jobs.alone import Rules
-from vstatics.jobs.files import OWN_FAULTS, STDOUT, is_stream, unwritable
+from vstatics.errors import ReadError, plural
+from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
-from vstatics.jobs.page_files import set_pages_aside
+from vstatics.jobs.finished_parts import FinishedParts
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -140,30 +139,69 @@ def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> 
     return [task for task in todo if not finished.is_done(task.file, str(task.target))]
 
 
-def to_stream(cases: Sequence[str], output: str | None, job: Job, *, jobs: int) -> int:
+def to_stream(
+    cases: Sequence[str], output: str | None, job: Job, *, jobs: int, resume: bool = False
+) -> int:
     """Write the results of all cases to one stream or file as they come; the exit status.
 
     Raises
     ------
+    UsageError
+        If --resume does not fit.
     ReadError
         If it cannot be written.
     """
-    count, telling = _Count(len(cases)), job.options.telling
-    whole = not is_stream(output)
+    telling, whole = job.options.telling, not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
-    todo = [CaseTask(file) for file in cases]
-    with (
-        _until_stopped(count, kept) as stop,
-        files.stream(output) as write,
-        _results(job, todo, jobs) as results,
-    ):
+    with ExitStack() as stack:
+        parts, done = None, set[str]()
+        if whole and job.to.form in STREAMS and len(cases) > 1:
+            parts = stack.enter_context(
+                FinishedParts(str(output), {**_depends(job), "--format": job.to.form})
+            )
+            done = _done_before(parts, cases, resume=resume, quiet=telling.quiet)
+            kept += "; the same command with --resume goes on"
+            job = job._replace(marked=True)
+        count = _Count(len(cases), sum(file in done for file in cases))
+        todo = [CaseTask(file) for file in cases if file not in done]
+        stop = stack.enter_context(_until_stopped(count, kept))
+        write = stack.enter_context(files.stream(output))
+        results = stack.enter_context(_results(job, todo, jobs))
         to_stdout = output in (None, STDOUT)
-        parts = _follow(count, results, stop, telling, beside_stdout=to_stdout)
-        for text in texts.joined(parts, job.to, job.own_frame):
+        made = _follow(count, results, stop, telling, beside_stdout=to_stdout, parts=parts)
+        if parts is not None:
+            made = _in_order(cases, done, parts, made)
+        for text in texts.joined(made, job.to, job.own_frame):
             write(text)
     if whole and count.total > 1:
         count.summary(quiet=telling.quiet)
     return count.status
+
+
+def _done_before(
+    parts: FinishedParts, cases: Sequence[str], *, resume: bool, quiet: bool
+) -> set[str]:
+    """The cases of a run that is taken up of which there are parts."""
+    try:
+        without = parts.open(resume=resume)
+    except ReadError as error:
+        if error.problems[0].id != "E031":
+            raise
+        raise click.UsageError(error.problems[0].message) from None  # it had other options
+    except OSError as error:
+        raise ReadError([unwritable(parts.directory, error)]) from None
+    if without and not quiet:
+        files.say(f"{parts.directory}: {without}; every case is calculated")
+    return {file for file in cases if parts.is_done(file)}
+
+
+def _in_order(
+    cases: Sequence[str], done: Collection[str], parts: FinishedParts, coming: Iterator[texts.Part]
+) -> Iterator[texts.Part]:
+    """The parts of all cases, those that are there already between those that come."""
+    for file in cases:
+        yield parts.part(file) if file in done else next(coming)
+    yield from coming  # nothing, but it ends
 
 
 @contextmanager
@@ -180,8 +218,9 @@ def _follow(
     telling: Telling,
     *,
     beside_stdout: bool = False,
+    parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Tell and count what becomes of each case, and give its part of a stream."""
+    """Tell and count what becomes of each case, and give its part of a stream, which is kept."""
     quiet = telling.quiet
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.kept)
@@ -189,6 +228,8 @@ def _follow(
             files.show(telling.printed(done.problems))
             if done.stop:
                 raise _HaltedError
+            if parts is not None and done.mark is not None and isinstance(done.part, bytes):
+                parts.put(done.file, done.mark, done.part)
             yield done.part
             count.add(done)
             advance(1)
@@ -225,148 +266,3 @@ def _depends(job: Job) -> dict[str, object]:
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,
     }
-
-
-class Done(NamedTuple):
-    """What became of a case, without its results."""
-
-    file: str
-    problems: list[Problem]
-    failed: bool = True
-    part: texts.Part = b""
-    """Of a stream."""
-    stop: bool = False
-    """Whether the others can't be written either."""
-    left: str = ""
-    """Where an earlier result of a case that failed is now."""
-
-
-def calculate_and_write(job: Job, task: CaseTask) -> Done:
-    """Read, calculate and write a case; nothing that is wrong with it is raised."""
-    case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
-    file, problems = case.file, case.problems
-    try:
-        if task.target is None or job.finished is None:
-            return Done(file, problems, case.failed, texts.among_several(case, shown, job.to))
-        if shown is None or case.results is None:
-            return Done(file, problems, left=set_pages_aside(task.target))
-        result = texts.alone(file, shown, job.to)
-        beside = {law.file for law in case.results.case.laws if law.file}
-        job.finished.put(task.target, result, case.data, beside, failed=case.failed)
-    except ReadError as error:  # a page would overwrite a file of others
-        return Done(file, [*problems, *error.problems])
-    except OSError as error:
-        return Done(
-            file,
-            [*problems, unwritable(task.target, error)],
-            stop=error.errno not in OWN_FAULTS,
-        )
-    except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        return Done(file, [*problems, unexpected(file, error)])
-    return Done(file, problems, case.failed)
-
-
-def _shown_of_case(
-    job: Job, case: CalculatedCase
-) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """What is shown of a case; one that lacks what was asked for fails."""
-    if case.results is None:
-        return case, None
-    try:
-        return case, job.show(case, case.results)
-    except ReadError as error:
-        why = error.problems
-    except click.BadParameter as error:
-        why = [of_file("E090", case.file, error.message)]
-    except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        why = [unexpected(case.file, error)]
-    return case._replace(results=None, problems=[*case.problems, *why]), None
-
-
-def _given_up(task: CaseTask) -> Done:
-    """What is said of a case that is given up."""
-    message = "the process that calculated it died, twice (out of memory, or killed)"
-    return Done(task.file, [of_file("E011", task.file, message)])
-
-
-def _is_only_here(task: CaseTask) -> bool:
-    """Whether only this process can read a case: another one has other streams."""
-    return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
-
-
-RULES_OF_CASES = Rules(ahead=64, tries=2, lost=_given_up, here=_is_only_here)
-
-
-STDIN_STEM = "stdin"
-
-
-class CaseTask(NamedTuple):
-    """A case, and the file for its result; None where it goes to a stream."""
-
-    file: str
-    target: str | None = None
-
-
-def tasks(
-    cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
-) -> list[CaseTask]:
-    """The file for the result of each case: its stem with the suffix, in the folder.
-
-    Parameters
-    ----------
-    others : sequence of str
-        Further files that must not be overwritten.
-
-    Raises
-    ------
-    UsageError
-        If a case is named twice, two results have one name, or one would overwrite a
-        case; every pair is named.
-
-    Examples
-    --------
-    >>> [task.target for task in tasks(["a/x.dat", "y.v2.yaml"], "results", ".json")]
-    ['results/x.json', 'results/y.v2.json']
-    """
-    planned = [CaseTask(file, os.path.join(folder, _stem(file) + suffix)) for file in cases]  # noqa: PTH118
-    real = partial(_real_path, lru_cache(maxsize=None)(os.path.realpath))
-    refused = []
-    inputs: dict[str, CaseTask] = {}
-    for task in planned:
-        before = inputs.setdefault(real(task.file), task)
-        if before is not task:
-            same = f" (the same file as {before.file})" if before.file != task.file else ""
-            refused.append(f"{task.file} is named twice{same}")
-    results: dict[str, str] = {}
-    for file, target in inputs.values():
-        place = real(str(target))
-        before_file = results.setdefault(place, file)
-        if before_file is not file:
-            refused.append(f"{before_file} and {file} would both give {target}")
-        if place in inputs:
-            refused.append(f"the result of {file} would overwrite the case {inputs[place].file}")
-    refused += [
-        f"the result of {results[real(other)]} would overwrite {other}"
-        for other in others
-        if real(other) in results
-    ]
-    if refused:
-        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(refused))
-    return planned
-
-
-def _stem(file: str) -> str:
-    """The name of a case without folder and suffix."""
-    if file == files.STDIN:
-        return STDIN_STEM
-    return os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122
-
-
-def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """The path of a file without links; what is no file is itself."""
-    if file == files.STDIN:
-        return file
-    folder, name = os.path.split(file)
-    if os.path.islink(file) or name in ("", ".", ".."):  # noqa: PTH114
-        return os.path.realpath(file)
-    return os.path.join(real_folder(folder), name)  # noqa: PTH118

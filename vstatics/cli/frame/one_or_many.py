@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from vstatics.cli.frame import files, texts
 from vstatics.cli.frame.cases import calculate, check_streams
 from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.texts import Job
 
 
@@ -37,11 +38,11 @@ def carry_out(
     """
     check_streams([*cases, *others])
     to = job.to
-    if len(cases) > 1 or a_list or to.is_folder or to.form == "jsonl":
+    if len(cases) > 1 or a_list or to.is_folder or to.form in STREAMS:
         from vstatics.cli.frame import many
 
         if not to.is_folder:
-            return many.to_stream(cases, to.output, job, jobs=jobs)
+            return many.to_stream(cases, to.output, job, jobs=jobs, resume=resume)
         kept = [one for one in others if one != files.STDIN]
         return many.to_directory(cases, str(to.output), job, jobs=jobs, resume=resume, others=kept)
     [outcome] = calculate(cases, job.options)

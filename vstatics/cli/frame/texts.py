@@ -106,6 +106,11 @@ def joined(
     parts: Iterable[Part], to: Destination, own_frame: Frame | None = None
 ) -> Iterator[bytes]:
     """The parts of all cases as one text, piece by piece; empty ones are left out."""
+    if to.form == "parquet":
+        from vstatics.writers import result_parquet
+
+        yield from result_parquet.joined(one for one in parts if isinstance(one, bytes))
+        return
     frame = own_frame or FRAMES.get(to.form)
     if frame is None:
         tables = (one for one in parts if isinstance(one, CaseTables))
@@ -177,3 +182,5 @@ class Job(NamedTuple):
     """Around several, in a format of the command's own other than text."""
     finished: FinishedCases | None = None
     """Of the directory that results go to, if they do."""
+    marked: bool = False
+    """Whether parts of a stream tell of which case they are."""

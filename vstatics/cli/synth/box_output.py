@@ -11,7 +11,6 @@ from functools import cached_property
 from itertools import starmap
 from typing import NamedTuple
 
-from vstatics.cli.convert import write
 from vstatics.cli.frame import files, texts
 from vstatics.cli.frame.formats import Destination, TextStyle
 from vstatics.cli.frame.progress import progress
@@ -28,6 +27,7 @@ from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box
 from vstatics.synthesis.boxes.work import BoxWork
 from vstatics.tables.answer import as_json
 from vstatics.tables.grid import Grid
+from vstatics.writers.saving import case_data
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """The result in a directory, by format."""
@@ -143,8 +143,8 @@ def _items(found: FoundBoxes) -> list[BoxFiles]:
 
 def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
     """The files of a box by their suffixes: its case, and its stick diagram."""
-    text, _lost = write(item.case, "yaml")
-    made = {".yaml": files.encoded(text)}
+    data, _lost = case_data(item.case, "yaml")
+    made = {".yaml": data}
     if item.is_drawn:
         from vstatics.pictures.boxes.stick import stick_diagram
 

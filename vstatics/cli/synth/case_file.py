@@ -7,11 +7,11 @@ from collections.abc import Iterable
 import click
 
 from vstatics import readers
-from vstatics.cli.convert import write
 from vstatics.cli.frame import files
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.tables.suffixes import suffix_of
+from vstatics.writers.saving import case_data
 
 written_case = click.option(
     "--write",
@@ -56,10 +56,10 @@ def write_case(case: Transmission, target: str, form: str) -> bool:
         If what is left of it would be another case, or it can't be written.
     """
     try:
-        text, lost = write(case, form)
+        data, lost = case_data(case, form)
     except CaseError as error:
         raise ReadError(one.in_file(target) for one in error.problems) from error
-    files.write_output(text, target)
+    files.write_data(data, target)
     for what in lost:
         files.say(f"{target}: not kept: {what}")
     return not lost

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics import readers
-from vstatics.cli.convert import write as write_case
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
 from vstatics.cli.frame.formats import TABLES, OutputOptions, TextStyle
@@ -22,6 +21,7 @@ from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.readers.reading import Reading
+from vstatics.writers.saving import case_data
 
 if TYPE_CHECKING:
     from vstatics.torsion.reduction.scheme import TorsionScheme
@@ -175,7 +175,7 @@ def simplify(
                     own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
                 ]
                 made = scheme_case(found.scheme, own.name, ends, chosen.name)
-                files.write_output(write_case(made, written)[0], output)
+                files.write_data(case_data(made, written)[0], output)
             return True
 
         notes = slope_notes(reading, [chosen.name])

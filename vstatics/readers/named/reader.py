@@ -83,7 +83,7 @@ def case_tree(data: bytes, file: str, form: Format | None) -> Node | None:
     from vstatics.readers import format_of
 
     form = form or format_of(file, data)
-    if form == "deck":
+    if form not in ("yaml", "json"):
         return None
     root = _tree(decode(data, file), form)
     return _case(root) if isinstance(root, Mapping) else root

@@ -194,7 +194,7 @@ def is_scenario(data: bytes, file: str) -> bool:
     """
     from vstatics.readers import format_of
 
-    if b"duration" not in data or format_of(file, data) == "deck":
+    if b"duration" not in data or format_of(file, data) in ("deck", "xlsx"):
         return False
     try:
         root = read_scenario(data, file).root

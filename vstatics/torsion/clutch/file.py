@@ -74,7 +74,7 @@ def is_of_case(data: bytes, file: str) -> bool:
     from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     form = format_of(file, data)
-    if form == "deck":
+    if form in ("deck", "xlsx"):
         return True
     try:
         root = yaml_tree(decode(data, file, EXPECTED))

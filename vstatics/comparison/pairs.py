@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from vstatics.cli.frame import files
-from vstatics.cli.frame.documents import is_a
 from vstatics.comparison.verdicts import CaseVerdict, Tolerances, by_name, compared
 from vstatics.errors import CaseError, Problem, of_file
 from vstatics.readers.results import read_results
+from vstatics.readers.sweep_tables import is_sweep
 from vstatics.tables.suffixes import known, suffix_of
 from vstatics.tables.written_results import WrittenResult
 
+Read = Callable[[str], tuple[bytes, str]]
+"""Gives what a file holds, and its name."""
+STDIN_NAME = "<stdin>"
 SUFFIXES = known(("listing", "json", "jsonl", "csv"))
 """Of the files in a directory that are compared."""
 
@@ -36,7 +38,7 @@ def verdicts_of_files(
     if max(len(actual), len(expected)) == 1:
         one, other = actual[0], expected[0]
         told = [_called(result) for result in (one, other)]
-        named = [_stem(name) for name in names if name != files.STDIN_NAME]
+        named = [_stem(name) for name in names if name != STDIN_NAME]
         name = next(filter(None, (*told, *named)), "result")
         return [compared(name, one, other, how)]
     found, wanted = by_name(actual, expected)
@@ -56,7 +58,7 @@ def verdicts_of_files(
 
 def _called(result: WrittenResult) -> str:
     """What a result is called: the file of its case without suffix, else its name."""
-    file = "" if result.file == files.STDIN_NAME else result.file
+    file = "" if result.file == STDIN_NAME else result.file
     return _stem(file) or result.case_name
 
 
@@ -65,7 +67,7 @@ def _stem(file: str) -> str:
 
 
 def verdicts_of_directories(
-    actual: str, expected: str, how: Tolerances
+    actual: str, expected: str, how: Tolerances, read: Read
 ) -> Iterator[CaseVerdict | list[Problem]]:
     """What is said of each file of two directories, or what is wrong with it.
 
@@ -75,7 +77,9 @@ def verdicts_of_directories(
     here, there = _found(actual), _found(expected)
     for name in sorted({*here, *there}):
         try:
-            found, wanted = (_read(side[name]) if name in side else [] for side in (here, there))
+            found, wanted = (
+                _read(side[name], read) if name in side else [] for side in (here, there)
+            )
         except CaseError as error:
             yield error.problems
             continue
@@ -104,9 +108,9 @@ def _found(folder: str) -> dict[str, str]:
     }
 
 
-def _read(file: str) -> list[WrittenResult]:
-    data, name = files.read_input(file)
-    if is_a("sweep", data, name):
+def _read(file: str, read: Read) -> list[WrittenResult]:
+    data, name = read(file)
+    if is_sweep(data):
         message = "a sweep, expected a result: compare two sweeps by their files"
         raise CaseError([of_file("E050", name, message)])
     return read_results(data, name)

@@ -1,0 +1,145 @@
+"""Many cases in one file, JSON lines or Parquet: patterns, going on after a stop."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import signal
+from pathlib import Path
+
+import pytest
+
+from tests.cli.frame.test_many_stopped import ended, opened_for_reading, running
+from tests.commands import BAD, MZKT, NEUTRAL, vstatics
+from vstatics.cli.frame import many
+from vstatics.cli.run import MANY
+
+NAMES = ("drawer/a.dat", "drawer/deep/b.dat", "drawer/deep/c.dat")
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three decks in two folders, and a bad one that no pattern here meets."""
+    monkeypatch.chdir(tmp_path)
+    Path("drawer/deep").mkdir(parents=True)
+    for name in NAMES:
+        Path(name).write_bytes(MZKT.read_bytes())
+    Path("bad.yaml").write_text(BAD, encoding="utf-8")
+    Path("neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
+
+
+def rows(file: str) -> list[dict[str, object]]:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    found: list[dict[str, object]] = parquet.read_table(file).to_pylist()
+    return found
+
+
+def test_patterns_are_expanded_in_order() -> None:
+    said = vstatics("run", "drawer/**/*.dat", "-f", "jsonl")
+    found = [json.loads(line)["file"] for line in said.out.splitlines()]
+    assert found == [Path(name).name for name in NAMES]
+    missing = vstatics("run", "drawer/*.yaml", "-f", "jsonl")
+    assert (missing.status, "no file is called `drawer/*.yaml`" in missing.err) == (2, True)
+    Path("odd[1].dat").write_bytes(MZKT.read_bytes())
+    assert vstatics("run", "odd[1].dat", "-f", "json").status == 0
+
+
+def test_parquet_has_the_rows_of_csv() -> None:
+    """But for those of conventions, which no program needs."""
+    cases = ("drawer/**/*.dat", "bad.yaml", "neutral.yaml")
+    said = vstatics("run", *cases, "-o", "all.parquet", "-j", 2)
+    assert (said.status, "4 of 5 cases calculated, 1 failed" in said.err) == (1, True)
+    told = csv.DictReader(io.StringIO(vstatics("run", *cases, "-f", "csv").out))
+    expected = [
+        {
+            "case": row["case"],
+            "table": row["table"],
+            "row": row["row"],
+            "gear": row["gear"] or None,
+            "value": float(row["value"]) if row["value"] else None,
+        }
+        for row in told
+        if row["table"] != "conventions"
+    ]
+    assert rows("all.parquet") == expected
+    assert vstatics("run", "neutral.yaml", "-o", "one.parquet").status == 0
+    assert rows("one.parquet") == [row for row in expected if row["case"] == "neutral.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ("-f parquet -o out/", "parquet is one stream: expected -o FILE"),
+        ("-f jsonl --resume", "--resume needs a directory to go on with"),
+        ("-o all.csv --resume", "--resume needs a directory to go on with"),
+        ("-o all.parquet --digits 3", "--digits does not apply to parquet"),
+    ],
+)
+def test_what_does_not_go_together_is_refused(options: str, why: str) -> None:
+    said = vstatics("run", *NAMES, *options.split())
+    assert (said.status, why in said.err) == (2, True)
+
+
+def stopped(form: str) -> None:
+    """A run that was stopped at its third case, which is there now."""
+    os.mkfifo("pipe.dat")
+    with running("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1], "-o", f"all.{form}") as run:
+        pipe = opened_for_reading()
+        run.send_signal(signal.SIGINT)
+        status, said = ended(run)
+        os.close(pipe)
+    kept = f"all.{form} was not written; the same command with --resume goes on"
+    assert (status, said[-1]) == (130, f"stopped after 2 of 4 cases; {kept}")
+    assert not Path(f"all.{form}").exists()
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["jsonl", "parquet"])
+def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
+    stopped(form)
+    cases = ("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1])
+    other = vstatics("run", *cases, "-o", f"all.{form}", "--resume", "--coast")
+    assert (other.status, "--coast was not given, is true" in other.err) == (2, True)
+    with Path(f"all.{form}.parts/parts").open("ab") as parts:
+        parts.write(b'["pipe.dat", "0", {}, 1000]\ncut')  # as by a power failure
+    Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), encoding="utf-8")
+    said = vstatics("run", *cases, "-o", f"all.{form}", "--resume")
+    assert (said.status, said.err.splitlines()[-1]) == (
+        0,
+        "4 of 4 cases calculated (1 of them before)",
+    )
+    assert vstatics("run", *cases, "-o", f"whole.{form}").status == 0
+    assert Path(f"all.{form}").read_bytes() == Path(f"whole.{form}").read_bytes()
+    assert not Path(f"all.{form}.parts").exists()
+
+
+def test_nothing_to_go_on_with_is_told_and_nothing_is_left() -> None:
+    said = vstatics("run", *NAMES, "-o", "all.jsonl", "--resume")
+    assert (said.status, "there is no run to go on with; every case" in said.err) == (0, True)
+    assert sorted(path.name for path in Path.cwd().iterdir()) == [
+        "all.jsonl",
+        "bad.yaml",
+        "drawer",
+        "neutral.yaml",
+    ]
+
+
+@pytest.mark.parametrize(("cases", "jobs"), [(MANY - 1, 1), (MANY, 7)])
+def test_many_cases_are_shared_by_all_cores(
+    cases: int, jobs: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def to_stream(*_: object, jobs: int, **__: object) -> int:
+        asked.append(jobs)
+        return 0
+
+    monkeypatch.setattr(many, "to_stream", to_stream)
+    monkeypatch.setattr("vstatics.cli.run.cores", lambda: 7)
+    assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl").status == 0
+    assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl", "-j", 3).status == 0
+    assert asked == [jobs, 3]

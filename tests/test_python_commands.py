@@ -1,0 +1,105 @@
+"""Functions that do what commands do: they say the same."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from pathlib import Path
+
+import pytest
+
+import vstatics
+from tests import commands
+from tests.commands import BAD, CASES, NEUTRAL, ROOT, TIED_UP
+
+WRITTEN = "written.json"
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        BAD,
+        NEUTRAL,
+        TIED_UP,
+        TIED_UP + "allow: [W101]\n",
+        NEUTRAL.replace("gears:", "allow: [W414]\ngears:"),
+        (CASES / "wolfrom.yaml").read_text(encoding="utf-8"),
+    ],
+)
+def test_check_tells_what_the_command_tells(text: str) -> None:
+    Path("box.yaml").write_text(text, encoding="utf-8")
+    told = json.loads(commands.vstatics("check", "box.yaml", "-f", "json").out)
+    found = vstatics.check("box.yaml")
+    assert [(one.id, one.message) for one in found] == [(one["id"], one["message"]) for one in told]
+
+
+def test_a_scenario_is_checked_with_its_case() -> None:
+    Path("box.yaml").write_text(BAD, encoding="utf-8")
+    Path("run.yaml").write_text("{case: box.yaml, duration: 1}", encoding="utf-8")
+    assert [one.id for one in vstatics.check("run.yaml")] == ["E190"]
+    assert vstatics.check(CASES / "scenarios/tarasik-set-upshift.yaml") == []
+    with pytest.raises(OSError, match="nowhere"):
+        vstatics.check("nowhere.yaml")
+
+
+def test_compare_tells_what_the_command_tells() -> None:
+    case, other = vstatics.loads(NEUTRAL), vstatics.loads(NEUTRAL.replace("-2.5", "-3"))
+    for name, one in (("old", case), ("new", other)):
+        Path(name).mkdir()
+        vstatics.save(one, f"{name}.yaml")
+        assert commands.vstatics("run", f"{name}.yaml", "-o", f"{name}/{WRITTEN}").status == 0
+    told = json.loads(commands.vstatics("compare", "new", "old", "-f", "json").out)
+    found = vstatics.compare("new", "old")
+    assert (found.same, found.changed, found.added, found.gone) == (0, 1, 0, 0)
+    assert [one.path for one in found.cases[0].case] == [
+        one["path"] for one in told["cases"][0]["case"]
+    ]
+    files = vstatics.compare(f"new/{WRITTEN}", f"old/{WRITTEN}").cases[0]
+    results = vstatics.compare(vstatics.solve(other), vstatics.solve(case)).cases[0]
+    assert len(files.numbers) == len(told["cases"][0]["numbers"]) > 0
+    assert list(results.numbers) == list(files.numbers) == list(found.cases[0].numbers)
+
+
+@pytest.mark.parametrize("suffix", [".yaml", ".json", ".xlsx", ".dat", ".mo"])
+def test_save_writes_what_convert_writes(suffix: str) -> None:
+    source = CASES / "mzkt7922.dat"
+    assert commands.vstatics("convert", source, f"told{suffix}").status in (0, 1)
+    vstatics.save(vstatics.load(source), f"own{suffix}")
+    assert Path(f"own{suffix}").read_bytes() == Path(f"told{suffix}").read_bytes()
+
+
+def test_another_suffix_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"box.xls: expected one of the suffixes .dat"):
+        vstatics.save(vstatics.example("simpson"), "box.xls")
+
+
+def test_a_cycle_needs_a_vehicle() -> None:
+    with pytest.raises(vstatics.CaseError, match="the case has no `vehicle`"):
+        vstatics.cycle(vstatics.example("simpson"), "trace.csv")
+
+
+def test_the_page_names_every_command() -> None:
+    """And public modules have what they say they have."""
+    from vstatics.cli import main
+
+    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+    section = page.partition("\n## Every command\n")[2].partition("\n## ")[0]
+    named = {
+        word
+        for row in section.splitlines()
+        if row.startswith("| `")
+        for word in row.split("|")[1].split("`")[1::2]
+    }
+    assert {*main.list_commands(None)} - {"damage"} <= named  # type: ignore[arg-type]
+    for module in ("elements", "torsion", "simulation", "synthesis"):
+        public = importlib.import_module(f"vstatics.{module}")
+        assert all(
+            getattr(public, name).__doc__
+            for name in public.__all__
+            if callable(getattr(public, name))
+        )

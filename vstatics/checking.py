@@ -1,0 +1,106 @@
+"""What is wrong or doubtful about a case or a scenario: problems of its text, its model, its gears.
+
+>>> case = b"{links: 2, mechanisms: {D: {first: 1, second: 2}}, gears: {1: []}}"
+>>> [str(one) for one in problems_of(case, "box.yaml")]
+['box.yaml:1:25: error: mechanisms.D: `ratio` is missing [E191]']
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vstatics import readers
+from vstatics.errors import CaseError, Problem, ReadError, not_allowed, plural, spoken
+from vstatics.model.checks import hints
+from vstatics.readers.reading import Reading
+from vstatics.statics.result_arrays import Message
+from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
+
+if TYPE_CHECKING:
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+
+def check(source: str | os.PathLike[str]) -> list[Problem]:
+    """All problems, warnings and notes of a case or a scenario; a case is calculated for that.
+
+    Parameters
+    ----------
+    source : path-like
+        A deck, YAML, JSON or a workbook.
+
+    Returns
+    -------
+    list of Problem
+        With `id`, `severity`, `message` and `place`; none where all is well. What the case
+        allows is not told.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be opened.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+    ...     _ = file.write("{links: 2, mechanisms: {D: {first: 1, second: 2}}, gears: {1: []}}")
+    ...     file.flush()
+    ...     [(one.id, one.severity, one.place.line) for one in check(file.name)]
+    [('E191', 'error', 1)]
+    """
+    file = os.fspath(source)
+    with open(file, "rb") as opened:  # noqa: PTH123 (pathlib costs start-up time)
+        return problems_of(opened.read(), file)
+
+
+def problems_of(data: bytes, file: str) -> list[Problem]:
+    """The same of what a file holds."""
+    try:
+        from vstatics.simulation.scenario.file import case_bytes, is_scenario, read_scenario
+
+        if is_scenario(data, file):
+            document = read_scenario(data, file)
+            return _of_scenario(document.with_case(readers.read(*case_bytes(document))))
+        reading = readers.read(data, file)
+        results = _solved(reading)
+    except ReadError as error:
+        return error.problems
+    found = located_messages(reading, results, each_gear=True)
+    notes = map(reading.locate, hints(reading.case))
+    return not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
+
+
+def _solved(reading: Reading) -> Results:
+    """The results of a case, or why there are none, with its place."""
+    try:
+        return solve(reading.case)
+    except CaseError as error:
+        raise ReadError(map(reading.locate, error.problems)) from None
+
+
+def _of_scenario(read: ScenarioFile) -> list[Problem]:
+    """What is doubtful about a scenario and its case."""
+    from vstatics.simulation.scenario.checks import scenario_doubts
+
+    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.allow)
+    return [*read.reading.warnings, *map(read.locate, found)]
+
+
+def located_messages(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
+    """The messages of a result as problems: at the place of each gear, or of the first of many."""
+    if not results.messages:
+        return
+    numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
+    together: dict[object, list[Message]] = {}
+    for message in results.messages:
+        if message.gear:
+            key = message if each_gear else message._replace(gear="")
+            together.setdefault(key, []).append(message)
+    for first, *others in together.values():
+        place = reading.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
+        names = spoken([first.gear, *(other.gear for other in others)])
+        text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
+        yield Problem(first.id, text, place=place)

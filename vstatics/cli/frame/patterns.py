@@ -1,0 +1,39 @@
+"""Names of files by patterns, where no shell has expanded them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+import click
+
+from vstatics.errors import quoted
+
+SIGNS = "*?["
+
+
+def expanded(names: Iterable[str]) -> list[str]:
+    """The files of names and patterns; `**` stands for any folders.
+
+    Raises
+    ------
+    UsageError
+        If a pattern has no file.
+
+    Examples
+    --------
+    >>> expanded(["box.yaml", "-"])
+    ['box.yaml', '-']
+    """
+    found = []
+    for name in names:
+        if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
+            found.append(name)
+            continue
+        from glob import glob  # costs start-up time
+
+        files = sorted(one for one in glob(name, recursive=True) if not os.path.isdir(one))  # noqa: PTH112, PTH207
+        if not files:
+            raise click.UsageError(f"no file is called {quoted(name)}")
+        found += files
+    return found
