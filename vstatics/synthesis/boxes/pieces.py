@@ -11,17 +11,19 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.elements import PortGears, set_room
+from vstatics.synthesis.boxes.elements import PortGears
 from vstatics.synthesis.boxes.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
 )
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports, cell_room
+from vstatics.synthesis.boxes.joining import set_room
+from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
+from vstatics.synthesis.boxes.solving import cell_room
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
 PORTS_AT_ONCE = 500
@@ -115,8 +117,8 @@ class _PortSearch:
         ends = enumerate(table.ends.tolist())
         there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
         self.searched += math.comb(len(there), search.elements)
-        bits, speeds = sum(1 << number for number in there), len(self.gears.speeds)
-        port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
+        bits, count = sum(1 << number for number in there), len(table.members)
+        port = PortGears(*ports, bits, *np.zeros((3, count), np.int64))
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
@@ -163,10 +165,7 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     found = np.zeros((len(which), links, points))
     gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], found)
     found /= sizes[which, :, None]
-    speeds = np.pad(found[:, :, -1], ((0, 0), (0, 1)))  # HELD is the last column
-    slips = np.abs(speeds[:, table.ends[:, 0]] - speeds[:, table.ends[:, 1]])
-    still = (slips < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends)))
-    return GearSpeeds(found, way.astype(np.int64).reshape(-1), still)
+    return GearSpeeds(found, way.astype(np.int64).reshape(-1))
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
@@ -187,7 +186,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
     table = combinations_table(search.shafts, search.engaged, search.elements)
     asked = _asked(search)
-    targets, sets = len(asked.targets), search.sets
+    targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets),
@@ -195,6 +194,9 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
+        ratios=np.zeros((speeds, 2, 2**sets)),
+        within=np.zeros(speeds),
+        kinds=np.zeros(speeds, np.int64),
         parts=np.zeros((len(table.places), 2, 2**sets)),
     )
 
