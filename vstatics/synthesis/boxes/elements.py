@@ -14,6 +14,7 @@ from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.joining import SetRoom, choose, join
 from vstatics.synthesis.boxes.matching import matched
+from vstatics.synthesis.boxes.shifts import shifts_singly
 
 
 class PortGears(NamedTuple):
@@ -29,6 +30,10 @@ class PortGears(NamedTuple):
     """Targets that each ratio reaches, as bits, shape (combinations,); 0 behind the last."""
     useful: Integers
     """Combinations that have one come first, shape (combinations,)."""
+    brakes: int
+    """How many brakes a set may have, as bits."""
+    shifts: Integers
+    """Targets that are neighbours, between which one element is to change, shape (shifts, 2)."""
 
 
 @compiled
@@ -59,13 +64,19 @@ def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
             depth -= 1
             continue
         members = _find_members(room, depth + 1)
+        if not _may_have(table, port, room, members):
+            continue
         if members < size:
             depth += 1
             held = _held(table, port, room, members)
             choose(table, room, depth, held, port.elements)
             continue
         ratios = find_ratios(table, port, room)
-        if room.held[1] == room.sets[depth + 1] and matched(room.reach, ratios, room.match):
+        if (
+            room.held[1] == room.sets[depth + 1]
+            and matched(room.reach, ratios, room.match)
+            and shifts_singly(table, port.shifts, room)
+        ):
             if count == len(room.found):
                 return -1
             put(room.chosen, room.found[count])
@@ -115,6 +126,16 @@ def _find_members(room: SetRoom, depth: int) -> int:
 
 
 @compiled
+def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
+    """Whether so many chosen elements can be of a set with a number of brakes that is wanted."""
+    brakes = 0
+    for place in range(members):
+        brakes += table.ends[room.chosen[place], 1] < 0
+    others = len(room.chosen) - members
+    return bool((port.brakes >> brakes) & ((2 << others) - 1))
+
+
+@compiled
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
     """The targets that so many chosen elements reach, as bits."""
     held = 0
@@ -136,7 +157,9 @@ def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
     for subset in range(len(table.places)):
         which = number_of(table, room.chosen, subset)
         ratio = port.ratio_of[which]
+        room.targets[subset] = 0
         if ratio >= 0:
+            room.targets[subset] = port.reach[ratio]
             used |= table.masks[which]
             if room.seen[ratio] != room.held[0]:
                 room.seen[ratio] = room.held[0]

@@ -46,6 +46,8 @@ class SetRoom(NamedTuple):
     """Different ratios of theirs, shape (combinations of a set,)."""
     reach: Integers
     """Targets of these, as bits, shape (combinations of a set,)."""
+    targets: Integers
+    """Targets that the combinations of a set reach, as bits, shape (combinations of a set,)."""
     seen: Integers
     """The search in which a ratio was met last, shape (ratios,)."""
     match: MatchRoom
@@ -72,6 +74,7 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
         held=zeros(2),
         ratios=zeros(of_set),
         reach=zeros(of_set),
+        targets=zeros(of_set),
         seen=zeros(len(table.members)),
         match=match_room(targets),
         found=zeros(most, size),

@@ -24,6 +24,7 @@ from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
+from vstatics.synthesis.boxes.shifts import neighbours
 from vstatics.synthesis.boxes.solving import cell_room
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
@@ -127,7 +128,10 @@ class _PortSearch:
         there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
         self.searched += math.comb(len(there), search.elements)
         bits, count = sum(1 << number for number in there), len(table.members)
-        port = PortGears(*ports, bits, *np.zeros((3, count), np.int64))
+        ratio_of, reach, useful = np.zeros((3, count), np.int64)
+        brakes = sum(1 << number for number in search.brake_counts or range(search.elements + 1))
+        shifts = neighbours(search.targets if search.singly else ())
+        port = PortGears(*ports, bits, ratio_of, reach, useful, brakes, shifts)
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
