@@ -57,8 +57,14 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
         brakes = int(random.choice([0b11111, 0b110, 0b10]))
         there = ((1 << len(table.ends)) - 1) & ~(1 << missing)
         port = PortGears(
-            *(0, 1, there, np.where(usable, kinds, -1), reach, useful),
-            *(brakes, np.zeros((0, 2), np.int64)),
+            0,
+            1,
+            there,
+            np.where(usable, kinds, -1),
+            reach,
+            useful,
+            brakes,
+            np.zeros((0, 2), np.int64),
         )
         room = set_room(table, targets, 2000)
         rows = room.found[: element_sets(table, port, room)].tolist()

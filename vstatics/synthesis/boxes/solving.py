@@ -26,7 +26,9 @@ below each of the others; what has not been found then is not there. [-]"""
 MOST_CELLS = 200_000
 """With more cells a set of elements is given up."""
 MOST_WAYS = 24
-"""So many ways to give targets to gears are tried in a cell; with more it is given up."""
+"""So many ways to give targets to gears are tried in a cell; with more it is halved."""
+MOST_LAST_WAYS = 1000
+"""So many where it is too narrow for that; with more it is given up."""
 MORE_FITS = 12
 """So many fits are made when there is a solution already: another may be better."""
 
@@ -67,10 +69,12 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
         number = longest(room, top)
         if _is_due(room, top, number):
             fits += 1
-            is_met = _fits(table, parts, asked, room, top)
+            is_last = number < 0
+            is_met, are_all = _fits(table, parts, asked, room, top)
             if room.best[1] < (math.inf if fits > MORE_FITS else LEAST_SUM_OF_SQUARES):
                 break
-            if is_met or room.stages[top] == len(SPREADS):
+            if is_met or is_last or (are_all and room.stages[top] == len(SPREADS)):
+                room.given_up[0] |= not are_all
                 continue
         halve(room, count, top, number)
         top += 2
@@ -92,18 +96,21 @@ def _is_due(room: CellRoom, top: int, number: int) -> bool:
 
 
 @compiled
-def _fits(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
-    """Fit from the middle of a cell, for every way to give targets to ratios; whether one does.
+def _fits(
+    table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int
+) -> tuple[bool, bool]:
+    """Fit from the middle of a cell, for every way to give targets to ratios.
 
-    The best is noted.
+    The best is noted. Whether one does; whether there were no more ways than may be tried.
     """
     count, ratios = len(asked.targets), len(parts)
     way = room.match.chosen
+    most = MOST_LAST_WAYS if longest(room, top) < 0 else MOST_WAYS
     way[:] = -1
     room.taken[:] = False
     is_met = False
     target = ways = 0
-    while target >= 0 and ways < MOST_WAYS:
+    while target >= 0 and ways < most:
         if target == count:
             ways += 1
             is_met |= _fit(table, parts, asked, room, top)
@@ -122,8 +129,7 @@ def _fits(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top:
             way[target] = ratio
             room.taken[ratio] = True
             target += 1
-    room.given_up[0] |= target >= 0
-    return is_met
+    return is_met, target < 0
 
 
 @compiled
