@@ -105,6 +105,7 @@ def _line(listing: BoxListing) -> Markup:
     """How many there are, and the best of them."""
     facts: list[tuple[str, str]] = [
         ("looked at", str(listing.searched)),
+        ("sets of elements given up", str(listing.given_up)),
         ("families, of equal ratios", str(len(listing.families))),
         ("in the Pareto list", str(sum(box.pareto for box in listing.boxes))),
     ]

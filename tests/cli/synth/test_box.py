@@ -45,6 +45,7 @@ class Searched:
     def __init__(self) -> None:
         self.pieces: list[int] = []
         self.stop_at: int | None = None
+        self.given_up = 0
 
     def found_in(self, search: BoxSearch, piece: int) -> FoundPiece:
         """As `box_pieces.found_in`."""
@@ -52,7 +53,7 @@ class Searched:
             signal.raise_signal(signal.SIGINT)
         self.pieces.append(piece)
         has = piece in BOXES and search.tolerance > BOXES[piece].error
-        return FoundPiece(100, (BOXES[piece],) if has else ())
+        return FoundPiece(100, (BOXES[piece],) if has else (), self.given_up)
 
 
 @pytest.fixture(autouse=True)
@@ -147,13 +148,26 @@ def test_where_none_is_found_the_status_tells(options: tuple[object, ...], told:
     assert said.err == f"no box is found: {told}\n"
 
 
+@pytest.mark.parametrize("given_up", [0, 2])
+def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) -> None:
+    searched.given_up = given_up
+    for options, status in [((), 0), (("--complete",), int(given_up > 0))]:
+        said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
+        document = json.loads(said.out)
+        assert (said.status, len(document["boxes"])) == (status, 3)
+        told = document["complete"], document["given_up"]
+        assert told == (not given_up, PIECES * given_up)
+        assert ("could not be looked at" in said.err) == (given_up > 0)
+
+
 def test_a_dry_run_says_how_many() -> None:
+    """Six choices of ports, two of four elements; 1 + p = 3 and one of three ways to lock it."""
     said = vstatics("synth", "box", *ASKED, "--dry-run")
-    assert (said.status, said.out) == (0, "boxes  600\nfound  4\ntime   about a second\n")
+    assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-f", "json")
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
-    assert document == {"searched": 600, "found": 4, "exact": True}
+    assert document == {"searched": 36, "found": 3, "exact": True}
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:

@@ -204,9 +204,10 @@ def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
 
 def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
     boxes = [RankedBox(EIGHT, 1, pareto=True), RankedBox(EIGHT, 1, pareto=False)]
-    counts, best, schemes, families = box_grids(7, boxes)
+    counts, best, schemes, families = box_grids(7, boxes, 3)
     assert counts.texts == [
         ["searched", "7"],
+        ["given up", "3"],
         ["found", "2"],
         ["families", "1"],
         ["Pareto list", "1"],
@@ -214,4 +215,4 @@ def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
     assert [row[0] for row in best.texts] == [row[0] for row in schemes.texts] == ["1"]
     assert families.texts[0][:2] == ["1", "2"]
     assert families.texts[0][-9:][0] == "4.696"
-    assert len(list(box_grids(7, []))) == 1
+    assert len(list(box_grids(7, [], 0))) == 1

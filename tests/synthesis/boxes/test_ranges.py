@@ -7,7 +7,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.boxes.elements import matched
+from vstatics.synthesis.boxes.matching import match_room, matched
 from vstatics.synthesis.boxes.ranges import divide, lines, reached
 from vstatics.synthesis.boxes.set_ratios import Asked, fit_room, fitted
 
@@ -57,10 +57,9 @@ def test_targets_are_matched_where_that_can_be() -> None:
     for _ in range(300):
         can = random.random((7, 5)) < 0.35
         reach = can @ (1 << np.arange(5))
-        chosen = np.zeros(5, np.int64)
         best = maximum_bipartite_matching(csr_array(can.T.astype(np.int8)), perm_type="column")
         assert (
-            matched(reach, 7, 5, chosen)
+            matched(reach, 7, match_room(5))
             == (np.sort(best)[-5:] >= 0).all()
             == ((best >= 0).sum() == 5)
         )

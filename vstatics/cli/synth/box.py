@@ -24,12 +24,14 @@ from vstatics.jobs.files import is_stream
 @options
 @formats.options(*formats.TABLES)
 @shared("a search into -o that was stopped")
+@click.option("--complete", is_flag=True, help="Fail if there may be boxes that are not found.")
 @click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
 @arguments.quiet
 def box(
     asked: BoxAsked,
     wanted: OutputOptions,
     sharing: Sharing,
+    complete: bool,
     dry_run: bool,
     quiet: bool,
 ) -> int:
@@ -57,7 +59,7 @@ def box(
     them up after an interruption, also with other filters.
     Needs numba and networkx: pip install "vstatics[boxes]"; for -o DIR also
     matplotlib: "vstatics[boxes,plot]".
-    Exit status: 0 done; 1 no box is found, or not finished; 2 wrong use;
+    Exit status: 0 done; 1 no box is found, not finished, or not --complete; 2 wrong use;
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
     to = wanted.destination([], several=True)
@@ -77,7 +79,7 @@ def box(
             return DONE
         from vstatics.cli.synth.box_run import BoxRun, carry_out
 
-        return carry_out(BoxRun(asked, to, sharing, quiet))
+        return carry_out(BoxRun(asked, to, sharing, quiet, complete))
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 

@@ -63,7 +63,8 @@ def _asked(search: BoxSearch, efficiency: float, figures: WantedFigures) -> BoxA
     """
     with wrong_use(("ratios", *BoxSearch._fields)):
         check_box_search(search)
-    return BoxAsked(search, efficiency, figures.of_boxes(search.elements))
+    wanted = figures.of_boxes(search.elements)
+    return BoxAsked(wanted.narrowed(search), efficiency, wanted)
 
 
 def _efficiency(given: float) -> float:

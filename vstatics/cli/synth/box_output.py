@@ -47,11 +47,14 @@ class FoundBoxes:
     """So many boxes have the ratios, whether they are wanted or not."""
     boxes: tuple[RankedBox, ...]
     """Those that are wanted, in their order."""
+    given_up: int
+    """Sets of elements that may be boxes, too."""
 
     @cached_property
     def listing(self) -> BoxListing:
         """As it is answered; its cases take some time."""
-        return BoxListing(self.searched, tuple(starmap(listed_box, enumerate(self.boxes, 1))))
+        boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
+        return BoxListing(self.searched, boxes, self.given_up)
 
     @property
     def title(self) -> str:
@@ -67,7 +70,9 @@ class FoundBoxes:
             "json": lambda _: as_json(self.listing, "json"),
             "jsonl": lambda _: "".join(as_json(one, "jsonl") for one in self.listing.boxes),
         }
-        return self._text(form, style, own, lambda: box_grids(self.searched, self.boxes))
+        return self._text(
+            form, style, own, lambda: box_grids(self.searched, self.boxes, self.given_up)
+        )
 
     def table(self, style: TextStyle) -> bytes:
         """All boxes as a table in CSV."""

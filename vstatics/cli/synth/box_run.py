@@ -42,6 +42,8 @@ class BoxRun(NamedTuple):
     to: Destination
     sharing: Sharing
     quiet: bool
+    complete: bool
+    """Whether a list that may lack boxes is a failure."""
 
     @property
     def work(self) -> BoxWork:
@@ -69,7 +71,7 @@ def carry_out(run: BoxRun) -> int:
     if not (run.quiet or is_stream(run.to.output)):
         files.say(_summary(str(run.to.output), found, time.perf_counter() - began))
     if found.boxes:
-        return DONE
+        return FAILED if run.complete and found.given_up else DONE
     if found.with_ratios:
         files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
     else:
@@ -151,7 +153,7 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
             measured += some
             advance(len(some))
     chosen = ranked(asked.search, measured, asked.wanted)
-    return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen)
+    return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
 
 
 def _summary(output: str, found: FoundBoxes, seconds: float) -> str:

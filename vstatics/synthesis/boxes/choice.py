@@ -192,6 +192,23 @@ class BoxFilter(NamedTuple):
     limits: Mapping[str, float] = MappingProxyType({})
     """The largest value of a figure, one of `LIMITED`."""
 
+    def narrowed(self, search: BoxSearch) -> BoxSearch:
+        """A search that leaves out what is not wanted as soon as that is known.
+
+        >>> BoxFilter(clutches=(1,)).narrowed(BoxSearch(1, 3, 1, (3.0, 1.0))).brake_counts
+        (2,)
+        """
+        most = [self.limits.get(name, math.inf) for name in ("brakes", "clutches")]
+        counts = tuple(
+            number
+            for number in range(search.elements + 1)
+            if number in (self.brakes or (number,)) and number <= most[0]
+            if (others := search.elements - number) in (self.clutches or (others,))
+            if others <= most[1]
+        )
+        is_any = len(counts) == search.elements + 1
+        return search._replace(brake_counts=() if is_any else counts, singly=self.single)
+
     def before(self, box: FoundBox) -> bool:
         """Whether a box may be wanted, before its figures are known.
 
@@ -268,6 +285,7 @@ def find_boxes(
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
         raise CaseError("E802", message, ("efficiency",))
+    search = wanted.narrowed(search)
     pieces = [found_in(search, piece) for piece in range(cut(search))]
     boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
     searched = sum(piece.searched for piece in pieces)

@@ -30,6 +30,8 @@ class Combinations(NamedTuple):
     """The links that an element joins, below 0 the housing, shape (elements, 2)."""
     members: Integers
     """Shape (combinations, engaged)."""
+    masks: Integers
+    """The same as bits, shape (combinations,)."""
     rests: Integers
     """The number of the other members without one, shape (combinations, engaged)."""
     ranks: Integers
@@ -45,6 +47,7 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
     """All brakes, clutches and their combinations, with so many moving links."""
     ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
     members = _ascending(len(ends), engaged)
+    masks = [sum(1 << element for element in one) for one in members]
     number = {one: place for place, one in enumerate(_ascending(len(ends), engaged - 1))}
     rests = [
         [number[one[:place] + one[place + 1 :]] for place in range(engaged)] for one in members
@@ -52,7 +55,9 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
     ranks = [[math.comb(one, place) for place in range(engaged + 1)] for one in range(len(ends))]
     starts = [math.comb(place, engaged) for place in range(size + 1)]
     places = _ascending(size, engaged)
-    arrays = (np.array(one, np.int64) for one in (ends, members, rests, ranks, places, starts))
+    arrays = (
+        np.array(one, np.int64) for one in (ends, members, masks, rests, ranks, places, starts)
+    )
     return Combinations(*arrays)
 
 
@@ -121,8 +126,6 @@ class GearSpeeds(NamedTuple):
     (speeds, links, points)."""
     way: Integers
     """Which of them each combination of elements gives, shape (combinations,)."""
-    still: Integers
-    """The elements that do not slip then, as bits, shape (speeds,)."""
 
 
 @compiled

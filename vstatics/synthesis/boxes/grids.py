@@ -8,7 +8,7 @@ from vstatics.synthesis.boxes.choice import RankedBox, family_count
 from vstatics.tables.grid import Grid, Values, exact, grid_of
 
 
-def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
+def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Iterator[Grid]:
     """The tables of found boxes.
 
     Parameters
@@ -17,16 +17,18 @@ def box_grids(searched: int, boxes: Sequence[RankedBox]) -> Iterator[Grid]:
         So many boxes were looked at.
     boxes : sequence of RankedBox
         In their order.
+    given_up : int
+        So many sets of elements may be boxes, too.
     """
-    yield _counts(searched, boxes)
+    yield _counts(searched, boxes, given_up)
     if boxes:
         yield from _pareto(boxes)
         yield _of_families(boxes)
 
 
-def _counts(searched: int, boxes: Sequence[RankedBox]) -> Grid:
+def _counts(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Grid:
     best = sum(box.pareto for box in boxes)
-    counts = {"searched": searched, "found": len(boxes)}
+    counts = {"searched": searched, "given up": given_up, "found": len(boxes)}
     counts |= {"families": family_count(boxes), "Pareto list": best}
     return grid_of("Boxes", ["what", "boxes"], counts.items())
 

@@ -95,12 +95,23 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
     )
 
 
-@told("searched", "found", families="family_count", boxes="boxes")
+@told(
+    *("searched", "found", "complete", "given_up"),
+    families="family_count",
+    boxes="boxes",
+)
 class BoxListing(NamedTuple):
     """What a search for boxes has found."""
 
     searched: Count
     boxes: tuple[ListedBox, ...]
+    given_up: Count = 0
+    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+
+    @property
+    def complete(self) -> bool:
+        """Whether there are no other boxes."""
+        return not self.given_up
 
     @property
     def found(self) -> Count:
@@ -203,20 +214,21 @@ def listing_of(document: Any) -> BoxListing:
     Examples
     --------
     >>> listing_of({"searched": 10, "boxes": []})
-    BoxListing(searched=10, boxes=())
+    BoxListing(searched=10, boxes=(), given_up=0)
     """
     if not isinstance(document, dict) or not isinstance(document.get("boxes"), list):
         raise ReadError("E805", f"expected {ASKED}: an object with `searched` and `boxes`")
     boxes: list[ListedBox] = []
     problems: list[Problem] = []
     searched = _read(int, document.get("searched"), "searched", problems)
+    given_up = _read(int, document.get("given_up", 0), "given_up", problems)
     for number, given in enumerate(document["boxes"], 1):
         if len(problems) >= MOST_WRONG:
             break
         boxes += _box(given, number, problems)
     if problems:
         raise ReadError(problems[:MOST_WRONG])
-    return BoxListing(searched, tuple(boxes))
+    return BoxListing(searched, tuple(boxes), given_up)
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:

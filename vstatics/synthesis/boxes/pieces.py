@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
 from functools import cache, lru_cache
 from threading import get_ident
 from typing import NamedTuple
@@ -11,21 +12,26 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.elements import PortGears, set_room
+from vstatics.synthesis.boxes.elements import PortGears
 from vstatics.synthesis.boxes.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
 )
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports, cell_room
+from vstatics.synthesis.boxes.joining import set_room
+from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
 from vstatics.synthesis.boxes.ranges import lines
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.set_ratios import Asked
+from vstatics.synthesis.boxes.shifts import neighbours
+from vstatics.synthesis.boxes.solving import cell_room
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
-PORTS_AT_ONCE = 500
-"""A piece has about so many choices of ports."""
+PORTS_AT_ONCE = 100
+"""So many choices of ports a piece has at most: a few seconds of work."""
+FURTHER_WORK = 50
+"""Where more than three elements are open in every gear, each makes about so much more."""
 FIRST_ELEMENT_SETS = 4096
 """So many sets of elements there is room for at first."""
 
@@ -84,15 +90,21 @@ def found_in(search: BoxSearch, piece: int) -> FoundPiece:
 
 @lru_cache(maxsize=4)
 def _pieces(search: BoxSearch) -> list[list[BoxScheme]]:
-    """The schemes of each piece."""
+    """The schemes of each piece; the ports of one may be in several."""
+    further = max(search.elements - search.engaged - 3, 0)
+    most = max(PORTS_AT_ONCE // FURTHER_WORK**further, 1)
     pieces: list[list[BoxScheme]] = []
     room = 0
     for one in box_schemes(search):
-        if room <= 0:
-            pieces.append([])
-            room = PORTS_AT_ONCE
-        pieces[-1].append(one)
-        room -= len(one.ports)
+        start = 0
+        while start < len(one.ports):
+            if room == 0:
+                pieces.append([])
+                room = most
+            some = one.ports[start : start + room]
+            pieces[-1].append(one._replace(ports=some))
+            room -= len(some)
+            start += len(some)
     return pieces
 
 
@@ -115,8 +127,11 @@ class _PortSearch:
         ends = enumerate(table.ends.tolist())
         there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
         self.searched += math.comb(len(there), search.elements)
-        bits, speeds = sum(1 << number for number in there), len(self.gears.speeds)
-        port = PortGears(*ports, bits, np.zeros(speeds, np.int64), np.zeros(speeds))
+        bits, count = sum(1 << number for number in there), len(table.members)
+        ratio_of, reach, useful = np.zeros((3, count), np.int64)
+        brakes = sum(1 << number for number in search.brake_counts or range(search.elements + 1))
+        shifts = neighbours(search.targets if search.singly else ())
+        port = PortGears(*ports, bits, ratio_of, reach, useful, brakes, shifts)
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
@@ -163,10 +178,7 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
     found = np.zeros((len(which), links, points))
     gear_speeds(bases.speeds, bases.factors, table.ends, table.members[which], found)
     found /= sizes[which, :, None]
-    speeds = np.pad(found[:, :, -1], ((0, 0), (0, 1)))  # HELD is the last column
-    slips = np.abs(speeds[:, table.ends[:, 0]] - speeds[:, table.ends[:, 1]])
-    still = (slips < SAME_BOX_SPEED) @ (1 << np.arange(len(table.ends)))
-    return GearSpeeds(found, way.astype(np.int64).reshape(-1), still)
+    return GearSpeeds(found, way.astype(np.int64).reshape(-1))
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
@@ -187,7 +199,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
     table = combinations_table(search.shafts, search.engaged, search.elements)
     asked = _asked(search)
-    targets, sets = len(asked.targets), search.sets
+    targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets),
@@ -195,14 +207,19 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
+        ratios=np.zeros((speeds, 2, 2**sets)),
+        within=np.zeros(speeds),
+        kinds=np.zeros(speeds, np.int64),
         parts=np.zeros((len(table.places), 2, 2**sets)),
     )
 
 
 ENOUGH = 3.0
-"""So long pieces are tried, one at least. [s]"""
+"""So long choices of ports are tried, one at least. [s]"""
+FEW = 10_000
+"""Of so many choices of ports all may be tried."""
 GOLDEN = 0.6180339887498949
-"""Multiples of it are spread evenly: so pieces from everywhere come first."""
+"""Multiples of it are spread evenly: so ports from everywhere come first."""
 
 
 class BoxEstimate(NamedTuple):
@@ -216,7 +233,7 @@ class BoxEstimate(NamedTuple):
     seconds: float
     """In one process."""
     exact: bool
-    """Whether all pieces were tried."""
+    """Whether all of it was tried."""
 
 
 def box_estimate(search: BoxSearch) -> BoxEstimate:
@@ -227,25 +244,36 @@ def box_estimate(search: BoxSearch) -> BoxEstimate:
     search : BoxSearch
         A sound one, see `check_box_search`.
     """
-    pieces = cut(search)
+    schemes = [one for piece in _pieces(search) for one in piece]
+    ends = np.cumsum([len(one.ports) for one in schemes], dtype=np.int64)
+    total = int(ends[-1]) if schemes else 0
     prepare()
-    began = time.perf_counter()
+    began = time.process_time()
     searched = found = tried = 0
-    for piece in _spread(pieces):
-        one = found_in(search, piece)
-        searched, found, tried = searched + one.searched, found + len(one.boxes), tried + 1
-        if time.perf_counter() - began > ENOUGH:
+    ready = 0.0
+    for number in _spread(total):
+        before = time.process_time()
+        which = int(np.searchsorted(ends, number, side="right"))
+        ports = _PortSearch(search, schemes[which])
+        ready += time.process_time() - before
+        found += len(ports.boxes(*schemes[which].ports[number - int(ends[which])]))
+        searched, tried = searched + ports.searched, tried + 1
+        if time.process_time() - began > ENOUGH:
             break
-    seconds = time.perf_counter() - began
-    share = tried / max(pieces, 1) or 1.0
-    numbers = searched / share, found / share, seconds / share
-    return BoxEstimate(pieces, *numbers, exact=tried == pieces)
+    share = tried / total if total else 1.0
+    seconds = (time.process_time() - began - ready) / share
+    seconds += ready / max(tried, 1) * len(schemes)
+    numbers = searched / share, found / share, seconds
+    return BoxEstimate(cut(search), *numbers, exact=tried == total)
 
 
-def _spread(pieces: int) -> list[int]:
-    """All pieces, the first ones from everywhere.
+def _spread(total: int) -> Iterator[int]:
+    """Numbers below a total, the first ones from everywhere; of many some may come twice.
 
-    >>> _spread(8)
+    >>> list(_spread(8))
     [0, 5, 2, 7, 4, 1, 6, 3]
     """
-    return sorted(range(pieces), key=lambda piece: (piece * GOLDEN) % 1.0)
+    if total <= FEW:
+        yield from sorted(range(total), key=lambda number: (number * GOLDEN) % 1.0)
+    else:
+        yield from (int(number * GOLDEN % 1.0 * total) for number in range(total - 1))

@@ -1,0 +1,86 @@
+"""Whether each target can have a ratio of its own: a matching in a bipartite graph."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Integers
+from vstatics.numerics.compiled import compiled
+
+
+class MatchRoom(NamedTuple):
+    """Room for matchings; each array has a number for every target."""
+
+    chosen: Integers
+    """Its ratio."""
+    came_from: Integers
+    """The target before it on a way."""
+    line: Integers
+    """Targets still to go on from."""
+
+
+def match_room(targets: int) -> MatchRoom:
+    """Room for so many targets."""
+    return MatchRoom(*np.zeros((3, targets), np.int64))
+
+
+@compiled
+def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
+    """Whether each target can have a ratio of its own; `chosen` takes one for each.
+
+    Parameters
+    ----------
+    reach : array, shape (ratios,)
+        Targets that each ratio reaches, as bits.
+    count : int
+        So many ratios come first.
+    room : MatchRoom
+
+    Examples
+    --------
+    >>> room = match_room(2)
+    >>> bool(matched(np.array([1, 3]), 2, room)), room.chosen.tolist()
+    (True, [0, 1])
+    >>> bool(matched(np.array([1, 1]), 2, room))
+    False
+    """
+    room.chosen[:] = -1
+    spare = count - len(room.chosen)
+    for ratio in range(count):
+        if spare < 0:
+            return False
+        spare -= not _placed(reach, ratio, room)
+    return spare >= 0
+
+
+@compiled
+def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
+    """Give a ratio a target, moving others along a shortest way; False if none is free."""
+    chosen, came_from, line = room
+    seen = reach[ratio]
+    first = last = 0
+    for target in range(len(chosen)):
+        if (seen >> target) & 1:
+            came_from[target] = -1
+            line[last] = target
+            last += 1
+    while first < last:
+        target = line[first]
+        first += 1
+        holder = chosen[target]
+        if holder < 0:
+            while target >= 0:
+                before = came_from[target]
+                chosen[target] = ratio if before < 0 else chosen[before]
+                target = before
+            return True
+        new = reach[holder] & ~seen
+        seen |= new
+        for other in range(len(chosen)):
+            if (new >> other) & 1:
+                came_from[other] = target
+                line[last] = other
+                last += 1
+    return False
