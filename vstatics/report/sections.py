@@ -91,7 +91,9 @@ def sections(material: Material) -> Iterator[Part]:
 def _run(material: Material) -> Iterator[Markup]:
     if material.run:
         in_full = material.asked.in_full("run")
-        yield from shown_run(material.run, material.digits, in_full=in_full)
+        yield from shown_run(
+            material.run, material.digits, in_full=in_full, has_marks=material.has_marks
+        )
 
 
 def _has_run_plan(material: Material) -> bool:
@@ -121,7 +123,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     results = material.results
     signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
-    grid = _without_last_step(grid)
+    [grid] = material.marked([_without_last_step(grid)])
     rows = [
         [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
         for row in grid.cells
@@ -230,7 +232,7 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     )
     with_columns = [besides] * (len(besides.columns) > 1)
     told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
-    yield from tables([*told, *with_columns, *others])
+    yield from tables([*told, *material.marked([*with_columns, *others])])
 
 
 def _has_further_ports(material: Material) -> bool:

@@ -1,0 +1,1 @@
+"""A page whose numbers change: `numbers` says of each of them what it is."""

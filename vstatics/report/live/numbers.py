@@ -1,0 +1,80 @@
+"""Marks on the numbers of a page, by which a script finds the one that it changes.
+
+``data-result`` is the key of the quantity in JSON, ``data-row`` the name of its row there, where
+it has rows, ``data-gear`` the gear, ``data-number`` the number with all digits, empty where there
+is none. A page that stays as it is has no marks.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from vstatics.tables.grid import Cell, Grid
+from vstatics.tables.quantities import QUANTITIES
+
+_OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "ETA"} | {
+    one.key.replace("_", " "): one.key for one in QUANTITIES if one.rows == "one"
+}
+"""Columns of the tables that have a row for each gear, and what their numbers are."""
+_WITH_ROWS = {one.key for one in QUANTITIES if one.columns == "gears"}
+
+
+def marked(grid: Grid) -> Grid:
+    """A table whose numbers say what they are, if they are results of gears or times of events.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.tables.grids import of_results
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()], link_names=["in", "out"])
+    >>> by_key = {one.key: marked(one) for one in of_results(solve(case))}
+    >>> by_key["W"].cells[1][1].marks
+    {'result': 'W', 'row': 'out', 'gear': '1', 'number': '-0.25'}
+    >>> [one.marks.get("result") for one in by_key["gears"].cells[0]][:3]
+    [None, 'ETA', 'ratio']
+    """
+    if grid.key == "gears":
+        names = [_OF_GEARS.get(one.heading, "") for one in grid.columns]
+        return grid._replace(rows=[_of_gear(row, names) for row in grid.cells])
+    if grid.key == "events":
+        return grid._replace(rows=[_of_event(row) for row in grid.cells])
+    if grid.key in _WITH_ROWS:
+        gears = [one.heading for one in grid.columns[1:]]
+        return grid._replace(rows=[_of_row(row, grid.key, gears) for row in grid.cells])
+    return grid
+
+
+def _of_gear(row: Sequence[Cell], names: Sequence[str]) -> list[Cell]:
+    gear = row[0].text
+    return [
+        _marked(cell, name, gear=gear) if name else cell
+        for cell, name in zip(row, names, strict=True)
+    ]
+
+
+def _of_row(row: Sequence[Cell], key: str, gears: Sequence[str]) -> list[Cell]:
+    name, *cells = row
+    pairs = zip(cells, gears, strict=True)
+    return [name, *(_marked(cell, key, row=name.text, gear=gear) for cell, gear in pairs)]
+
+
+def _of_event(row: Sequence[Cell]) -> list[Cell]:
+    """The time of what happens, by what it happens to."""
+    time, element, event, *others = row
+    named = _marked(time, "events", row=f"{element.text} {event.text}".strip())
+    return [named, element, event, *others]
+
+
+def _marked(cell: Cell, result: str, **place: str) -> Cell:
+    value = math.nan if cell.value is None else cell.value
+    return cell._replace(marks={"result": result, **place, "number": digits_of(value)})
+
+
+def digits_of(value: float) -> str:
+    """A number with all its digits; nothing for one that does not exist.
+
+    >>> digits_of(0.1), digits_of(3.0), digits_of(float("nan"))
+    ('0.1', '3', '')
+    """
+    return repr(float(value)).removesuffix(".0") if math.isfinite(value) else ""
