@@ -18,7 +18,7 @@ class Markup(str):
     __slots__ = ()
 
 
-VOID = {"meta"}
+VOID = {"input", "meta"}
 """Elements that have no end."""
 
 
