@@ -8,8 +8,9 @@ is none. A page that stays as it is has no marks.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from vstatics.flow.grids import SECTIONS
 from vstatics.tables.grid import Cell, Grid
 from vstatics.tables.quantities import QUANTITIES
 
@@ -43,6 +44,55 @@ def marked(grid: Grid) -> Grid:
         gears = [one.heading for one in grid.columns[1:]]
         return grid._replace(rows=[_of_row(row, grid.key, gears) for row in grid.cells])
     return grid
+
+
+_POWERS = {
+    "ideal": "power",
+    "with losses": "lossy_power",
+    "kW": "lossy_power_kW",
+    "loss": "power_loss",
+    "loss, kW": "power_loss_kW",
+    "share, %": "loss_share",
+}
+"""Columns of the table of powers of a gear, and what their numbers are."""
+
+
+def marked_powers(grid: Grid, gear: str) -> Grid:
+    """The table of powers of a gear with marks; rows are ``link ring``, ``mechanism P1.sun``.
+
+    Power of teeth, and of members of springs, has none.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.flow.grids import power_grid
+    >>> from vstatics.flow.power import flows
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
+    >>> [row[1].marks.get("row") for row in marked_powers(power_grid(flow), "1").cells][:6]
+    [None, 'link 1', 'link 2', None, 'mechanism pair', 'mechanism pair.first']
+    """
+    kinds = {heading: kind for kind, heading in SECTIONS.items()}
+    names = [_POWERS.get(one.heading, "") for one in grid.columns]
+    kind, owner, rows = "", "", []
+    for level, row in zip(grid.levels, grid.cells, strict=True):
+        own = row[0].text
+        if level == 1:
+            kind = kinds[own]
+        elif level == 2:
+            owner = own
+        member = f".{own.partition(':')[0]}" * (level == 3)
+        if level == 2 or (level == 3 and kind == "mechanism" and ":" in own):
+            place = f"{kind} {owner}{member}"
+            rows.append([*_of_powers(row, names, row=place, gear=gear)])
+        else:
+            rows.append(row)
+    return grid._replace(rows=rows)
+
+
+def _of_powers(cells: Sequence[Cell], names: Sequence[str], **place: str) -> Iterator[Cell]:
+    for cell, name in zip(cells, names, strict=True):
+        yield _marked(cell, name, **place) if name and cell.kind is float else cell
 
 
 def _of_gear(row: Sequence[Cell], names: Sequence[str]) -> list[Cell]:
