@@ -52,6 +52,12 @@ if TYPE_CHECKING:
     callback=value(named("NAME=TEXT", str)),
     help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
 )
+@click.option(
+    "--live",
+    is_flag=True,
+    help="With sliders for ratios, teeth, efficiencies, given speeds and torques, which the page "
+    "follows by itself.",
+)
 @formats.digits
 @arguments.settings
 def report(
@@ -61,6 +67,7 @@ def report(
     gears: list[str],
     prints_all: bool,
     stamp: dict[str, str],
+    live: bool,
     digits: int | None,
     settings: CaseOptions,
 ) -> int:
@@ -77,6 +84,10 @@ def report(
     power flow, efficiency, largest values, and what the case has of vibration and a run;
     --all prints all of it, --sections what it names.
 
+    With --live the page calculates: it has sliders for the numbers of the case, and ratios,
+    speeds, torques, losses and efficiencies follow. Where it can't, it says so: then run the
+    program.
+
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
 
@@ -85,6 +96,7 @@ def report(
       vstatics report gearbox.yaml -o gearbox.html
       vstatics report upshift.yaml -o upshift.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
+      vstatics report gearbox.yaml --live -o live.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
@@ -98,11 +110,13 @@ def report(
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
-        asked_of_cases = sections or gears or prints_all
-        refuse((asked_of_cases, "--sections, --gears, --all: found boxes have a page of their own"))
+        asked_of_cases = sections or gears or prints_all or live
+        own = "--sections, --gears, --all, --live: found boxes have a page of their own"
+        refuse((asked_of_cases, own))
         return report_boxes(*found, cases[0], output, digits, stamp)
-    asked = AskedPage(sections, gears, prints_all, stamp)
-    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked)
+    # a page with sliders has no further pictures for print, which would not follow them
+    asked = AskedPage(sections, gears, prints_all or live, stamp)
+    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked, live=live)
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
     )
@@ -114,6 +128,8 @@ def _shown(
     digits: int | None,
     quiet: bool,
     asked: AskedPage,
+    *,
+    live: bool,
 ) -> texts.CaseOutput:
     """The page of a case."""
     chosen = arguments.gear_indices(results.case, asked.gears) if asked.gears else ()
@@ -122,13 +138,16 @@ def _shown(
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(
-            results, outcome.problems, digits, run_of(outcome), _naming(outcome), asked=own
-        )
+        run, naming = run_of(outcome), _naming(outcome)
+        material = gather(results, outcome.problems, digits, run, naming, asked=own, has_marks=live)
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
             files.say(f"vstatics report: no vibration: {material.vibration.without}")
+        if live:
+            from vstatics.report.live.page import live_page
+
+            return live_page(material)
         return page(material)
 
     return texts.CaseOutput([], {"html": html})
