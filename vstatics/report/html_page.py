@@ -20,7 +20,7 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 NOTHING = Markup()
 
 
-class Frame(NamedTuple):
+class PageFrame(NamedTuple):
     """What stands around the sections of a page."""
 
     choice: Markup = NOTHING
@@ -40,7 +40,7 @@ class Frame(NamedTuple):
     """The first one that is shown, for the attribute of the page."""
 
 
-BARE = Frame()
+BARE = PageFrame()
 
 
 def _resource(name: str) -> Markup:
@@ -62,7 +62,7 @@ def page(material: Material) -> str:
     case = material.results.case
     title = material.naming.title(case.name, runs=material.run is not None)
     parts = list(sections(material))
-    return framed(title, about(material), parts, material.document, Frame(choice(material)))
+    return framed(title, about(material), parts, material.document, PageFrame(choice(material)))
 
 
 def choice(material: Material) -> Markup:
@@ -77,7 +77,7 @@ def framed(
     told: Iterable[Markup],
     parts: Sequence[Part],
     document: dict[str, Any],
-    frame: Frame = BARE,
+    frame: PageFrame = BARE,
 ) -> str:
     """A page of sections with its contents, its look and the data that it carries.
 
@@ -87,7 +87,7 @@ def framed(
         What stands below the title.
     document : dict
         What the page shows, as JSON.
-    frame : Frame, optional
+    frame : PageFrame, optional
         What stands around them.
     """
     links = (tag("a", part.name, href=f"#{_id(part.name)}") for part in parts)

@@ -97,6 +97,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     *,
     asked: AskedPage = EVERYTHING,
     has_marks: bool = False,
+    drawn: Pictures | None = None,
 ) -> Material:
     """What the page of a case shows.
 
@@ -117,12 +118,15 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         What of it the page has.
     has_marks : bool, optional
         Whether numbers say what they are; see `vstatics.report.live.numbers`.
+    drawn : Pictures, optional
+        What stands in place of the pictures that would be drawn.
     """
-    without, drawn = "", Pictures()
-    try:
-        drawn = pictures(results, asked)
-    except CaseError as error:
-        without = str(error)
+    without = ""
+    if drawn is None:
+        try:
+            drawn = pictures(results, asked)
+        except CaseError as error:
+            without, drawn = str(error), Pictures()
     told = []
     for one in problems:
         if not _is_among(one, results.messages):  # with its line, but not its file

@@ -13,18 +13,18 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import PowerFlow
 from vstatics.model.parts import OfLoad
-from vstatics.report.live.fields import Field
+from vstatics.report.live.fields import PageField
 from vstatics.sweep.variants.part_numbers import part_numbers, with_part_numbers
 from vstatics.tables import values
 
 
-def place(fields: Iterable[Field], chance: Random) -> dict[str, float]:
+def place(fields: Iterable[PageField], chance: Random) -> dict[str, float]:
     """Places of some sliders, from end to end: all of them, or near where they stand."""
     near = chance.random() < 0.7
     return {one.path: _moved(one, chance, near=near) for one in fields}
 
 
-def _moved(field: Field, chance: Random, *, near: bool) -> float:
+def _moved(field: PageField, chance: Random, *, near: bool) -> float:
     low, high = field.limits
     moved = chance.uniform(low, high)
     if near:

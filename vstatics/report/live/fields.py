@@ -27,7 +27,7 @@ _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
 """What a case has without saying it; nobody changes it here."""
 
 
-class Field(NamedTuple):
+class PageField(NamedTuple):
     """A number that can be changed."""
 
     path: str
@@ -42,7 +42,7 @@ class Field(NamedTuple):
     def owner(self) -> str:
         """What has the number: the path without its last words.
 
-        >>> Field("P1.teeth.sun", 30).owner, Field("gears.low.speeds.MG1", 0).owner
+        >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
         """
         words = self.path.split(".")
@@ -52,9 +52,9 @@ class Field(NamedTuple):
     def limits(self) -> tuple[float, float]:
         """Where its slider ends: teeth stay numbers of teeth, ratios can turn their sign.
 
-        >>> Field("P1.teeth.sun", 30, whole=True).limits, Field("D1.ratio", -2.5).limits
+        >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))
-        >>> Field("D1.efficiency", 0.98).limits
+        >>> PageField("D1.efficiency", 0.98).limits
         (0.0, 1.0)
         """
         reach = _REACH * abs(self.value) or 1.0
@@ -63,7 +63,7 @@ class Field(NamedTuple):
         return (1.0, max(reach, 1.0)) if self.whole and self.value > 0 else (-reach, reach)
 
 
-def case_fields(case: Transmission) -> Iterator[Field]:
+def case_fields(case: Transmission) -> Iterator[PageField]:
     """The numbers that a case gives itself: teeth, ratios, efficiencies, loads, given values.
 
     Numbers that its drawing makes of others are none, neither are drags of nothing.
@@ -91,7 +91,7 @@ def case_fields(case: Transmission) -> Iterator[Field]:
             continue
         unit = next((unit for end, unit in _UNITS.items() if path.endswith(end)), "")
         whole = number.part is not None and number.part.kind == "count"
-        yield Field(path, value, unit, whole)
+        yield PageField(path, value, unit, whole)
 
 
 def _derived(case: Transmission) -> Iterator[str]:
@@ -118,19 +118,19 @@ def _relative(case: Transmission) -> Mapping[str, float]:
     }
 
 
-def shown_fields(fields: Iterable[Field], *, fixed: bool = False) -> Iterator[Markup]:
+def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterator[Markup]:
     """Fields with their sliders, in a group for each part that has numbers.
 
     Parameters
     ----------
-    fields : iterable of Field
+    fields : iterable of PageField
         Those of a part follow each other.
     fixed : bool
         Whether none can be changed, as in a deck.
 
     Examples
     --------
-    >>> [group] = shown_fields([Field("P1.teeth.sun", 30, whole=True)])
+    >>> [group] = shown_fields([PageField("P1.teeth.sun", 30, whole=True)])
     >>> group.count('data-path="P1.teeth.sun"'), group.count('step="1"')
     (2, 2)
     """
@@ -139,7 +139,7 @@ def shown_fields(fields: Iterable[Field], *, fixed: bool = False) -> Iterator[Ma
         yield tag("fieldset", tag("legend", owner), *rows)
 
 
-def _row(field: Field, *, fixed: bool) -> Markup:
+def _row(field: PageField, *, fixed: bool) -> Markup:
     low, high = map(digits_of, field.limits)
     value, step = digits_of(field.value), "1" if field.whole else "any"
     name = field.path.removeprefix(f"{field.owner}.").replace(".", " ")

@@ -16,8 +16,8 @@ from typing import Any
 
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import Transmission
-from vstatics.report.html_page import Frame, about, choice, framed
-from vstatics.report.live.fields import Field, case_fields, shown_fields
+from vstatics.report.html_page import PageFrame, about, choice, framed
+from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
@@ -61,7 +61,7 @@ def live_page(material: Material) -> str:
     )
     parts = [change._replace(is_printed=False), *shown]
     known["texts"] = [*texts]
-    frame = Frame(
+    frame = PageFrame(
         choice(material),
         tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
         end=joined(
@@ -94,12 +94,12 @@ def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
     return Markup(_MARKS.sub(short, shown))
 
 
-def live_fields(case: Transmission, numbers: Mapping[str, float]) -> Iterator[Field]:
+def live_fields(case: Transmission, numbers: Mapping[str, float]) -> Iterator[PageField]:
     """The fields of the numbers that a page calculates with, those of a part together."""
     told = {one.path: one for one in case_fields(case)}
     units = {path: unit for gear in case.gears for path, unit in _units(case, gear)}
     found = [
-        told.get(path, Field(path, value))._replace(value=value, unit=units.get(path, ""))
+        told.get(path, PageField(path, value))._replace(value=value, unit=units.get(path, ""))
         for path, value in numbers.items()
     ]
     order = dict.fromkeys(one.owner for one in found)
