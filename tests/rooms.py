@@ -41,6 +41,7 @@ ROOMS = (
     "synthesis",
     "pictures",
     "report",
+    "serve",
     "cli",
     "__init__",
     "__main__",

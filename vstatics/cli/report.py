@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from functools import partial
-from typing import TYPE_CHECKING
 
 import click
 
@@ -14,21 +12,25 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
-from vstatics.cli.frame.scenario_run import run_of
+from vstatics.cli.frame.scenario_run import naming_of, run_of
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import each, named, separated, value
 from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
-
-if TYPE_CHECKING:
-    from vstatics.report.material import Naming
 
 
 @click.command()
 @arguments.argument
 @arguments.required_output(
     "Write to this file, whole or not at all; several cases to this directory; - is "
-    "standard output."
+    "standard output. Not needed with --watch.",
+    unless="watch",
+)
+@click.option(
+    "--watch",
+    is_flag=True,
+    is_eager=True,
+    help="Serve the page of one case, as `vstatics serve` does, which follows its file.",
 )
 @click.option(
     "--sections",
@@ -62,7 +64,8 @@ if TYPE_CHECKING:
 @arguments.settings
 def report(
     cases: tuple[str, ...],
-    output: str,
+    output: str | None,
+    watch: bool,
     sections: tuple[str, ...],
     gears: list[str],
     prints_all: bool,
@@ -106,6 +109,16 @@ def report(
     refuse(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
+    if watch:
+        parts = sections or gears or prints_all or stamp or output or live
+        refuse(
+            (len(cases) > 1, "--watch: expected one case"),
+            (parts, "--watch: it serves the whole page, without -o and what chooses its parts"),
+        )
+        from vstatics.cli.serve import serve_page
+
+        return serve_page(cases[0], digits, settings)
+    assert output is not None  # noqa: S101 - it is required
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
@@ -138,7 +151,7 @@ def _shown(
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        run, naming = run_of(outcome), _naming(outcome)
+        run, naming = run_of(outcome), naming_of(outcome)
         material = gather(results, outcome.problems, digits, run, naming, asked=own, has_marks=live)
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
@@ -151,12 +164,3 @@ def _shown(
         return page(material)
 
     return texts.CaseOutput([], {"html": html})
-
-
-def _naming(outcome: CalculatedCase) -> Naming:
-    """The name of the file for what has none itself, and what happens in a scenario."""
-    from vstatics.report.material import Naming
-
-    path, read = outcome.file, outcome.scenario
-    file = "" if path == files.STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
-    return Naming(file) if read is None else Naming(read.name or file, read.description)
