@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import secrets
 from functools import cache, partial
 from typing import TYPE_CHECKING
@@ -90,7 +91,8 @@ def serve_page(
     try:
         asyncio.run(_until_stopped(server, port, opens=opens))
     except OSError as error:
-        message = f"port {port} can't be listened on: {error.strerror}"
+        why = os.strerror(error.errno) if error.errno else str(error)
+        message = f"port {port} can't be listened on: {why}"
         raise ReadError([of_file("E760", "127.0.0.1", message)]) from None
     return DONE
 
