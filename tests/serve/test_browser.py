@@ -21,7 +21,7 @@ from tests.commands import CASES
 from tests.serve.served import BOX
 
 pytestmark = pytest.mark.slow
-SECONDS = 10
+SECONDS = 30
 """So long something may take."""
 
 
@@ -253,6 +253,7 @@ def test_pictures_come_when_they_are_looked_at(window: Callable[[], Window]) -> 
     old = here.page.inner_html(flow)
     here.type("P1.ratio", "-3")
     here.until(f"document.querySelector('{flow}.pale svg')")
+    here.page.evaluate("document.getElementById('power-flow').scrollIntoView()")
     here.until(f"document.querySelector('{flow}:not(.pale) svg')")
     assert here.page.inner_html(flow) != old
 
