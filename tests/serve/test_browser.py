@@ -25,6 +25,18 @@ SECONDS = 30
 """So long something may take."""
 
 
+started: list[Program] = []
+
+
+@pytest.fixture(autouse=True)
+def _ended() -> Iterator[None]:
+    """No program outlives its test."""
+    yield
+    while started:
+        if (left := started.pop()).process.poll() is None:
+            left.end()
+
+
 class Program:
     """`vstatics serve`, as a process of its own."""
 
@@ -35,6 +47,7 @@ class Program:
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )
         assert self.process.stdout is not None
+        started.append(self)
         self.address = self.process.stdout.readline().strip()
 
     def end(self) -> tuple[int, str]:
@@ -92,13 +105,10 @@ class Window:
 
 
 @pytest.fixture
-def program(tmp_path: Path) -> Iterator[Program]:
+def program(tmp_path: Path) -> Program:
     file = tmp_path / "box.yaml"
     file.write_text(BOX, encoding="utf-8")
-    running = Program(file)
-    yield running
-    if running.process.poll() is None:
-        running.end()
+    return Program(file)
 
 
 @pytest.fixture
