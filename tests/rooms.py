@@ -43,6 +43,7 @@ ROOMS = (
     "synthesis",
     "pictures",
     "report",
+    "serve",
     "cli",
     "__init__",
     "__main__",

@@ -61,6 +61,19 @@ class CellPlace(Place):
         return f"{self.file}:{self.sheet}!{letters}{self.line}"
 
 
+def excerpt(place: Place, width: int = 76) -> tuple[str, str]:
+    """The part of a line around a place that fits on a terminal, and a caret below it.
+
+    >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
+    ('B1: [rign, housing]', '   ^')
+    """
+    column = min(place.column, len(place.text) + 1)
+    start = max(0, column - width // 2) if len(place.text) > width else 0
+    part = place.text[start : start + width]
+    shown = "".join(letter if letter.isprintable() else " " for letter in part)
+    return shown, " " * (column - 1 - start) + "^"
+
+
 def severity(identity: str) -> Severity:
     """What the first letter of an id says.
 

@@ -48,6 +48,7 @@ COMMANDS = {
         "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
     ),
     "plot": ("vstatics.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
+    "serve": ("vstatics.cli.serve", "Serve the page of a case, which follows and changes it."),
     "report": ("vstatics.cli.report", "Write a case and its results as one page of HTML."),
     "check": ("vstatics.cli.check", "Report problems of the input, and the conditions per gear."),
     "convert": ("vstatics.cli.convert", "Convert a case between deck, YAML and JSON."),

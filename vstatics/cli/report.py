@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from functools import partial
-from typing import TYPE_CHECKING
 
 import click
 
@@ -14,21 +12,25 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
-from vstatics.cli.frame.scenario_run import run_of
+from vstatics.cli.frame.scenario_run import naming_of, run_of
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import each, named, separated, value
 from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
-
-if TYPE_CHECKING:
-    from vstatics.report.material import Naming
 
 
 @click.command()
 @arguments.argument
 @arguments.required_output(
     "Write to this file, whole or not at all; several cases to this directory; - is "
-    "standard output."
+    "standard output. Not needed with --watch.",
+    unless="watch",
+)
+@click.option(
+    "--watch",
+    is_flag=True,
+    is_eager=True,
+    help="Serve the page of one case, as `vstatics serve` does, which follows its file.",
 )
 @click.option(
     "--sections",
@@ -52,15 +54,23 @@ if TYPE_CHECKING:
     callback=value(named("NAME=TEXT", str)),
     help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
 )
+@click.option(
+    "--live",
+    is_flag=True,
+    help="With sliders for ratios, teeth, efficiencies, given speeds and torques, which the page "
+    "follows by itself.",
+)
 @formats.digits
 @arguments.settings
 def report(
     cases: tuple[str, ...],
-    output: str,
+    output: str | None,
+    watch: bool,
     sections: tuple[str, ...],
     gears: list[str],
     prints_all: bool,
     stamp: dict[str, str],
+    live: bool,
     digits: int | None,
     settings: CaseOptions,
 ) -> int:
@@ -77,6 +87,10 @@ def report(
     power flow, efficiency, largest values, and what the case has of vibration and a run;
     --all prints all of it, --sections what it names.
 
+    With --live the page calculates: it has sliders for the numbers of the case, and ratios,
+    speeds, torques, losses and efficiencies follow. Where it can't, it says so: then run the
+    program.
+
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
 
@@ -85,6 +99,7 @@ def report(
       vstatics report gearbox.yaml -o gearbox.html
       vstatics report upshift.yaml -o upshift.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
+      vstatics report gearbox.yaml --live -o live.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
@@ -94,15 +109,27 @@ def report(
     refuse(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
+    if watch:
+        parts = sections or gears or prints_all or stamp or output or live
+        refuse(
+            (len(cases) > 1, "--watch: expected one case"),
+            (parts, "--watch: it serves the whole page, without -o and what chooses its parts"),
+        )
+        from vstatics.cli.serve import serve_page
+
+        return serve_page(cases[0], digits, settings)
+    assert output is not None  # noqa: S101 - it is required
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
-        asked_of_cases = sections or gears or prints_all
-        refuse((asked_of_cases, "--sections, --gears, --all: found boxes have a page of their own"))
+        asked_of_cases = sections or gears or prints_all or live
+        own = "--sections, --gears, --all, --live: found boxes have a page of their own"
+        refuse((asked_of_cases, own))
         return report_boxes(*found, cases[0], output, digits, stamp)
-    asked = AskedPage(sections, gears, prints_all, stamp)
-    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked)
+    # a page with sliders has no further pictures for print, which would not follow them
+    asked = AskedPage(sections, gears, prints_all or live, stamp)
+    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked, live=live)
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
     )
@@ -114,6 +141,8 @@ def _shown(
     digits: int | None,
     quiet: bool,
     asked: AskedPage,
+    *,
+    live: bool,
 ) -> texts.CaseOutput:
     """The page of a case."""
     chosen = arguments.gear_indices(results.case, asked.gears) if asked.gears else ()
@@ -122,22 +151,16 @@ def _shown(
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
-        material = gather(
-            results, outcome.problems, digits, run_of(outcome), _naming(outcome), asked=own
-        )
+        run, naming = run_of(outcome), naming_of(outcome)
+        material = gather(results, outcome.problems, digits, run, naming, asked=own, has_marks=live)
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
             files.say(f"vstatics report: no vibration: {material.vibration.without}")
+        if live:
+            from vstatics.report.live.page import live_page
+
+            return live_page(material)
         return page(material)
 
     return texts.CaseOutput([], {"html": html})
-
-
-def _naming(outcome: CalculatedCase) -> Naming:
-    """The name of the file for what has none itself, and what happens in a scenario."""
-    from vstatics.report.material import Naming
-
-    path, read = outcome.file, outcome.scenario
-    file = "" if path == files.STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
-    return Naming(file) if read is None else Naming(read.name or file, read.description)

@@ -126,8 +126,8 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
     return kind.sign * Fraction(element.teeth[last]) / Fraction(element.teeth[first])
 
 
-def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
-    """Mechanisms from each wheel of a train of planets to one of them."""
+def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
+    """Each wheel of a train of planets with the one of them to which its ratio is."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -135,31 +135,36 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
         reference = wheels[-1]
         if len(wheels) > 2:
             reference = next((wheel for wheel in wheels if wheel.internal), reference)
-        for wheel in wheels:
-            if wheel is not reference:
-                single = len(wheels) == 2 and len(group.trains) == 1
-                name = "" if single else f".{wheel.member}-{reference.member}"
-                ratio = group.ratio(wheel, reference)
-                between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
-                efficiency = math.prod(
-                    [
-                        _of_wheel(wheel, group, per_mesh),
-                        *(_of_planets(group, *two, per_mesh) for two in between),
-                        _of_wheel(reference, group, per_mesh),
-                    ]
-                )
-                mechanism = Mechanism(
-                    wheel.link,
-                    reference.link,
-                    group.carrier,
-                    ratio=float(ratio),
-                    efficiency=element.efficiency or efficiency,
-                    planet_ratio=_to_planet(group, wheel, ratio),
-                    name=element.name + name,
-                    stiffness=element.stiffness,
-                    damping=element.damping,
-                )
-                yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
+        yield from ((wheel, reference) for wheel in wheels if wheel is not reference)
+
+
+def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
+    """Mechanisms from each wheel of a train of planets to one of them."""
+    pairs = [*reduced_pairs(group)]
+    for wheel, reference in pairs:
+        single = len(pairs) == len(group.trains) == 1
+        name = "" if single else f".{wheel.member}-{reference.member}"
+        ratio = group.ratio(wheel, reference)
+        between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
+        efficiency = math.prod(
+            [
+                _of_wheel(wheel, group, per_mesh),
+                *(_of_planets(group, *two, per_mesh) for two in between),
+                _of_wheel(reference, group, per_mesh),
+            ]
+        )
+        mechanism = Mechanism(
+            wheel.link,
+            reference.link,
+            group.carrier,
+            ratio=float(ratio),
+            efficiency=element.efficiency or efficiency,
+            planet_ratio=_to_planet(group, wheel, ratio),
+            name=element.name + name,
+            stiffness=element.stiffness,
+            damping=element.damping,
+        )
+        yield Lowered(mechanism, (wheel.member, reference.member, "carrier"))
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:

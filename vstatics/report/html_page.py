@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.resources import files
-from typing import Any
+from typing import Any, NamedTuple
 
 from vstatics.pictures.sheet.style import FAMILIES
 from vstatics.report.asked import SECTIONS
@@ -20,6 +20,37 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 NOTHING = Markup()
 
 
+class PageFrame(NamedTuple):
+    """What stands around the sections of a page."""
+
+    choice: Markup = NOTHING
+    """Stays in sight: what is chosen for several sections."""
+    panel: Markup = NOTHING
+    """Below the head of the page."""
+    scripts: Sequence[Markup] = ()
+    """After the page's own."""
+    end: Markup = NOTHING
+    """What stands at the end of the page, such as scripts with names."""
+    style: Markup = NOTHING
+    policy: str = POLICY
+    """Nothing where whoever sends the page says it."""
+    state: Mapping[str, object] = {}
+    """Attributes of the body."""
+    revision: int | None = None
+    """The first one that is shown, for the attribute of the page."""
+
+
+BARE = PageFrame()
+
+
+def _resource(name: str) -> Markup:
+    return Markup((files(__package__) / name).read_text(encoding="utf-8"))
+
+
+SCRIPT = _resource("script.js")
+"""Of every page: its gears and tables."""
+
+
 def page(material: Material) -> str:
     """The whole page, as HTML.
 
@@ -31,56 +62,69 @@ def page(material: Material) -> str:
     case = material.results.case
     title = material.naming.title(case.name, runs=material.run is not None)
     parts = list(sections(material))
-    names = [gear.name for gear in case.gears if material.asked.shows(gear.name)]
-    choice = chooser(names) if names else NOTHING
-    about = [*stamped(material.asked.stamp), *_about(material)]
-    return framed(title, about, parts, material.document, choice)
+    return framed(title, about(material), parts, material.document, PageFrame(choice(material)))
+
+
+def choice(material: Material) -> Markup:
+    """What chooses a gear, if there is one."""
+    gears = material.results.case.gears
+    names = [gear.name for gear in gears if material.asked.shows(gear.name)]
+    return chooser(names) if names else NOTHING
 
 
 def framed(
     title: str,
-    about: Iterable[Markup],
+    told: Iterable[Markup],
     parts: Sequence[Part],
     document: dict[str, Any],
-    choice: Markup = NOTHING,
+    frame: PageFrame = BARE,
 ) -> str:
     """A page of sections with its contents, its look and the data that it carries.
 
     Parameters
     ----------
-    about : iterable of Markup
+    told : iterable of Markup
         What stands below the title.
     document : dict
         What the page shows, as JSON.
-    choice : Markup, optional
-        Stays in sight: what is chosen for several sections.
+    frame : PageFrame, optional
+        What stands around them.
     """
     links = (tag("a", part.name, href=f"#{_id(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
-    shown = tag(
-        "main",
-        *map(_section, parts),
-    )
+    shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
     data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
     body = tag(
         "body",
-        tag("header", tag("h1", title), *about, contents),
-        choice,
+        tag("header", tag("h1", title), *told, contents),
+        frame.panel,
+        frame.choice,
         main,
         tag("script", Markup(data), type="application/json", id="result"),
-        tag("script", _resource("script.js")),
+        *(tag("script", one) for one in (SCRIPT, *frame.scripts)),
+        frame.end,
+        **frame.state,
     )
+    policy = tag("meta", http_equiv="Content-Security-Policy", content=frame.policy)
     head = tag(
         "head",
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
+        policy if frame.policy else NOTHING,
         tag("title", title),
-        tag("style", _styles(title), looks),
+        tag("style", _styles(title), looks, frame.style),
     )
-    return f"<!DOCTYPE html>\n{tag('html', head, body, lang='en')}\n"
+    root: dict[str, object] = {"lang": "en"}
+    if frame.revision is not None:
+        root["data_revision"] = frame.revision
+    return f"<!DOCTYPE html>\n{tag('html', head, body, **root)}\n"
+
+
+def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
+    """What a section shows below its heading, as it stands on the page of a document."""
+    return printed(joined(*part.shown), _names(document.get("case")))
 
 
 def _section(part: Part) -> Markup:
@@ -99,8 +143,10 @@ def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
         yield tag("dl", *shown, class_="stamp")
 
 
-def _about(material: Material) -> Iterator[Markup]:
+def about(material: Material) -> Iterator[Markup]:
+    """What stands below the title of the page of a case."""
     case = material.results.case
+    yield from stamped(material.asked.stamp)
     if material.run:
         link = tag("a", SECTIONS["run"], href=f"#{_id(SECTIONS['run'])}")
         said = f": {material.naming.description}" if material.naming.description else ""
@@ -132,10 +178,6 @@ def _names(data: Any) -> Iterator[str]:
 
 def _id(name: str) -> str:
     return name.lower().replace(" ", "-")
-
-
-def _resource(name: str) -> Markup:
-    return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
 def _styles(title: str) -> Markup:

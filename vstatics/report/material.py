@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.asked import EVERYTHING, AskedPage
+from vstatics.report.live.numbers import marked
 from vstatics.report.motion import RunSection, run_section
 from vstatics.report.page_pictures import Pictures, pictures
 from vstatics.report.vibration import Vibration, vibration
@@ -16,6 +17,7 @@ from vstatics.simulation.record.motion import Motion
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
+from vstatics.tables.grid import Grid
 from vstatics.writers import result_json
 
 
@@ -73,6 +75,12 @@ class Material(NamedTuple):
     """Of a scenario."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
+    has_marks: bool = False
+    """Whether numbers say what they are, for a script that changes them."""
+
+    def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
+        """Tables as the page has them, with marks on their numbers if it has these."""
+        return map(marked, grids) if self.has_marks else iter(grids)
 
     @property
     def shown_flows(self) -> Sequence[GearFlow]:
@@ -88,6 +96,8 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     naming: Naming = UNNAMED,
     *,
     asked: AskedPage = EVERYTHING,
+    has_marks: bool = False,
+    drawn: Pictures | None = None,
 ) -> Material:
     """What the page of a case shows.
 
@@ -106,12 +116,17 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         What the case does not say of itself: the name of its file, the scenario.
     asked : AskedPage, optional
         What of it the page has.
+    has_marks : bool, optional
+        Whether numbers say what they are; see `vstatics.report.live.numbers`.
+    drawn : Pictures, optional
+        What stands in place of the pictures that would be drawn.
     """
-    without, drawn = "", Pictures()
-    try:
-        drawn = pictures(results, asked)
-    except CaseError as error:
-        without = str(error)
+    without = ""
+    if drawn is None:
+        try:
+            drawn = pictures(results, asked)
+        except CaseError as error:
+            without, drawn = str(error), Pictures()
     told = []
     for one in problems:
         if not _is_among(one, results.messages):  # with its line, but not its file
@@ -132,6 +147,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         else None,
         naming,
         asked,
+        has_marks,
     )
 
 

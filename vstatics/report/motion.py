@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import printable
+from vstatics.report.live.numbers import marked
 from vstatics.report.page_pictures import Drawn, picture_of
 from vstatics.report.parts import figures, on_screen
 from vstatics.simulation.record.motion import Motion
@@ -46,7 +47,7 @@ def run_section(results: Results, motion: Motion, *, has_pictures: bool) -> RunS
 
 
 def shown_run(
-    section: RunSection, digits: int | None, *, in_full: bool = False
+    section: RunSection, digits: int | None, *, in_full: bool = False, has_marks: bool = False
 ) -> Iterator[Markup]:
     """All of it; why the run stopped, if it did, comes first.
 
@@ -54,6 +55,8 @@ def shown_run(
     ----------
     in_full : bool
         Whether its plan is printed, too.
+    has_marks : bool
+        Whether times of events say what they are, for a script.
     """
     from vstatics.simulation.record.grids import motion_grids
 
@@ -64,7 +67,8 @@ def shown_run(
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
     if section.course:
         yield from figures(section.course, "Run over time")
-    yield from tables(in_figures(grid).with_digits(digits) for grid in motion_grids(motion))
+    grids = [in_figures(grid).with_digits(digits) for grid in motion_grids(motion)]
+    yield from tables(map(marked, grids) if has_marks else grids)
     if section.plan:
         shown = figures(section.plan, "Run in the kinematic plan")
         yield from shown if in_full else [on_screen(shown)]

@@ -2,8 +2,12 @@
 (() => {
   // The gear that is chosen, for all that is shown of one: #gear=R at the end of the address.
   // Another section instead of gear, #flow=R, opens the page there.
-  const blocks = [...document.querySelectorAll("div[data-gear]")];
-  const links = [...document.querySelectorAll("[data-choose]")];
+  let blocks, links;
+  function look() {
+    blocks = [...document.querySelectorAll("div[data-gear]")];
+    links = [...document.querySelectorAll("[data-choose]")];
+  }
+  look();
   const chooser = document.querySelector(".chooser");
   const names = chooser ? [...chooser.querySelectorAll("a")].map((link) => link.dataset.choose) : [];
   let chosen;
@@ -101,8 +105,8 @@
   });
 
   // what fits needs no stop of the Tab key
-  const scrollers = [...document.querySelectorAll(".scroll")];
   function stops() {
+    const scrollers = [...document.querySelectorAll(".scroll")];
     for (const one of scrollers) {
       if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
       else one.removeAttribute("tabindex");
@@ -117,6 +121,7 @@
   addEventListener("scroll", (event) => { if (event.target.matches?.(".scroll, .chooser")) fade(event.target); }, true);
 
   // tables sorted by a column: up, down, then as they were
+  const orders = new Map(); // by table and column, for a table that stands in place of another
   const NEXT = { none: "ascending", ascending: "descending", descending: "none" };
 
   function key(row, column) {
@@ -152,6 +157,7 @@
     const original = [...body.rows];
     if (original.length < 2) return;
     const heads = [...[...table.tHead.rows].at(-1).cells];
+    const label = table.parentElement.getAttribute("aria-label");
     heads.forEach((head, column) => {
       if (!head.textContent) return;
       // a button proper is not printed where the head of a table is repeated
@@ -171,10 +177,15 @@
         const order = NEXT[head.getAttribute("aria-sort")];
         for (const other of heads) if (other.ariaSort) other.setAttribute("aria-sort", "none");
         head.setAttribute("aria-sort", order);
+        orders.set(label, [column, order]);
         const sign = order === "descending" ? -1 : 1;
         body.append(...(order === "none" ? original : sorted(original, column, sign)));
       });
     });
+    const [column, order] = orders.get(label) ?? [];
+    for (let clicks = { ascending: 1, descending: 2 }[order] ?? 0; clicks > 0; clicks -= 1) {
+      heads[column]?.querySelector("[role=button]")?.click();
+    }
   }
 
   // a table as CSV: all digits, and nothing that a spreadsheet would calculate
@@ -217,12 +228,23 @@
     scroller.before(button);
   }
 
-  for (const table of document.querySelectorAll(".scroll > table")) {
-    sortable(table);
-    copied(table.parentElement, table);
+  function bind(root) {
+    for (const table of root.querySelectorAll(".scroll > table")) {
+      sortable(table);
+      copied(table.parentElement, table);
+    }
   }
+  bind(document);
   stops();
   addEventListener("resize", stops);
+
+  // parts of the page stand in place of others
+  addEventListener("shown", (event) => {
+    look();
+    if (names.length) choose(chosen);
+    event.detail.forEach(bind);
+    stops();
+  });
 
   // the result that the page carries, as `vstatics run -f json` writes it
   const save = document.createElement("button");
@@ -236,7 +258,7 @@
     link.click();
     URL.revokeObjectURL(link.href);
   });
-  document.querySelector("main > section:last-child").append(save);
+  document.querySelector("main > section:last-child")?.append(save);
 
   document.documentElement.dataset.ready = "true";
 })();

@@ -11,6 +11,7 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.report.asked import SECTIONS
 from vstatics.report.explained import explained, no_formula
 from vstatics.report.given import given
+from vstatics.report.live.numbers import marked_powers
 from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
@@ -91,7 +92,9 @@ def sections(material: Material) -> Iterator[Part]:
 def _run(material: Material) -> Iterator[Markup]:
     if material.run:
         in_full = material.asked.in_full("run")
-        yield from shown_run(material.run, material.digits, in_full=in_full)
+        yield from shown_run(
+            material.run, material.digits, in_full=in_full, has_marks=material.has_marks
+        )
 
 
 def _has_run_plan(material: Material) -> bool:
@@ -121,7 +124,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     results = material.results
     signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
-    grid = _without_last_step(grid)
+    [grid] = material.marked([_without_last_step(grid)])
     rows = [
         [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
         for row in grid.cells
@@ -177,20 +180,24 @@ def _flows(material: Material) -> Iterator[Markup]:
         most = flow_sheets(has_run=bool(material.run), has_vibration=bool(material.vibration))
         yield on_paper(whole, NAMES["flow"], most=most)
     for number, flow in enumerate(material.shown_flows):
-        shown = list(_power(flow, material.digits))
+        shown = list(_power(flow, material))
         if drawn and flow.ideal is not None:
             name = f"{NAMES['flow']}, gear {flow.gear}"
             shown = [*figures(drawn[number], name, captioned=False), *shown]
         yield of_gear(section, flow.gear, shown, is_printed=whole is None)
 
 
-def _power(flow: GearFlow, digits: int | None) -> Iterator[Markup]:
+def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     if flow.ideal is None:
         yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
         return
+    digits = material.digits
     powers = without_zeros(power_grid(flow))._replace(title=f"Power in gear {flow.gear}")
+    powers = powers.with_digits(digits)
+    if material.has_marks:
+        powers = marked_powers(powers, flow.gear)
     lines = (tag("li", line.strip()) for line in remarks(flow, digits, balanced=False))
-    numbers = table(powers.with_digits(digits), headed=False)
+    numbers = table(powers, headed=False)
     yield tag("div", numbers, tag("ul", *lines), class_="power")
 
 
@@ -230,7 +237,7 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     )
     with_columns = [besides] * (len(besides.columns) > 1)
     told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
-    yield from tables([*told, *with_columns, *others])
+    yield from tables([*told, *material.marked([*with_columns, *others])])
 
 
 def _has_further_ports(material: Material) -> bool:

@@ -7,7 +7,7 @@ terminal, `terminal`. `csv` and `xlsx` write the numbers behind the texts.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import ROUNDED_PART, certain, rounded
@@ -46,6 +46,8 @@ class Cell(NamedTuple):
     """Its colour at a terminal, as `rich` names it."""
     kind: type[Any] = str
     """Of what it stands for: float, int, bool; str of words."""
+    marks: Mapping[str, str] = {}
+    """What a page writes at it as data, for a script."""
 
     @property
     def datum(self) -> Datum:

@@ -18,7 +18,7 @@ class Markup(str):
     __slots__ = ()
 
 
-VOID = {"meta"}
+VOID = {"input", "meta"}
 """Elements that have no end."""
 
 
@@ -168,7 +168,8 @@ def scrolled(inner: Markup, label: str) -> Markup:
 
 
 def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
-    name = tag("th", _text(row[0]), scope="row", class_=f"level{level}" if level > 1 else False)
+    look = f"level{level}" if level > 1 else False
+    name = tag("th", _text(row[0]), scope="row", class_=look, **_marks(row[0]))
     cells = (_cell(*pair) for pair in zip(grid.columns[1:], row[1:], strict=True))
     return tag("tr", name, *cells, data_level=level or False)
 
@@ -177,7 +178,12 @@ def _cell(column: Column, cell: Cell) -> Markup:
     value: object = False
     if cell.value is not None:
         value = "" if math.isnan(cell.value) else repr(float(cell.value)).removesuffix(".0")
-    return tag("td", _text(cell), class_="sign" if cell.says else _kind(column), data_value=value)
+    look = "sign" if cell.says else _kind(column)
+    return tag("td", _text(cell), class_=look, data_value=value, **_marks(cell))
+
+
+def _marks(cell: Cell) -> dict[str, str]:
+    return {f"data_{key}": value for key, value in cell.marks.items()}
 
 
 def _text(cell: Cell) -> str:

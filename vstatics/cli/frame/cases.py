@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple, get_args
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import click
 
@@ -67,10 +67,30 @@ some_gears = click.option(
 )
 
 
-def required_output(says: str) -> Callable[[Command], Command]:
-    """The option for a file that a command can't do without."""
+class _RequiredUnless(click.Option):
+    """An option that a command can't do without, unless another one is given."""
+
+    def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
+        super().__init__(*names, **named)
+        self.unless = unless
+
+    def value_is_missing(self, value: Any) -> bool:
+        """Whether it is needed, and not given."""
+        context = click.get_current_context()
+        return not context.params.get(self.unless) and super().value_is_missing(value)
+
+
+def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
+    """The option for a file that a command can't do without, unless it has an eager other one."""
     return click.option(
-        "-o", "--output", type=click.Path(), required=True, metavar="FILE", help=says
+        "-o",
+        "--output",
+        type=click.Path(),
+        required=True,
+        metavar="FILE",
+        help=says,
+        cls=_RequiredUnless,
+        unless=unless,
     )
 
 
@@ -181,14 +201,19 @@ def check_streams(cases: Sequence[str]) -> None:
         raise click.UsageError("standard input (-) can be read once")
 
 
-def calculate_one(file: str, settings: CaseOptions) -> CalculatedCase:
-    """Read and calculate a case; whatever goes wrong with it is a problem of this case."""
+def calculate_one(
+    file: str, settings: CaseOptions, texts: Mapping[str, bytes] = documents.NO_TEXTS
+) -> CalculatedCase:
+    """Read and calculate a case; whatever goes wrong with it is a problem of this case.
+
+    Texts stand in place of what is in the files of their names.
+    """
     name, data = files.STDIN_NAME if file == files.STDIN else file, b""
     scenario = None
     try:
-        data, name = files.read_input(file)
+        data, name = (texts[file], file) if file in texts else files.read_input(file)
         if settings.scenarios and documents.is_a("scenario", data, name):
-            read = documents.scenario_with_case(data, name, settings.input_format)
+            read = documents.scenario_with_case(data, name, settings.input_format, texts=texts)
             scenario = read.allowing(settings.telling.allow)
             reading = scenario.reading
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics import readers
@@ -11,6 +11,8 @@ from vstatics.errors import Problem, ReadError, of_file
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioDocument, ScenarioFile
+
+NO_TEXTS: Mapping[str, bytes] = {}
 
 
 class DocumentKind(NamedTuple):
@@ -80,8 +82,11 @@ def scenario_with_case(
     input_format: readers.Format | None = None,
     case: str | None = None,
     output: str | None = None,
+    texts: Mapping[str, bytes] = NO_TEXTS,
 ) -> ScenarioFile:
     """A scenario of a text, with the case that it names, or that is given.
+
+    Texts stand in place of what is in the files of their names.
 
     Raises
     ------
@@ -92,7 +97,7 @@ def scenario_with_case(
     from vstatics.simulation.scenario.file import read_scenario
 
     document = read_scenario(data, name)
-    text, named = case_of(document, case, output)
+    text, named = case_of(document, case, output, texts)
     read = document.with_case(readers.read(text, named, input_format))
     if read.samples:
         from vstatics.sweep.build import sampled_numbers
@@ -104,7 +109,10 @@ def scenario_with_case(
 
 
 def case_of(
-    document: ScenarioDocument, case: str | None = None, output: str | None = None
+    document: ScenarioDocument,
+    case: str | None = None,
+    output: str | None = None,
+    texts: Mapping[str, bytes] = NO_TEXTS,
 ) -> tuple[bytes, str]:
     """What the file of the case of a scenario holds, and its name.
 
@@ -119,6 +127,8 @@ def case_of(
     if not file:
         raise document.no_case("`case` is missing: the file of the case")
     files.spare([file], output)
+    if file in texts:
+        return texts[file], file
     try:
         return files.read_input(file)
     except ReadError as error:

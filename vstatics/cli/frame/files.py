@@ -11,7 +11,7 @@ from functools import partial
 
 import click
 
-from vstatics.errors import CaseError, Place, Problem, ReadError, nearest, of_file, printable
+from vstatics.errors import CaseError, Problem, ReadError, excerpt, nearest, of_file, printable
 from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
@@ -82,7 +82,7 @@ def show(problems: Iterable[Problem]) -> None:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
-            for line in _around(place):
+            for line in excerpt(place):
                 say(f"  {line}")
     if len(all_of_them) > MOST_SHOWN_PROBLEMS:
         say(f"... and {len(all_of_them) - MOST_SHOWN_PROBLEMS} more")
@@ -106,15 +106,6 @@ def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
         yield
     finally:
         _speakers.remove(speaker)
-
-
-def _around(place: Place, width: int = 76) -> tuple[str, str]:
-    """The part of a line around a place that fits on a terminal, and a caret below it."""
-    column = min(place.column, len(place.text) + 1)
-    start = max(0, column - width // 2) if len(place.text) > width else 0
-    part = place.text[start : start + width]
-    shown = "".join(letter if letter.isprintable() else " " for letter in part)
-    return shown, " " * (column - 1 - start) + "^"
 
 
 def spare(inputs: Iterable[str], output: str | None) -> None:

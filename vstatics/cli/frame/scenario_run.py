@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import missing
 
 if TYPE_CHECKING:
+    from vstatics.report.material import Naming
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
 
@@ -76,3 +78,12 @@ def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
         yield Problem(message.id, text, (), file)
     if motion.stopped is not None:
         yield read.locate(motion.stopped)
+
+
+def naming_of(outcome: CalculatedCase) -> Naming:
+    """The name of the file for what has none itself, and what happens in a scenario."""
+    from vstatics.report.material import Naming
+
+    path, read = outcome.file, outcome.scenario
+    file = "" if path == files.STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
+    return Naming(file) if read is None else Naming(read.name or file, read.description)

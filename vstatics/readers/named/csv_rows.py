@@ -5,7 +5,30 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
+
+_NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
+
+
+@contextmanager
+def noted_files() -> Iterator[set[str]]:
+    """Note which files are read in this block, or would be if they were there.
+
+    >>> with noted_files() as noted:
+    ...     try:
+    ...         csv_rows(Path("nowhere.csv"), 100)
+    ...     except OSError:
+    ...         noted
+    {'nowhere.csv'}
+    """
+    noted: set[str] = set()
+    token = _NOTED.set(noted)
+    try:
+        yield noted
+    finally:
+        _NOTED.reset(token)
 
 
 def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
@@ -23,6 +46,9 @@ def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
     ValueError
         With what was expected.
     """
+    noted = _NOTED.get()
+    if noted is not None:
+        noted.add(str(file))
     with file.open("rb") as opened:
         data = opened.read(most + 1)
     if len(data) > most:

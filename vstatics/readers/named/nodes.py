@@ -133,6 +133,15 @@ def length(node: Node) -> str:
     return f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
 
 
+def encoding_of(data: bytes) -> str:
+    """The encoding that the byte order mark of a text tells; UTF-8 without one.
+
+    >>> encoding_of(b"a: 1"), encoding_of(codecs.BOM_UTF8)
+    ('utf-8', 'utf-8-sig')
+    """
+    return next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
+
+
 def decode(data: bytes, file: str, expected: str = "a case") -> Found:
     """The text of a file in UTF-8, or in what its byte order mark tells.
 
@@ -141,7 +150,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> Found:
     ReadError
         At the first byte that is no text, or if there is no text at all.
     """
-    encoding = next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
+    encoding = encoding_of(data)
     try:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:

@@ -1,0 +1,31 @@
+"""`vstatics serve` where it serves nothing; what it serves is looked at in tests/serve."""
+
+from __future__ import annotations
+
+import socket
+
+from tests.commands import CASES, vstatics
+
+
+def test_a_port_that_is_taken_is_told() -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        said = vstatics("serve", str(CASES / "simpson.yaml"), "--port", port)
+    assert (said.status, said.out) == (1, "")
+    assert f"port {port} can't be listened on: Address already in use" in said.err
+
+
+def test_what_can_not_be_saved_again_is_wrong_use() -> None:
+    for words in (["serve", "-"], ["report", "--watch", "-"]):
+        said = vstatics(*words)
+        assert said.status == 2
+        assert "expected a file" in said.err
+
+
+def test_a_page_is_written_or_served() -> None:
+    case = str(CASES / "simpson.yaml")
+    assert vstatics("report", case).status == 2
+    assert vstatics("report", case, "--watch", "-o", "x.html").status == 2
+    assert vstatics("report", case, case, "--watch").status == 2

@@ -1,0 +1,155 @@
+"""What is tried, and what is saved: the numbers, in their places, and nothing else of a file."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.serve.served import BOX, TOKEN, serving
+
+
+def write(folder: Path, text: str = BOX) -> Path:
+    file = folder / "box.yaml"
+    file.write_bytes(text.encode())
+    return file
+
+
+def numbers_of(told: dict[str, Any], name: str) -> dict[str, str]:
+    """The marked numbers of a result in a section, by gears."""
+    cells = told["sections"]["Gears"].split("<td")
+    return {
+        one.split('data-gear="')[1].split('"')[0]: one.split('data-number="')[1].split('"')[0]
+        for one in cells
+        if f'data-result="{name}"' in one
+    }
+
+
+def until(is_so: Any) -> None:
+    end = time.monotonic() + 10
+    while not is_so():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_what_is_tried_is_what_the_program_calculates_of_such_a_file(tmp_path: Path) -> None:
+    """Without being written: `run` of a file with that number gives the ratios of the page."""
+    with serving(write(tmp_path)) as served:
+        told = served.ask("try", {"changes": {"P1.ratio": -3.0, "load.torque": 100}}).told
+    expected = vstatics.solve(vstatics.loads(BOX.replace("-78/30", "-3"))).ratio
+    assert [float(one) for one in numbers_of(told, "ratio").values()] == list(expected)
+    assert served.file.read_text("utf-8") == BOX
+
+
+def test_only_the_numbers_of_a_file_change(tmp_path: Path) -> None:
+    with serving(write(tmp_path, BOX.replace("\n", "\r\n"))) as served:
+        told = served.save({"P1.ratio": -2.5, "load.speed": 2800, "P1.efficiency": 0.97}).told
+    new = BOX.replace("-78/30", "-2.5").replace("3000 rpm", "2800 rpm").replace("\n", "\r\n")
+    assert served.file.read_bytes() == new.encode()
+    assert told["fields"]["load.speed"] == 2800
+    assert told["state"] == "good"
+
+
+def test_numbers_go_into_a_newer_file_only_if_somebody_says_so(tmp_path: Path) -> None:
+    with serving(write(tmp_path)) as served:
+        digest = served.ask("shown").told["digest"]
+        newer = BOX.replace("0.97", "0.95") + "# by somebody else\n"
+        served.file.write_text(newer, encoding="utf-8")
+        refused = served.save({"P1.ratio": -3}, **{"If-Match": f'"{digest}"'})
+        assert refused.status == 412
+        assert served.file.read_text("utf-8") == newer
+        assert served.save({"P1.ratio": -3}).status == 200
+    assert served.file.read_text("utf-8") == newer.replace("-78/30", "-3")
+
+
+def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: Path) -> None:
+    with serving(write(tmp_path)) as served:
+        wrong = BOX.replace("carrier, ratio", "carier, ratio")
+        served.file.write_text(wrong, encoding="utf-8")
+        until(lambda: served.ask("shown").told["state"] == "error")
+        told = served.ask("shown").told
+        line = wrong.split("\n")[4]
+        assert told["errors"].startswith(f"{served.file}:5:{line.index('carier') + 1}: error: ")
+        shown, caret = told["errors"].split("\n")[1:]
+        assert shown[caret.index("^") :].startswith("carier")
+        assert "sections" not in told
+        assert b"<h1>box</h1>" in served.ask("").body  # the last good page
+        assert served.save({"P1.ratio": -3}).status == 422
+        assert served.file.read_text("utf-8") == wrong
+        write(tmp_path)
+        until(lambda: served.ask("shown").told["state"] == "good")
+
+
+def test_a_page_can_begin_with_a_file_in_error_or_none(tmp_path: Path) -> None:
+    with serving(tmp_path / "box.yaml") as served:
+        assert b'data-state="error"' in served.ask("").body
+        write(tmp_path)
+        until(lambda: served.ask("shown").told["state"] == "good")
+
+
+def test_a_deck_is_shown_and_stays(tmp_path: Path) -> None:
+    file = tmp_path / "mzkt7922.dat"
+    shutil.copy(CASES / file.name, file)
+    with serving(file) as served:
+        page = served.ask("").body.decode()
+        assert page.count('class="field"') == page.count("disabled") / 2 > 0
+        assert served.save({"D1.ratio": -3}).status == 422
+    assert file.read_bytes() == (CASES / file.name).read_bytes()
+
+
+def test_a_scenario_and_its_case_both_take_their_numbers(tmp_path: Path) -> None:
+    scenario = tmp_path / "up.yaml"
+    scenario.write_text(
+        (CASES / "scenarios/tarasik-set-lock.yaml").read_text("utf-8").replace("../", ""), "utf-8"
+    )
+    shutil.copy(CASES / "tarasik-set.yaml", tmp_path)
+    with serving(scenario) as served:
+        fields = served.ask("shown").told["fields"]
+        heavy = next(path for path in fields if path.endswith(".inertia"))
+        changes = {"duration": fields["duration"] / 2, heavy: 7.5}
+        assert served.save(changes).status == 200
+        assert served.ask("shown").told["fields"] == {**fields, **changes}
+    assert "duration: 0.5\n" in scenario.read_text("utf-8")
+    assert "7.5" in (tmp_path / "tarasik-set.yaml").read_text("utf-8")
+
+
+def test_who_listens_hears_of_a_change_of_the_case_and_of_what_it_names(tmp_path: Path) -> None:
+    points = tmp_path / "drag.csv"
+    points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,3\n", encoding="utf-8")
+    text = BOX + "drag: {ring: {file: drag.csv}}\n"
+    with serving(write(tmp_path, text)) as served, served.connect() as line:
+        line.sendall(f"GET /{TOKEN}/events HTTP/1.1\r\nHost: {served.host}\r\n\r\n".encode())
+        heard = line.makefile("rb")
+
+        def next_one() -> dict[str, Any]:
+            return next(json.loads(one[5:]) for one in heard if one.startswith(b"data:"))
+
+        first = next_one()
+        assert first["state"] == "good"
+        points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,4\n", encoding="utf-8")
+        second = next_one()
+        assert second["number"] > first["number"]
+        assert second["digest"] == first["digest"]
+        write(tmp_path, text.replace("0.97", "0.96"))
+        assert next_one()["digest"] != first["digest"]
+
+
+def test_a_file_that_can_not_be_written_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with serving(write(tmp_path)) as served:
+        monkeypatch.setattr("vstatics.serve.states.replacing", _full)
+        answer: Any = served.save({"P1.ratio": -3})
+        assert answer.status == 422
+        assert b"No space left" in answer.body
+    assert served.file.read_text("utf-8") == BOX
+
+
+def _full(_file: str) -> Any:
+    raise OSError(28, "No space left on device")

@@ -1,0 +1,4 @@
+"""A page whose numbers change: `numbers` says of each what it is, `fields` change them.
+
+`lowered` has a case as the script of a page calculates it, `page` is that page.
+"""

@@ -1,0 +1,155 @@
+"""Numbers of a case that are changed on its page: a field and a slider for each.
+
+Both carry in ``data-path`` the path by which a sweep varies the number, so that whoever reacts to
+their event ``input`` knows what changes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
+from typing import NamedTuple
+
+from vstatics.elements.drawing import drawing_of
+from vstatics.model.transmission import Transmission
+from vstatics.report.live.numbers import digits_of
+from vstatics.sweep.variants.path_numbers import case_path, known_paths, own_number_at
+from vstatics.sweep.variants.targets import OF_MECHANISM
+from vstatics.tables.html import Markup, tag
+
+_EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
+_REACH = 2.0
+"""A slider goes so many times as far as its number."""
+_UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
+"""Of numbers that a case keeps in units of their own."""
+_UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
+"""What a case has without saying it; nobody changes it here."""
+
+
+class PageField(NamedTuple):
+    """A number that can be changed."""
+
+    path: str
+    """As a sweep names it: ``P1.teeth.sun``."""
+    value: float
+    unit: str = ""
+    """In which the value is; nothing for a bare number."""
+    whole: bool = False
+    """Whether it counts teeth or something else."""
+
+    @property
+    def owner(self) -> str:
+        """What has the number: the path without its last words.
+
+        >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
+        ('P1', 'gears.low')
+        """
+        words = self.path.split(".")
+        return ".".join(words[: 2 if words[0] == "gears" else 1])
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Where its slider ends: teeth stay numbers of teeth, ratios can turn their sign.
+
+        >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
+        ((1.0, 60.0), (-5.0, 5.0))
+        >>> PageField("D1.efficiency", 0.98).limits
+        (0.0, 1.0)
+        """
+        reach = _REACH * abs(self.value) or 1.0
+        if _EFFICIENCY.search(self.path) and 0 <= self.value <= 1:
+            return 0.0, 1.0
+        return (1.0, max(reach, 1.0)) if self.whole and self.value > 0 else (-reach, reach)
+
+
+def case_fields(case: Transmission) -> Iterator[PageField]:
+    """The numbers that a case gives itself: teeth, ratios, efficiencies, loads, given values.
+
+    Numbers that its drawing makes of others are none, neither are drags of nothing.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism
+    >>> gear = Gear(speeds={2: 0.5})
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, 0.9, name="D")], [gear])
+    >>> [(one.path, one.value) for one in case_fields(case)]
+    [('gears.1.speeds.2', 0.5), ('D.ratio', -2.5), ('D.efficiency', 0.9)]
+    """
+    own, derived = _relative(case), {*_derived(case)}
+    for path in known_paths(case):
+        number = case_path(path, case)
+        assert number is not None  # noqa: S101 - it is known
+        if path.startswith("gears.*") or path in derived:
+            continue
+        try:
+            value = own[path] if path in own else own_number_at(number, case)
+        except ValueError:  # the case has none there
+            continue
+        unsaid = _UNSAID.get(path.rpartition(".")[2], _UNSAID.get(number.quantity))
+        if value is None or value == unsaid:
+            continue
+        unit = next((unit for end, unit in _UNITS.items() if path.endswith(end)), "")
+        whole = number.part is not None and number.part.kind == "count"
+        yield PageField(path, value, unit, whole)
+
+
+def _derived(case: Transmission) -> Iterator[str]:
+    """Numbers of mechanisms that follow from the elements of a drawing."""
+    drawing = drawing_of(case)
+    given = (
+        {one.name for one in drawing.mechanisms}
+        if drawing
+        else {one.name for one in case.mechanisms}
+    )
+    for one in case.mechanisms:
+        if one.name not in given:
+            yield from (f"{one.name}.{quantity}" for quantity in OF_MECHANISM)
+
+
+def _relative(case: Transmission) -> Mapping[str, float]:
+    """Given speeds and torques of gears that are relative to those of the input, by paths."""
+    return {
+        f"gears.{gear.name}.{kind}.{case.link_name(link)}": value
+        for gear in case.gears
+        for kind in ("speeds", "torques")
+        for link, value in getattr(gear, kind).items()
+        if isinstance(value, int | float)
+    }
+
+
+def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterator[Markup]:
+    """Fields with their sliders, in a group for each part that has numbers.
+
+    Parameters
+    ----------
+    fields : iterable of PageField
+        Those of a part follow each other.
+    fixed : bool
+        Whether none can be changed, as in a deck.
+
+    Examples
+    --------
+    >>> [group] = shown_fields([PageField("P1.teeth.sun", 30, whole=True)])
+    >>> group.count('data-path="P1.teeth.sun"'), group.count('step="1"')
+    (2, 2)
+    """
+    for owner, group in groupby(fields, lambda one: one.owner):
+        rows = (_row(one, fixed=fixed) for one in group)
+        yield tag("fieldset", tag("legend", owner), *rows)
+
+
+def _row(field: PageField, *, fixed: bool) -> Markup:
+    low, high = map(digits_of, field.limits)
+    value, step = digits_of(field.value), "1" if field.whole else "any"
+    name = field.path.removeprefix(f"{field.owner}.").replace(".", " ")
+    common = {"data_path": field.path, "step": step, "value": value, "disabled": fixed}
+    unit = f", {field.unit}" if field.unit else ""
+    label = f"{field.path}{unit}"
+    return tag(
+        "div",
+        tag("label", f"{name}{unit}", for_=f"field-{field.path}"),
+        tag("input", type="number", id=f"field-{field.path}", class_="field", **common),
+        tag("input", type="range", class_="slider", aria_label=label, min=low, max=high, **common),
+        class_="changed-by-hand",
+    )

@@ -1,0 +1,218 @@
+// The results of each gear at some numbers of a case: formulas -> `core` -> rows of tables.
+"use strict";
+(() => {
+  const { core, torqueColumn, value, Outside } = globalThis.transmission;
+  const sum = (terms) => terms.reduce((total, one) => total + one, 0);
+
+  // Formulas, as vstatics/elements/quotients.py has them.
+
+  const tipContact = (teeth, way) => { // the part of the contact ratio at a tip; way -1 of a ring
+    const angle = (20 * Math.PI) / 180, pitch = teeth / 2, base = pitch * Math.cos(angle);
+    const length = way * (Math.sqrt((pitch + way) ** 2 - base ** 2) - pitch * Math.sin(angle));
+    return length / (Math.PI * Math.cos(angle));
+  };
+
+  const operations = {
+    "*": (...factors) => factors.reduce((total, one) => total * one, 1),
+    "/": (a, b) => a / b,
+    "-": (a, b) => a - b,
+    mesh: (friction, teeth, others, internal) => { // its efficiency by friction
+      const way = internal ? -1 : 1, a = tipContact(teeth, 1), b = tipContact(others, way);
+      return 1 - Math.PI * friction * (1 / teeth + way / others) * (1 - a - b + a ** 2 + b ** 2);
+    },
+  };
+
+  const evaluate = (formula, numbers) => {
+    if (typeof formula === "string") return numbers[formula];
+    if (!Array.isArray(formula)) return formula ?? NaN;
+    const [operation, ...parts] = formula;
+    return operations[operation](...parts.map((one) => evaluate(one, numbers)));
+  };
+
+  // What results have of the state of a gear, by the names of their arrays: statics/state.py.
+
+  // The torques on the members of each device: sums, which may be known where their parts are not.
+  const memberTorques = (c, state, lossy) => {
+    const { factors, consistent } = lossy ? state.lossy.solved : state.ideal, first = c.elements.length;
+    const ratios = lossy ? state.lossyRatios : state.ratios;
+    const parts = c.mechanisms.map((one, n) => torqueColumn(one, ratios[n]).map(value));
+    const members = c.devices.flatMap((device) => device.members.map(([, , places]) => (
+      places.map(([mechanism, part]) => [first + mechanism, parts[mechanism][part]]))));
+    const found = members.map((terms) => sum(terms.map(([device, share]) => share * factors[device])));
+    const unknown = [...found.keys()].filter((n) => Number.isNaN(found[n]));
+    if (unknown.length && (lossy ? state.lossy.admissible : consistent) && !ratios.some(Number.isNaN)) {
+      state.sums(lossy, unknown.map((n) => members[n])).forEach((torque, n) => { found[unknown[n]] = torque; });
+    }
+    return found;
+  };
+
+  const torques = (c, state, lossy) => { // of shift elements, members or mechanisms, springs, the output
+    const own = lossy ? state.lossy.solved.torques : state.ideal.torques, count = c.elements.length;
+    if (!c.drawn) return own;
+    return [...own.slice(0, count), ...memberTorques(c, state, lossy), ...own.slice(count + c.mechanisms.length)];
+  };
+
+  // Power through links, mechanisms, shift elements and drag, and that of members: flow/power.py.
+  const powers = (c, gear, state, lossy) => {
+    const solved = lossy ? state.lossy.solved : state.ideal, { links } = state.speeds, found = [];
+    const own = solved.torques, first = c.elements.length, { elements: dragging, links: dragged } = state.drag;
+    const give = (node, member, link, torque) => {
+      if (link) found.push({ node, member, link, power: torque === 0 ? 0 : torque * links[link] * gear.direction });
+    };
+    c.elements.forEach(([one, other], n) => {
+      if (!state.engaged.includes(n) && !(lossy && dragging.has(n))) return;
+      const name = `element ${c.results.WFRI.rows[n]}`;
+      give(name, "", one, own[n]);
+      give(name, "", other, -own[n]);
+    });
+    const torques = memberTorques(c, state, lossy);
+    let place = 0;
+    c.devices.forEach(({ members }, n) => {
+      for (const [member, link] of members) give(`mechanism ${c.results.losses.rows[n]}`, member, link, torques[place++]);
+    });
+    c.springs.forEach((spring, n) => {
+      for (const [link, part] of spring) give(`spring ${n}`, "", link, part * own[first + c.mechanisms.length + n]);
+    });
+    const acting = [[gear.input, gear.torque], ...gear.torques, ...solved.holding];
+    for (const [link, torque] of acting) give(`port ${link}`, "", link, -torque);
+    give("port output", "", gear.output, own[own.length - 1]);
+    if (lossy) for (const [link, torque] of dragged) give(`drag ${c.names[link - 1]}`, "", link, -torque);
+    const noise = 1e-12 * Math.max(0, ...found.map(({ power }) => Math.abs(power)).filter((power) => power >= 0));
+    const through = {}, between = new Map();
+    for (const { node, member, link, power } of found) {
+      const real = Math.abs(power) <= noise ? 0 : power;
+      if (member) through[`${node}.${member}`] = real;
+      if (!between.has(node)) between.set(node, new Map());
+      between.get(node).set(link, (between.get(node).get(link) ?? 0) + real);
+    }
+    const enter = (node, power) => { through[node] = (through[node] ?? 0) + power; };
+    for (const [node, byLink] of between) {
+      for (const [link, power] of byLink) {
+        if (!(power < 0)) enter(node, Math.abs(power));
+        if (!(power > 0)) enter(`link ${c.names[link - 1]}`, -power);
+      }
+    }
+    return through;
+  };
+
+  const powerLosses = (c, gear, state, through) => { // of mechanisms, of open shift elements, of links
+    const losses = Object.fromEntries(c.devices.map(({ mechanisms }, n) => (
+      [`mechanism ${c.results.losses.rows[n]}`, sum(mechanisms.map((one) => state.lossy.losses[one])) * gear.direction])));
+    for (const n of state.drag.elements.keys()) {
+      const [one, other] = c.elements[n], { links } = state.speeds;
+      const slip = links[one] - links[other];
+      losses[`element ${c.results.WFRI.rows[n]}`] = state.drag.elements.get(n) * slip * gear.direction;
+    }
+    for (const link of state.drag.links.keys()) {
+      const node = `drag ${c.names[link - 1]}`;
+      losses[node] = through[node];
+    }
+    return losses;
+  };
+
+  const planetSpeed = (c, state, planet, number) => { // against the carrier
+    const { links, relative } = state.speeds;
+    if (planet.wheels) { // from the first wheel of its train that has a speed
+      const speed = number(planet.speed), carrier = links[planet.carrier];
+      for (const [link, mechanism, ratio] of planet.wheels) {
+        if (Number.isNaN(speed + links[link] + carrier)) continue;
+        return relative[mechanism] === 0 ? 0 : ((links[link] - carrier) / number(ratio)) * speed;
+      }
+      return NaN;
+    }
+    const one = c.mechanisms[planet.mechanism], motion = relative[planet.mechanism];
+    if (one.planet !== undefined) return motion / number(one.planet);
+    return one.links[2] && one.ratio < 0 && one.ratio !== -1 ? motion / ((one.ratio + 1) / 2) : NaN;
+  };
+
+  const told = (c, gear, state, number) => {
+    const { lossy, ideal, speeds } = state, first = c.elements.length, output = speeds.links[gear.output];
+    const exists = (mark) => (ideal.consistent ? +mark : NaN); // a question only where torques balance
+    const byLink = (holding) => c.results.W.rows.map((_, n) => holding.get(n + 1) ?? NaN);
+    const lossyPower = powers(c, gear, state, true), losses = powerLosses(c, gear, state, lossyPower);
+    const lost = sum(Object.values(losses)), share = ([node, loss]) => [node, (100 * loss) / (lost || NaN)];
+    const ofMeshes = (own) => c.devices.flatMap(({ meshes }) => meshes.map(([n, known]) => (known ? own[first + n] : NaN)));
+    return {
+      speeds: speeds.links.slice(1, c.results.W.rows.length + 1),
+      slip_speeds: speeds.slips,
+      planet_speeds: c.devices.flatMap(({ planets }) => planets.map((one) => planetSpeed(c, state, one, number))),
+      ratio: [output === 0 ? NaN : 1 / output],
+      torques: torques(c, state, false),
+      lossy_torques: torques(c, state, true),
+      holding_torques: byLink(ideal.holding),
+      lossy_holding_torques: byLink(lossy.solved.holding),
+      mesh_torques: ofMeshes(ideal.torques),
+      lossy_mesh_torques: ofMeshes(lossy.solved.torques),
+      efficiency: [lossy.efficiency],
+      power_sign: lossy.signs,
+      losses: c.devices.map(({ mechanisms }) => sum(mechanisms.map((n) => lossy.losses[n]))),
+      power_balance: [lossy.balance],
+      drag_losses: [lossy.dragLosses],
+      idle: c.devices.map(({ mechanisms }) => exists(mechanisms.every((n) => state.idle[n]))),
+      holds: c.elements.map((_, n) => +state.engaged.includes(n)),
+      consistent: [exists(lossy.admissible)],
+      locked: [exists(false)],
+      dragged: [exists(state.dragged)],
+      power: powers(c, gear, state, false),
+      lossy_power: lossyPower,
+      power_loss: losses,
+      loss_share: Object.fromEntries(Object.entries(losses).map(share)),
+    };
+  };
+
+  // The results of each gear at some numbers, or `outside`: why the program is to be asked.
+
+  const holds = { above: (x) => x > 0, not: (x) => x !== 0, is: (x) => Math.abs(x) < 1e-12 };
+  const isRight = (c, path, value) => { // a number of teeth, an efficiency, another one
+    if (c.counts.includes(path)) return Number.isInteger(value) && value > 0;
+    if (/\.diameters\./.test(path)) return value > 0;
+    if (/back_efficiency$/.test(path)) return value >= 0 && value <= 1;
+    if (/efficiency$|mesh_efficiency\.\w+$/.test(path)) return value > 0 && value <= 1;
+    return Number.isFinite(value);
+  };
+  const refused = (c, number) => c.conditions.some(([kind, formula]) => !holds[kind](number(formula)))
+    || Object.keys(c.numbers).some((path) => !isRight(c, path, number(path)));
+
+  const ofGear = (c, gear, number) => {
+    const own = new Map(gear.ratios), mechanisms = c.mechanisms.map((one, n) => {
+      const forward = number(one.efficiency), back = one.back === undefined ? forward : number(one.back);
+      return { ...one, ratio: number(own.get(n) ?? one.ratio), forward, back };
+    });
+    for (const { ratio, kind, forward, back } of mechanisms) {
+      const right = Number.isFinite(ratio) && (ratio !== 0 || kind) && forward > 0 && forward <= 1 && back >= 0 && back <= 1;
+      if (!right) throw new Outside("no such number");
+    }
+    const given = (pairs) => pairs.map(([link, formula, other]) => [link, number(formula), other]);
+    const numeric = { ...c, mechanisms };
+    const moved = { ...gear, speeds: given(gear.speeds), torques: given(gear.torques) };
+    return told(numeric, moved, core(numeric, moved), number);
+  };
+
+  const calculate = (c, numbers) => {
+    const number = (formula) => evaluate(formula, numbers);
+    const why = c.depends ? "losses that depend on load" : refused(c, number) ? "no such teeth" : "";
+    return c.gears.map((gear) => {
+      try {
+        return why ? { outside: why } : ofGear(c, gear, number);
+      } catch (error) {
+        if (error instanceof Outside) return { outside: error.message };
+        throw error;
+      }
+    });
+  };
+
+  // Steps to the next gear of a direction: statics/gear_steps.py.
+
+  const steps = (c, told) => {
+    const ratios = told.map(({ ratio }, n) => (ratio && c.gears[n].kind === "gear" ? ratio[0] : NaN));
+    const sizes = ratios.map((ratio) => +Math.abs(ratio).toPrecision(10)); // so that rounding orders nothing
+    return ratios.map((ratio, n) => {
+      const isNext = (other, m) => c.gears[m].input === c.gears[n].input && c.gears[m].output === c.gears[n].output
+        && (sizes[m] < sizes[n] || (sizes[m] === sizes[n] && m > n)) && other * ratio > 0;
+      const next = Math.max(...ratios.filter(isNext).map(Math.abs));
+      return { step: [next > 0 ? Math.abs(ratio) / next : NaN] };
+    });
+  };
+
+  Object.assign(globalThis.transmission, { calculate, steps });
+})();

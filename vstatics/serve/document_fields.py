@@ -1,0 +1,149 @@
+"""Numbers of documents that can be changed: by the paths of a sweep, where they stand in a text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from vstatics.errors import ReadError
+from vstatics.model.transmission import Transmission
+from vstatics.readers.named.node_paths import Keys, written
+from vstatics.readers.named.nodes import Node, decode, encoding_of
+from vstatics.readers.named.reader import case_tree
+from vstatics.readers.named.written_numbers import NumberSpot, number_spots, with_written
+from vstatics.readers.named.yaml_nodes import yaml_tree
+from vstatics.report.live.fields import PageField
+from vstatics.sweep.variants.path_numbers import case_path
+from vstatics.sweep.variants.targets import target
+
+_PARTS = ("mechanisms", "elements", "shift_elements", "springs")
+"""Keys of a case that no path says."""
+_HEAVY = ("inertias", "masses")
+_NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
+"""Keys of a scenario below which names stand that may look like numbers."""
+
+Texts = Mapping[str, bytes]
+"""What files hold, by their names."""
+
+
+class DocumentNumber(NamedTuple):
+    """A number that can be changed."""
+
+    field: PageField
+    file: str
+    keys: Keys
+
+
+class CaseDocuments(NamedTuple):
+    """A case, or a scenario and its case, as they are written; a deck has no numbers to change.
+
+    Parameters
+    ----------
+    texts : mapping of str to bytes
+        The scenario first, if there is one.
+    """
+
+    texts: Texts
+    numbers: Mapping[str, DocumentNumber]
+    """By their paths."""
+
+    @property
+    def fields(self) -> list[PageField]:
+        """All of them in their order."""
+        return [one.field for one in self.numbers.values()]
+
+    def with_changes(self, changes: Mapping[str, float]) -> dict[str, bytes]:
+        """The texts with other numbers; only those of files that change.
+
+        Raises
+        ------
+        ValueError
+            If a path names no number here; with what was expected.
+        """
+        by_file: dict[str, dict[Keys, float]] = {}
+        for path, value in changes.items():
+            if path not in self.numbers:
+                raise ValueError(f"there is no number {path!r} to change")
+            one = self.numbers[path]
+            by_file.setdefault(one.file, {})[one.keys] = value
+        made = {
+            file: with_written(self.texts[file], spots_of(file, self.texts[file]), values)
+            for file, values in by_file.items()
+        }
+        return {file: data for file, data in made.items() if data != self.texts[file]}
+
+
+def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
+    r"""The documents of a case, with all numbers that a field can change.
+
+    Parameters
+    ----------
+    texts : mapping of str to bytes
+        A scenario and then its case, or the case alone.
+    case : Transmission
+        What was read of it.
+
+    Examples
+    --------
+    >>> from vstatics import loads
+    >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -78/30}}\ngears: {1: []}"
+    >>> made = documents_of({"a.yaml": text.encode()}, loads(text))
+    >>> made.fields
+    [PageField(path='D.ratio', value=-2.6, unit='', whole=False)]
+    >>> made.with_changes({"D.ratio": -3.0})["a.yaml"].decode()
+    'links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -3}}\ngears: {1: []}'
+    """
+    *scenario, of_case = texts
+    found = [one for file in scenario for one in _of_scenario(file, texts[file])]
+    found += _of_case(of_case, texts[of_case], case)
+    numbers: dict[str, DocumentNumber] = {}
+    for one in found:  # a name that both documents have is that of the scenario, as in a sweep
+        numbers.setdefault(one.field.path, one)
+    return CaseDocuments(texts, numbers)
+
+
+def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
+    """Where the numbers of a case or of a scenario stand; nothing of a deck."""
+    root = _root(file, data)
+    return number_spots(data.decode(encoding_of(data)), root) if root else {}
+
+
+def _root(file: str, data: bytes) -> Node | None:
+    try:
+        return case_tree(data, file, None)
+    except ReadError:
+        return None
+
+
+def _of_scenario(file: str, data: bytes) -> Iterator[DocumentNumber]:
+    """Numbers of a scenario, which a sweep names as they stand there."""
+    spots = number_spots(data.decode(encoding_of(data)), yaml_tree(decode(data, file)))
+    for keys, spot in spots.items():
+        if not any(key in _NO_NUMBERS for key in keys):
+            yield DocumentNumber(PageField(written(keys), spot.value, spot.unit), file, keys)
+
+
+def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
+    """Numbers of a case that a sweep can vary."""
+    for keys, spot in spots_of(file, data).items():
+        path = _path(keys)
+        known = case_path(path, case)
+        if known is None and not _is_target(path, case):
+            continue
+        whole = bool(known and known.part and known.part.kind == "count")
+        yield DocumentNumber(PageField(path, spot.value, spot.unit, whole), file, keys)
+
+
+def _path(keys: Keys) -> str:
+    """As a sweep names what stands there."""
+    if keys[0] in _HEAVY and len(keys) == 2:
+        return f"{keys[1]}.inertia"
+    return ".".join(keys[1:] if keys[0] in _PARTS else keys)
+
+
+def _is_target(path: str, case: Transmission) -> bool:
+    try:
+        target(path, case)
+    except ReadError:
+        return False
+    return True

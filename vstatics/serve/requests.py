@@ -1,0 +1,158 @@
+"""What a browser sends, read within bounds; what no page of ours would send is refused."""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import json
+import math
+import re
+from typing import NamedTuple
+from urllib.parse import parse_qsl
+
+HOST = "127.0.0.1"
+MOST_HEAD = 16_384
+"""Bytes of a request line and its fields."""
+MOST_BODY = 1_000_000
+MOST_CHANGES = 10_000
+READ_SECONDS = 10.0
+"""So long a request may take to come in."""
+_LINE = re.compile(r"([A-Za-z]{1,16}) (/[\x21-\x7e]*) HTTP/1\.[01]")
+_FIELD = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([\x20-\x7e\x80-\xff\t]*?)[ \t]*")
+METHODS = {"": "GET", "events": "GET", "shown": "GET", "part": "GET", "try": "POST", "save": "POST"}
+"""What there is below the token, and how it is asked for."""
+
+
+class RefusedError(Exception):
+    """A request that is not answered: the status, and why."""
+
+    def __init__(self, status: int, why: str, fields: dict[str, str] | None = None) -> None:
+        super().__init__(why)
+        self.status = status
+        self.why = why
+        self.fields = fields or {}
+
+
+class Request(NamedTuple):
+    """What was asked for."""
+
+    method: str
+    route: str
+    """A key of `METHODS`."""
+    query: dict[str, str]
+    fields: list[tuple[str, str]]
+    """Names in small letters."""
+
+    def all_of(self, name: str) -> list[str]:
+        """The values of a field, as often as it stands there."""
+        return [value for one, value in self.fields if one == name]
+
+
+async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> Request:
+    """The head of a request, if it is one of a page of ours.
+
+    Raises
+    ------
+    RefusedError
+    EOFError, OSError
+        If there is nobody any more.
+    """
+    try:
+        head = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), READ_SECONDS)
+    except asyncio.LimitOverrunError:
+        raise RefusedError(431, f"expected a head of at most {MOST_HEAD} bytes") from None
+    except TimeoutError:
+        raise RefusedError(408, f"expected a request within {READ_SECONDS:g} s") from None
+    return checked(head, port, token)
+
+
+def checked(head: bytes, port: int, token: str) -> Request:
+    r"""A request whose host, origin, path and method are those of a page of ours.
+
+    Raises
+    ------
+    RefusedError
+
+    Examples
+    --------
+    >>> head = b"GET /secret/part?name=flow:2 HTTP/1.1\r\nHost: 127.0.0.1:8000\r\n\r\n"
+    >>> checked(head, 8000, "secret")[:3]
+    ('GET', 'part', {'name': 'flow:2'})
+    """
+    first, *lines = head.decode("latin-1").removesuffix("\r\n\r\n").split("\r\n")
+    line = _LINE.fullmatch(first)
+    found = [_FIELD.fullmatch(one) for one in lines]
+    if not line or not all(found):
+        raise RefusedError(400, "no request of HTTP/1.1")
+    fields = [(one[1].lower(), one[2]) for one in found if one]
+    request = Request(line[1], "", {}, fields)
+    _check_sender(request, f"{HOST}:{port}")
+    path, _, query = line[2].partition("?")
+    begin, _, route = path[1:].partition("/")
+    is_ours = hmac.compare_digest(begin.encode("latin-1"), token.encode())
+    if not is_ours or "/" not in path[1:] or route not in METHODS:
+        raise RefusedError(404, "there is nothing here")
+    if request.method != METHODS[route]:
+        raise RefusedError(405, f"expected {METHODS[route]}", {"Allow": METHODS[route]})
+    return request._replace(route=route, query=dict(parse_qsl(query)))
+
+
+def _check_sender(request: Request, own: str) -> None:
+    """That it is meant for this server, and comes from its page if it comes from one."""
+    if request.all_of("host") != [own]:
+        raise RefusedError(403, f"expected the host {own}, once")
+    if any(one != f"http://{own}" for one in request.all_of("origin")):
+        raise RefusedError(403, "comes from another page")
+
+
+async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[str, float]:
+    """The numbers that a request has in its body, by their paths.
+
+    Raises
+    ------
+    RefusedError
+    EOFError, OSError
+        If there is nobody any more.
+    """
+    lengths = request.all_of("content-length")
+    if request.all_of("transfer-encoding"):
+        raise RefusedError(501, "expected a body of a length that is told")
+    if not lengths:
+        raise RefusedError(411, "expected a body and its length")
+    if len(lengths) > 1 or not re.fullmatch(r"[0-9]{1,18}", lengths[0]):
+        raise RefusedError(400, "expected one length of the body")
+    if int(lengths[0]) > MOST_BODY:
+        raise RefusedError(413, f"expected a body of at most {MOST_BODY} bytes")
+    try:
+        body = await asyncio.wait_for(reader.readexactly(int(lengths[0])), READ_SECONDS)
+    except TimeoutError:
+        raise RefusedError(408, f"expected a request within {READ_SECONDS:g} s") from None
+    return changes_of(body)
+
+
+def changes_of(body: bytes) -> dict[str, float]:
+    """The numbers of a body.
+
+    Raises
+    ------
+    RefusedError
+        If it is anything but `{"changes": {path: number}}`.
+
+    Examples
+    --------
+    >>> changes_of(b'{"changes": {"P1.teeth.sun": 31}}')
+    {'P1.teeth.sun': 31.0}
+    """
+    wrong = RefusedError(400, 'expected {"changes": {path: number}}')
+    try:
+        given = json.loads(body.decode())
+        changes = given.pop("changes")
+        numbers = {path: float(value) for path, value in changes.items()}
+    except (ValueError, TypeError, AttributeError, KeyError, OverflowError, RecursionError):
+        raise wrong from None
+    plain = all(type(value) in (int, float) for value in changes.values())
+    if given or not plain or len(numbers) > MOST_CHANGES:
+        raise wrong
+    if not all(map(math.isfinite, numbers.values())):
+        raise wrong
+    return numbers

@@ -1,0 +1,303 @@
+"use strict";
+(() => {
+  // A page that is served: numbers that are changed here are tried by the server and shown; what
+  // is saved, here or by somebody else, comes as an event. Edits stay here until they are saved.
+  const root = document.documentElement, { body } = document;
+  const panel = document.getElementById("panel");
+  const at = (id) => document.getElementById(id);
+  const fields = () => [...document.querySelectorAll("input.field, input.slider")];
+  const edits = new Map(); // path -> number, of those that are not as the file has them
+  const steps = []; // what undo goes back to: maps of path -> number
+  let ofFile = new Map(fields().map((one) => [one.dataset.path, Number(one.getAttribute("value"))]));
+  let shown = Number(panel.dataset.shown); // the state whose pictures are asked for
+  let { digest } = body.dataset; // of the files on which edits stand
+  let [gone, conflict, saving, step] = [false, false, false, null];
+  let errors = at("errors").textContent;
+  const last = new Map(); // section -> what it was made of
+
+  async function ask(route, options) {
+    try {
+      const answer = await fetch(route, { cache: "no-store", ...options });
+      gone = false;
+      return answer;
+    } catch (error) {
+      if (error.name !== "AbortError") { gone = true; tell(); }
+      return null;
+    }
+  }
+
+  function post(route, changes, headers = {}) {
+    return ask(route, { method: "POST", headers, body: JSON.stringify({ changes: Object.fromEntries(changes) }) });
+  }
+
+  function tell() {
+    body.dataset.state = gone ? "gone" : conflict ? "conflict" : errors ? "error" : "good";
+    at("save").hidden = at("revert").hidden = !edits.size;
+    at("undo").hidden = !steps.length;
+    at("conflict").hidden = !conflict;
+    at("errors").hidden = !errors;
+    at("errors").textContent = errors;
+  }
+
+  // --- what is shown -----------------------------------------------------------------------
+
+  const key = ({ dataset: { result, row, gear } }) => [result, row, gear].join("\n");
+  const numbered = () => [...document.querySelectorAll("[data-result]")];
+  const numbers = () => new Map(numbered().map((one) => [key(one), one.dataset.number]));
+
+  function mark(before) {
+    for (const one of numbered()) {
+      const old = before.get(key(one));
+      one.toggleAttribute("data-changed", old !== undefined && old !== one.dataset.number);
+    }
+  }
+
+  // other content of a part; pictures that are awaited stand there as they were until they come
+  function put(part, html, ...before) {
+    const made = document.createElement("template");
+    made.innerHTML = html;
+    const old = new Map([...part.querySelectorAll("[data-awaited]")].map((one) => [one.dataset.awaited, one]));
+    for (const one of made.content.querySelectorAll("[data-awaited]")) {
+      const kept = old.get(one.dataset.awaited);
+      if (kept) one.replaceWith(kept);
+    }
+    const focused = part.contains(document.activeElement) && document.activeElement.dataset.choose;
+    part.replaceChildren(...before, ...made.content.childNodes);
+    if (focused) part.querySelector(`[data-choose="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
+    return part;
+  }
+
+  // once for all parts: whoever hears it measures the page
+  const announce = (parts) => dispatchEvent(new CustomEvent("shown", { detail: parts }));
+
+  function show(answer) {
+    errors = answer.errors;
+    if (answer.sections) {
+      const parts = [...document.querySelectorAll("main > section")];
+      const names = parts.map((one) => one.querySelector("h2").textContent);
+      const same = names.join("\n") === Object.keys(answer.sections).join("\n");
+      if (!same || answer.head !== panel.dataset.head) { location.reload(); return; }
+      const before = numbers();
+      shown = answer.number;
+      const changed = [];
+      parts.forEach((part, place) => {
+        const html = answer.sections[names[place]];
+        if (part.id === "change") change(part, answer.fields, html);
+        else if (html !== last.get(part)) changed.push(put(part, html, part.querySelector("h2")));
+        last.set(part, html);
+      });
+      if (changed.length) announce(changed);
+      at("result").textContent = JSON.stringify(answer.document);
+      mark(before);
+      stale();
+    }
+    root.dataset.revision = Math.max(Number(root.dataset.revision) + 1, answer.number);
+    tell();
+  }
+
+  // fields have the numbers of the file but where there are edits
+  function change(part, now, html) {
+    const same = [...ofFile.keys()].join("\n") === Object.keys(now).join("\n");
+    ofFile = new Map(Object.entries(now));
+    if (!same) put(part, html, part.querySelector("h2"));
+    for (const [path, value] of edits) if (!ofFile.has(path) || ofFile.get(path) === value) edits.delete(path);
+    for (const path of ofFile.keys()) fill(path, edits.get(path) ?? ofFile.get(path));
+  }
+
+  function fill(path, value, but) {
+    for (const one of fields()) {
+      if (one.dataset.path !== path || one === but) continue;
+      if (one.type === "range") {
+        if (value < Number(one.min)) one.min = value;
+        if (value > Number(one.max)) one.max = value;
+      }
+      if (one.value === "" || Number(one.value) !== value) one.value = value;
+    }
+  }
+
+  // --- pictures and slow sections: made when they are looked at, pale until then ----------------
+
+  const inSight = new Set();
+  const watcher = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) inSight.add(target);
+      else inSight.delete(target);
+    }
+    soon();
+  }, { rootMargin: "200px" });
+  const watched = new WeakSet();
+  let drawing = null, waiting;
+
+  function stale() {
+    drawing?.abort();
+    for (const one of document.querySelectorAll("[data-awaited]")) one.classList.add("pale");
+    watch();
+  }
+
+  function watch() {
+    for (const one of document.querySelectorAll("[data-awaited]")) {
+      if (watched.has(one)) continue;
+      watched.add(one);
+      watcher.observe(one);
+    }
+    soon(150); // a slider may still be moving
+  }
+
+  function soon(delay = 0) {
+    clearTimeout(waiting);
+    waiting = setTimeout(draw, delay);
+  }
+
+  async function draw() {
+    if (drawing) return;
+    const all = [...document.querySelectorAll("[data-awaited].pale")];
+    const next = all.find((one) => inSight.has(one)) ?? all.find((one) => "soon" in one.dataset);
+    if (!next || gone) return;
+    const own = drawing = new AbortController();
+    const asked = new URLSearchParams({ number: shown, name: next.dataset.awaited });
+    const answer = await ask(`part?${asked}`, { signal: own.signal });
+    const html = answer?.ok ? await answer.text().catch(() => null) : null;
+    drawing = null;
+    if (!own.signal.aborted && answer) {
+      next.classList.remove("pale");
+      if (html !== null) {
+        const before = new Map([...next.querySelectorAll("[data-result]")].map((one) => [key(one), one.dataset.number]));
+        announce([put(next, html)]);
+        for (const one of next.querySelectorAll("[data-result]")) {
+          const old = before.get(key(one));
+          one.toggleAttribute("data-changed", old !== undefined && old !== one.dataset.number);
+        }
+        for (const one of next.querySelectorAll("[data-awaited]")) one.classList.add("pale");
+      }
+    }
+    watch();
+  }
+
+  // --- edits -----------------------------------------------------------------------------------
+
+  const now = (path) => edits.get(path) ?? ofFile.get(path);
+
+  function set(path, value, but) {
+    if (value === ofFile.get(path)) edits.delete(path);
+    else edits.set(path, value);
+    fill(path, value, but);
+  }
+
+  let trying = false, again = false;
+
+  async function attempt() {
+    tell();
+    if (trying) { again = true; return; }
+    trying = true;
+    do {
+      again = false;
+      const answer = edits.size ? await post("try", edits) : await ask("shown");
+      if (!answer || again || saving) continue;
+      if (answer.ok) show(await answer.json());
+      else { errors = (await answer.text()).trim(); tell(); }
+    } while (again);
+    trying = false;
+  }
+
+  // what comes from one field without a pause is one step of undo
+  let pause;
+  addEventListener("input", ({ target }) => {
+    if (!target.matches("input.field, input.slider")) return;
+    const { path } = target.dataset, value = target.valueAsNumber;
+    if (Number.isNaN(value) || value === now(path)) return;
+    if (step !== path) steps.push(new Map([[path, now(path)]]));
+    step = path;
+    clearTimeout(pause);
+    pause = setTimeout(() => { step = null; }, 500);
+    set(path, value, target);
+    attempt();
+  });
+  addEventListener("change", () => { step = null; });
+
+  at("undo").addEventListener("click", () => {
+    step = null;
+    for (const [path, value] of steps.pop() ?? []) if (ofFile.has(path)) set(path, value);
+    attempt();
+  });
+
+  function drop() {
+    step = null;
+    if (edits.size) steps.push(new Map(edits));
+    for (const path of [...edits.keys()]) set(path, ofFile.get(path));
+  }
+
+  at("revert").addEventListener("click", () => { drop(); attempt(); });
+
+  async function save(headers) {
+    if (saving || !edits.size) return;
+    saving = true;
+    step = null;
+    const answer = await post("save", edits, headers);
+    if (answer?.ok) {
+      const told = await answer.json();
+      ({ digest } = told);
+      conflict = false;
+      show(told);
+    } else if (answer?.status === 412) {
+      conflict = true;
+    } else if (answer) {
+      errors = (await answer.text()).trim();
+    }
+    saving = false;
+    tell();
+    if (heard) hear(heard);
+  }
+
+  at("save").addEventListener("click", () => save({ "If-Match": `"${digest}"` }));
+  at("keep-mine").addEventListener("click", () => save({}));
+  at("take-file").addEventListener("click", async () => {
+    drop();
+    conflict = false;
+    await take();
+  });
+
+  // --- what others do --------------------------------------------------------------------------
+
+  async function take() {
+    const answer = await ask("shown");
+    if (!answer?.ok) return;
+    const told = await answer.json();
+    ({ digest } = told);
+    show(told);
+  }
+
+  let heard = null, known = Number(root.dataset.revision);
+  function hear(told) {
+    heard = saving ? told : null;
+    if (saving) return;
+    gone = false;
+    if (edits.size && told.digest !== digest) conflict = true;
+    else if (conflict) { conflict = false; attempt(); } // the file is as it was
+    else if (edits.size && told.number !== known) attempt(); // a file beside the case
+    else if (told.number > shown || told.errors !== errors || told.digest !== digest) take();
+    known = told.number;
+    tell();
+  }
+
+  const events = new EventSource("events");
+  events.addEventListener("message", ({ data }) => hear(JSON.parse(data)));
+  events.addEventListener("error", () => { gone = true; tell(); });
+
+  // --- a page that is loaded again keeps its edits ---------------------------------------------
+
+  addEventListener("pagehide", () => {
+    const kept = { digest, edits: [...edits], steps: steps.map((one) => [...one]) };
+    sessionStorage.setItem(location.pathname, JSON.stringify(kept));
+  });
+  const kept = JSON.parse(sessionStorage.getItem(location.pathname) ?? "null");
+  if (kept) {
+    steps.push(...kept.steps.map((one) => new Map(one)));
+    for (const [path, value] of kept.edits) if (ofFile.has(path)) set(path, value);
+    if (edits.size) {
+      ({ digest } = kept);
+      attempt();
+    }
+  }
+  stale();
+  tell();
+})();
