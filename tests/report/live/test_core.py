@@ -92,7 +92,8 @@ def differ(known: Any, number: int, own: Any, told: Any, numbers: Any) -> None:
     """Say the first result of a gear that is not the program's."""
     for one in RESULTS:
         if one.key in told and one.key != "power_balance":  # that is nothing but rounding
-            scale = known["gears"][number]["scales"].get(one.unit) if one.unit else 1
+            unit = known["results"][one.key]["unit"]
+            scale = known["gears"][number]["scales"].get(unit) if unit else 1
             mine = [
                 None if x is None or scale is None else x * scale for x in own[one.of or one.name]
             ]

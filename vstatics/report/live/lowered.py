@@ -16,7 +16,7 @@ from vstatics.model.parts import Law, Mechanism, OfLoad, OwnDevice, Planet, Spee
 from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import input_direction
 from vstatics.statics.physical import scales
-from vstatics.statics.result_arrays import ARRAYS, all_row_names
+from vstatics.statics.result_arrays import all_row_names
 from vstatics.sweep.variants.part_numbers import part_numbers
 from vstatics.tables.quantities import QUANTITIES
 
@@ -63,12 +63,11 @@ def lowered(case: Transmission) -> dict[str, Any]:
             one.key: {
                 "rows": names[one.rows],
                 "of": one.of or one.name,
-                "unit": one.unit,
+                "unit": one.unit if one.of else "",
                 "decimals": one.decimals if one.kind is float else 0,
                 "isMark": one.kind is bool,
             }
             for one in RESULTS
-            if one.name in ARRAYS or one.of in ARRAYS
         },
     }
 

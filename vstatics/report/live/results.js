@@ -110,6 +110,13 @@
     return losses;
   };
 
+  const portPowers = (gear, { lossy, speeds }) => { // what enters by each link with losses, in kW
+    const acting = new Map(), { torques, holding } = lossy.solved;
+    const every = [[gear.input, gear.torque], ...gear.torques, ...holding, [gear.output, -torques[torques.length - 1]]];
+    for (const [link, torque] of every) acting.set(link, (acting.get(link) ?? 0) + torque);
+    return [...acting].map(([link, torque]) => torque * speeds.links[link] * (gear.scales.kW ?? NaN));
+  };
+
   const planetSpeed = (c, state, planet, number) => { // against the carrier
     const { links, relative } = state.speeds;
     if (planet.wheels) { // from the first wheel of its train that has a speed
@@ -129,6 +136,7 @@
     const { lossy, ideal, speeds } = state, first = c.elements.length, output = speeds.links[gear.output];
     const exists = (mark) => (ideal.consistent ? +mark : NaN); // a question only where torques balance
     const byLink = (holding) => c.results.W.rows.map((_, n) => holding.get(n + 1) ?? NaN);
+    const ports = portPowers(gear, state);
     const lossyPower = powers(c, gear, state, true), losses = powerLosses(c, gear, state, lossyPower);
     const lost = sum(Object.values(losses)), share = ([node, loss]) => [node, (100 * loss) / (lost || NaN)];
     const ofMeshes = (own) => c.devices.flatMap(({ meshes }) => meshes.map(([n, known]) => (known ? own[first + n] : NaN)));
@@ -153,6 +161,8 @@
       consistent: [exists(lossy.admissible)],
       locked: [exists(false)],
       dragged: [exists(state.dragged)],
+      input_power_kW: [sum(ports.map((one) => Math.max(one, 0)))],
+      output_power_kW: [sum(ports.map((one) => Math.max(-one, 0)))],
       power: powers(c, gear, state, false),
       lossy_power: lossyPower,
       power_loss: losses,
