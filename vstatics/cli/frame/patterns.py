@@ -9,7 +9,8 @@ import click
 
 from vstatics.errors import quoted
 
-SIGNS = "*?["
+WILDCARDS, SIGNS = "*?", "*?["
+"""A name with brackets alone that is there no more is told as one that is not there."""
 
 
 def expanded(names: Iterable[str]) -> list[str]:
@@ -33,6 +34,8 @@ def expanded(names: Iterable[str]) -> list[str]:
         from glob import glob  # costs start-up time
 
         files = sorted(one for one in glob(name, recursive=True) if not os.path.isdir(one))  # noqa: PTH112, PTH207
+        if not files and not any(sign in name for sign in WILDCARDS):
+            files = [name]
         if not files:
             raise click.UsageError(f"no file is called {quoted(name)}")
         found += files

@@ -190,8 +190,7 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
 def drum_of(scheme: Scheme) -> list[int]:
     """Clutches whose packs are in one drum on the side of the input: those of a dual clutch.
 
-    >>> from vstatics.pictures.schemes.planetary import bare_group
-    from vstatics.pictures.schemes.scheme import SchemePort
+    >>> from vstatics.pictures.schemes.scheme import SchemePort
     >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]
     >>> drum_of(Scheme(["engine", "odd", "even"], clutches, [SchemePort(1, "input")]))
     [0, 1]
