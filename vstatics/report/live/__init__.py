@@ -1,4 +1,5 @@
-"""A page whose numbers change: `numbers` says of each what it is, `fields` change them.
+"""A page whose numbers change.
 
+`numbers` says of each what it is, `fields` change them.
 `lowered` has a case as the script of a page calculates it, `page` is that page.
 """

@@ -1,1 +1,5 @@
-"""Several axes on paper: `sheet` has links and ports, `marks` and `wheels` what stands there."""
+"""Several axes on paper.
+
+`sheet` has links and ports, `marks` the signs of shift elements and springs, `wheels` the wheels
+and sets.
+"""

@@ -1,1 +1,5 @@
-"""Letters of several axes: `labels` of devices, `link_names`; `obstacles` they keep clear of."""
+"""Letters of several axes.
+
+`labels` are those of devices, `link_names` those of links; `obstacles` are what they keep clear
+of.
+"""
