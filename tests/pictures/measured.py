@@ -23,6 +23,8 @@ class MeasuredPage(NamedTuple):
     """Texts whose boxes, of capital height, overlap."""
     outside: Sequence[str]
     """Texts that leave the page."""
+    covered: Sequence[str]
+    """Texts over which something else is painted."""
 
 
 _MEASURE = """([capital, touching]) => [...document.querySelectorAll("body > svg")].map((svg) => {
@@ -51,7 +53,15 @@ _MEASURE = """([capital, touching]) => [...document.querySelectorAll("body > svg
   }));
   const outside = placed.filter(({ ends }) => ends.some(([x, y]) =>
     x < -touching || y < -touching || x > wide + touching || y > high + touching));
-  return [wide, high, placed.map((one) => [one.text, one.size]), overlaps, outside.map((one) => one.text)];
+  const covered = texts.filter((one) => {
+    one.scrollIntoView({ block: "center" });
+    const letter = one.textContent.search(/\\S/), box = one.getExtentOfChar(letter);
+    const at = new DOMPoint(box.x + box.width / 2, box.y + box.height / 2).matrixTransform(one.getScreenCTM());
+    const top = document.elementFromPoint(at.x, at.y);
+    return top && !one.contains(top) && top.tagName === "path" && getComputedStyle(top).fill !== "none";
+  });
+  const said = (some) => some.map((one) => one.text ?? one.textContent.trim());
+  return [wide, high, placed.map((one) => [one.text, one.size]), overlaps, said(outside), said(covered)];
 })"""
 
 
@@ -71,6 +81,7 @@ def measured(browser: Any, svgs: Sequence[bytes]) -> list[MeasuredPage]:
             [(text, size) for text, size in letters],
             [(one, other) for one, other in overlaps],
             outside,
+            covered,
         )
-        for wide, high, letters, overlaps, outside in found
+        for wide, high, letters, overlaps, outside, covered in found
     ]

@@ -133,3 +133,4 @@ def test_letters_can_be_read(pages: Measured) -> None:
 def test_no_text_stands_over_another_or_leaves_the_page(pages: Measured) -> None:
     assert [(name, *texts) for name, page in numbered(pages) for texts in page.overlaps] == []
     assert [(name, text) for name, page in numbered(pages) for text in page.outside] == []
+    assert [(name, text) for name, page in numbered(pages) for text in page.covered] == []

@@ -283,7 +283,7 @@ def test_letters_can_be_read_beside_one_another(names: list[str], width: str, br
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):
         assert page.width / 25.4 * 72 <= style.width + 0.1, name
-        assert (page.overlaps, page.outside) == ([], []), name
+        assert (page.overlaps, page.outside, page.covered) == ([], [], []), name
         assert min(size for _, size in page.letters) >= (7 if style.wheels else 8) - 0.01, name
 
 
@@ -307,7 +307,7 @@ def driveline() -> Transmission:
 def test_what_stands_before_a_box_and_behind_it_has_rows_of_its_own(browser: Any) -> None:
     results = vstatics.solve(driveline())
     [page] = measured(browser, [svg := render(results, "stick", "svg", Style(), [1])])
-    assert (page.overlaps, page.outside) == ([], [])
+    assert (page.overlaps, page.outside, page.covered) == ([], [], [])
     assert page.width <= 170.01
     root = ET.fromstring(svg)  # noqa: S314 - our own
     drawn = [one.attrib["data-name"] for one in of_class(root, "mechanism")]

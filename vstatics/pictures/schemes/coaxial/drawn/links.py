@@ -47,8 +47,9 @@ def draw_link_names(ink: SchemeInk, layout: CoaxialLayout) -> None:
         name = layout.link_name(link)
         half, high = (width(name) / 2 + 1.5) * scale, (height(name) / 2 - 1.0) * scale
         paper = corners(at[0] - half, at[1] - high, at[0] + half, at[1] + high)
-        ink.pen.area(*paper, color=ink.pen.style.paper, zorder=3.6)
-        centred(ink.of_link(layout.name(link)), at, name, color=ink.name_color(link))
+        pen = ink.of_link(layout.name(link))  # the paper, too: what is in a group stays together
+        pen.area(*paper, color=pen.style.paper, zorder=3.6)
+        centred(pen, at, name, color=ink.name_color(link))
     for up, x in zip(layout.uprights, layout.places.at, strict=True):
         for link, by, y in loose_names(layout, up):
             look: Look = {"color": ink.name_color(link), "ha": "left"}
