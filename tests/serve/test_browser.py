@@ -272,6 +272,7 @@ def test_a_page_whose_program_has_ended_says_so(
     program: Program, window: Callable[[], Window]
 ) -> None:
     here = window()
+    assert not here.page.is_visible(".when-gone")
     here.type("P1.ratio", "-3")
     here.has_ratio(4)
     assert program.end() == (0, "")

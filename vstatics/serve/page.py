@@ -128,10 +128,10 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
     state: Mapping[str, Any],
 ) -> str:
     frame = PageFrame(
-        chosen,
-        _panel(state),
-        [_OWN_SCRIPT],
-        _STYLE,
+        choice=chosen,
+        panel=_panel(state),
+        scripts=[_OWN_SCRIPT],
+        style=_STYLE,
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},
         revision=state["revision"],

@@ -62,8 +62,8 @@ def live_page(material: Material) -> str:
     parts = [change._replace(is_printed=False), *shown]
     known["texts"] = [*texts]
     frame = PageFrame(
-        choice(material),
-        tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        choice=choice(material),
+        panel=tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
