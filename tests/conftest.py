@@ -8,13 +8,18 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
-    "repeatable", derandomize=not FRESH, database=None, deadline=None, max_examples=count(16, 120)
+    "repeatable",
+    derandomize=not FRESH,
+    database=None,
+    deadline=None,
+    max_examples=count(16, 120),
+    suppress_health_check=[HealthCheck.too_slow],  # of a machine that does other things
 )
 settings.load_profile("repeatable")
 
