@@ -125,19 +125,19 @@ def test_who_listens_hears_of_a_change_of_the_case_and_of_what_it_names(tmp_path
     text = BOX + "drag: {ring: {file: drag.csv}}\n"
     with serving(write(tmp_path, text)) as served, served.connect() as line:
         line.sendall(f"GET /{TOKEN}/events HTTP/1.1\r\nHost: {served.host}\r\n\r\n".encode())
-        heard = line.makefile("rb")
+        with line.makefile("rb") as heard:
 
-        def next_one() -> dict[str, Any]:
-            return next(json.loads(one[5:]) for one in heard if one.startswith(b"data:"))
+            def next_one() -> dict[str, Any]:
+                return next(json.loads(one[5:]) for one in heard if one.startswith(b"data:"))
 
-        first = next_one()
-        assert first["state"] == "good"
-        points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,4\n", encoding="utf-8")
-        second = next_one()
-        assert second["number"] > first["number"]
-        assert second["digest"] == first["digest"]
-        write(tmp_path, text.replace("0.97", "0.96"))
-        assert next_one()["digest"] != first["digest"]
+            first = next_one()
+            assert first["state"] == "good"
+            points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,4\n", encoding="utf-8")
+            second = next_one()
+            assert second["number"] > first["number"]
+            assert second["digest"] == first["digest"]
+            write(tmp_path, text.replace("0.97", "0.96"))
+            assert next_one()["digest"] != first["digest"]
 
 
 def test_a_file_that_can_not_be_written_says_so(

@@ -81,7 +81,8 @@ async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
         If nobody takes it in time.
     """
     writer.write(data)
-    await asyncio.wait_for(writer.drain(), WRITE_SECONDS)
+    async with asyncio.timeout(WRITE_SECONDS):
+        await writer.drain()
 
 
 async def linger(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:

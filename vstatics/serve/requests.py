@@ -58,7 +58,8 @@ async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> R
         If there is nobody any more.
     """
     try:
-        head = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), READ_SECONDS)
+        async with asyncio.timeout(READ_SECONDS):
+            head = await reader.readuntil(b"\r\n\r\n")
     except asyncio.LimitOverrunError:
         raise RefusedError(431, f"expected a head of at most {MOST_HEAD} bytes") from None
     except TimeoutError:
@@ -124,7 +125,8 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
     if int(lengths[0]) > MOST_BODY:
         raise RefusedError(413, f"expected a body of at most {MOST_BODY} bytes")
     try:
-        body = await asyncio.wait_for(reader.readexactly(int(lengths[0])), READ_SECONDS)
+        async with asyncio.timeout(READ_SECONDS):
+            body = await reader.readexactly(int(lengths[0]))
     except TimeoutError:
         raise RefusedError(408, f"expected a request within {READ_SECONDS:g} s") from None
     return changes_of(body)

@@ -219,6 +219,7 @@ class PageServer:
                 told = shown.number
                 await send(writer, answers.event(self._states.told_of(shown)))
             try:
-                await asyncio.wait_for(news.wait(), BEAT_SECONDS)
+                async with asyncio.timeout(BEAT_SECONDS):  # `wait_for` may lose a cancellation
+                    await news.wait()
             except TimeoutError:
                 await send(writer, b": here\n\n")
