@@ -17,6 +17,13 @@ def test_a_port_that_is_taken_is_told() -> None:
     assert f"port {port} can't be listened on: Address already in use" in said.err
 
 
+def test_a_file_that_is_not_there_is_told() -> None:
+    for words in (["serve"], ["report", "--watch"]):
+        said = vstatics(*words, "gone.yaml")
+        assert (said.status, said.out) == (1, "")
+        assert "gone.yaml: error: can't be read: No such file or directory" in said.err
+
+
 def test_what_can_not_be_saved_again_is_wrong_use() -> None:
     for words in (["serve", "-"], ["report", "--watch", "-"]):
         said = vstatics(*words)

@@ -49,7 +49,7 @@ def _known(name: str) -> str:
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)
         raise ValueError(
-            f"{name!r} is no template; expected one of {names}, or of vstatics.example(){hint}"
+            f"{name!r} is no template; expected one of {names}, or the name of a shipped case{hint}"
         )
     return name
 

@@ -61,7 +61,7 @@ def serve(case: str, port: int, opens: bool, digits: int | None, settings: CaseO
       vstatics serve upshift.yaml --port 8000
 
     \b
-    Exit status: 0 ended by Ctrl-C; 1 the port is taken; 2 wrong use.
+    Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken; 2 wrong use.
     """
     return serve_page(case, digits, settings, port, opens=opens)
 
@@ -74,12 +74,13 @@ def serve_page(
     Raises
     ------
     ReadError
-        If the port is taken.
+        If there is no such file, or the port is taken.
     UsageError
         If it is standard input.
     """
     if case == files.STDIN:
         raise click.UsageError("standard input is not saved again: expected a file")
+    files.read_input(case)  # one in error has a page, one that is not there has none
     from vstatics.serve.server import PageServer
     from vstatics.serve.states import ShownStates
     from vstatics.serve.studio import Studio, StudioProcess

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from vstatics.comparison.verdicts import CaseVerdict, Tolerances, by_name, compared
 from vstatics.errors import CaseError, Problem, of_file
+from vstatics.jobs.files import STDIN_NAME
 from vstatics.readers.results import read_results
 from vstatics.readers.sweep_tables import is_sweep
 from vstatics.tables.suffixes import known, suffix_of
@@ -15,7 +16,6 @@ from vstatics.tables.written_results import WrittenResult
 
 Read = Callable[[str], tuple[bytes, str]]
 """Gives what a file holds, and its name."""
-STDIN_NAME = "<stdin>"
 SUFFIXES = known(("listing", "json", "jsonl", "csv"))
 """Of the files in a directory that are compared."""
 

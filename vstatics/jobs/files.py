@@ -14,6 +14,7 @@ from functools import partial
 from vstatics.errors import Problem, of_file
 
 STDOUT = "-"
+STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}

@@ -108,9 +108,9 @@ class FinishedParts:
             self._parts.clear()
             replace(self.path, described(self.options) + b"\n")
         self._file = open(self.path, "r+b")  # noqa: PTH123, SIM115 - closed with the parts
-        end = max((one.start + one.size for one in self._parts.values()), default=0)
-        if end:
-            self._file.truncate(end)  # what a run that was killed has cut
+        self._file.readline()  # what the parts depend on
+        ends = [one.start + one.size for one in self._parts.values()]
+        self._file.truncate(max([self._file.tell(), *ends]))  # what a run that was killed has cut
         self._file.seek(0, os.SEEK_END)
         return without if resume else ""
 

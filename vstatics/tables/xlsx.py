@@ -67,9 +67,7 @@ def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
     book = _Book(Workbook(write_only=True), several=False, digits=None)
     for name, (headings, *rows) in sheets.items():
         _Worksheet(book.book.create_sheet(name), book).add([], list(headings), rows)
-    written = io.BytesIO()
-    book.book.save(written)
-    return _without_dates(written)
+    return book.saved()
 
 
 class _Book:
@@ -100,6 +98,10 @@ class _Book:
         if self.titles or not self.sheets:
             contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
+        return self.saved()
+
+    def saved(self) -> bytes:
+        """The file with the sheets that there are."""
         written = io.BytesIO()
         self.book.save(written)
         return _without_dates(written)

@@ -134,6 +134,8 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
         ({"mechanisms!E3": '"[1'}, "mechanisms!E3: error: not YAML"),
         ({"gears!C1": "C3"}, "gears!C1: error: unknown heading `C3`, expected a key or the name "),
         ({"gears!D3": "y"}, "gears!D3: error: read `y`, expected `x` or nothing"),
+        ({"gears!D3": "1" * 5000}, "gears!D3: error: read `111"),
+        ({"links!A1": "name[" + "1" * 5000 + "]"}, "links!A1: error: "),
         ({"gears!E1": "load.torqe"}, "gears!E2: error: gears.low.load: unknown key `torqe`"),
         ({"links!B3": "sun"}, "links!B3: error: read `sun`, expected names of links alone"),
         ({"links!A1": "names"}, "links!A1: error: expected the heading `name`"),

@@ -15,6 +15,7 @@ from vstatics.cli.frame.options import Command, gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.jobs.files import STDIN_NAME
 from vstatics.model.checks import hints
 from vstatics.model.open_converters import with_needed_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
@@ -208,7 +209,7 @@ def calculate_one(
 
     Texts stand in place of what is in the files of their names.
     """
-    name, data = files.STDIN_NAME if file == files.STDIN else file, b""
+    name, data = STDIN_NAME if file == files.STDIN else file, b""
     scenario = None
     try:
         data, name = (texts[file], file) if file in texts else files.read_input(file)

@@ -12,10 +12,9 @@ from functools import partial
 import click
 
 from vstatics.errors import CaseError, Problem, ReadError, excerpt, nearest, of_file, printable
-from vstatics.jobs.files import STDOUT, Write, is_stream, opened, replacing, unwritable
+from vstatics.jobs.files import STDIN_NAME, STDOUT, Write, is_stream, opened, replacing, unwritable
 
 STDIN = "-"
-STDIN_NAME = "<stdin>"
 MOST_SHOWN_PROBLEMS = 100
 """So many problems of a case are printed."""
 MOST_SEARCHED = 1000

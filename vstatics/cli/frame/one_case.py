@@ -18,6 +18,7 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.scenario_run import needs
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.jobs.files import STDIN_NAME
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 from vstatics.tables.answer import Answer
@@ -50,7 +51,7 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
 
 def file_name(file: str) -> str:
     """How a file is spoken of that the command was given."""
-    return files.STDIN_NAME if file == files.STDIN else file
+    return STDIN_NAME if file == files.STDIN else file
 
 
 class CaseAnswer(NamedTuple):

@@ -37,6 +37,6 @@ def expanded(names: Iterable[str]) -> list[str]:
         if not files and not any(sign in name for sign in WILDCARDS):
             files = [name]
         if not files:
-            raise click.UsageError(f"no file is called {quoted(name)}")
+            raise click.UsageError(f"no file matches {quoted(name)}")
         found += files
     return found

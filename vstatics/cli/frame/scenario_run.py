@@ -13,6 +13,7 @@ from vstatics.cli.frame.cases import CalculatedCase
 from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.extras import missing
+from vstatics.jobs.files import STDIN_NAME
 
 if TYPE_CHECKING:
     from vstatics.report.material import Naming
@@ -85,5 +86,5 @@ def naming_of(outcome: CalculatedCase) -> Naming:
     from vstatics.report.material import Naming
 
     path, read = outcome.file, outcome.scenario
-    file = "" if path == files.STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
+    file = "" if path == STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
     return Naming(file) if read is None else Naming(read.name or file, read.description)

@@ -47,7 +47,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
     """
     needs = missing("xlsx", "a case in XLSX")
     if needs:
-        raise ReadError([Problem("E014", needs)])
+        raise ReadError([of_file("E014", file, needs)])
     values, formulas = (_opened(data, file, data_only=only) for only in (True, False))
     wanted, read, problems = {*wanted}, [], list[Problem]()
     for name in values.sheetnames:

@@ -12,15 +12,18 @@ class GrownNode:
     def __init__(self, line: int, column: int) -> None:
         self.line, self.column = line, column
         self.entries: list[tuple[Part, Scalar, GrownNode | Node]] = []
+        self._values: dict[Part, GrownNode | Node] = {}
+        """The first one of each key."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
         """What stands at a key or a number."""
-        return next((value for one, _, value in self.entries if one == part), None)
+        return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:
         """Put a value at a key or a number."""
         key = Scalar(str(part), value.line, value.column, plain=False)  # a name, whatever it is
         self.entries.append((part, key, value))
+        self._values.setdefault(part, value)
 
     def node(self, found: Found) -> Node:
         """The node that it has become."""

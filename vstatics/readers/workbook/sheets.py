@@ -24,6 +24,8 @@ LINKS = "links"
 GEARS = "gears"
 """Whose columns are shift elements, too."""
 ENGAGED = "x"
+LONGEST_NUMBER = 9
+"""Digits of the number of an item; nothing has so many items."""
 
 Part = str | int
 """Of a path: a key, or the number of an item from 1."""
@@ -34,7 +36,7 @@ _UNSAFE = re.compile(
     r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)"
 )
 """What XML, YAML or a spreadsheet program would change; `_x000a_` is a character to these."""
-_ITEM = re.compile(r"(.*?)((?:\[\d+\])+)\Z", re.DOTALL)
+_ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 
 
 class PartSheet(NamedTuple):

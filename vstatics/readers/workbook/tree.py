@@ -17,6 +17,7 @@ from vstatics.readers.workbook.sheets import (
     ENGAGED,
     GEARS,
     LINKS,
+    LONGEST_NUMBER,
     PART_SHEETS,
     SHEETS,
     Part,
@@ -203,11 +204,12 @@ class TreeOfSheets:
         """The engaged shift elements of a gear, in the order of columns or of their numbers."""
         found = []
         for cell in cells:
-            if cell.text.casefold() != ENGAGED and not cell.text.isdecimal():
+            is_number = cell.text.isdecimal() and len(cell.text) <= LONGEST_NUMBER
+            if cell.text.casefold() != ENGAGED and not is_number:
                 message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or nothing"
                 self._refuse(cell, message)
                 continue
-            order = int(cell.text) if cell.text.isdecimal() else 0
+            order = int(cell.text) if is_number else 0
             found.append((order, Scalar(engaged[cell.column], *self._at(cell), plain=False)))
         if found:
             found.sort(key=lambda one: one[0])

@@ -42,8 +42,8 @@ class BoxSearch(NamedTuple):
     """So many members are held for good; they are one more link of the scheme."""
     tolerance: float = 0.01
     """A box is found if least squares leave no gear with a larger |ln(i/target)|. [-]"""
-    brake_counts: tuple[int, ...] = ()
-    """It has one of these numbers of them; any when empty."""
+    brake_counts: tuple[int, ...] | None = None
+    """It has one of these numbers of them; None for any."""
     singly: bool = False
     """Whether only such are looked for in which one element may change between neighbours."""
 

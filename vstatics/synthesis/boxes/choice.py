@@ -198,16 +198,14 @@ class BoxFilter(NamedTuple):
         >>> BoxFilter(clutches=(1,)).narrowed(BoxSearch(1, 3, 1, (3.0, 1.0))).brake_counts
         (2,)
         """
-        most = [self.limits.get(name, math.inf) for name in ("brakes", "clutches")]
+        every = range(search.elements + 1)
         counts = tuple(
             number
-            for number in range(search.elements + 1)
-            if number in (self.brakes or (number,)) and number <= most[0]
-            if (others := search.elements - number) in (self.clutches or (others,))
-            if others <= most[1]
+            for number in every
+            if self._has_so_many(brakes=number, clutches=search.elements - number)
         )
-        is_any = len(counts) == search.elements + 1
-        return search._replace(brake_counts=() if is_any else counts, singly=self.single)
+        own = None if len(counts) == len(every) else counts
+        return search._replace(brake_counts=own, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
         """Whether a box may be wanted, before its figures are known.
@@ -219,10 +217,13 @@ class BoxFilter(NamedTuple):
         >>> BoxFilter(brakes=(1,)).before(box), BoxFilter(limits={"clutches": 0}).before(box)
         (True, False)
         """
-        kinds = (("brakes", box.brakes, self.brakes), ("clutches", box.clutches, self.clutches))
+        return self._has_so_many(brakes=len(box.brakes), clutches=len(box.clutches))
+
+    def _has_so_many(self, *, brakes: int, clutches: int) -> bool:
+        counts = ("brakes", brakes, self.brakes), ("clutches", clutches, self.clutches)
         return all(
-            (not allowed or len(own) in allowed) and len(own) <= self.limits.get(name, math.inf)
-            for name, own, allowed in kinds
+            (not allowed or own in allowed) and own <= self.limits.get(name, math.inf)
+            for name, own, allowed in counts
         )
 
     def lets(self, found: MeasuredBox) -> bool:

@@ -118,6 +118,10 @@ class _PortSearch:
         self.bases = speed_bases(search, one)
         self.table = combinations_table(len(self.bases.moving), search.engaged, search.elements)
         self.gears = _gears(self.bases, self.table)
+        counts = search.brake_counts
+        every = range(search.elements + 1)
+        self.brakes = sum(1 << number for number in (every if counts is None else counts))
+        self.shifts = neighbours(search.targets if search.singly else ())
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -129,9 +133,7 @@ class _PortSearch:
         self.searched += math.comb(len(there), search.elements)
         bits, count = sum(1 << number for number in there), len(table.members)
         ratio_of, reach, useful = np.zeros((3, count), np.int64)
-        brakes = sum(1 << number for number in search.brake_counts or range(search.elements + 1))
-        shifts = neighbours(search.targets if search.singly else ())
-        port = PortGears(*ports, bits, ratio_of, reach, useful, brakes, shifts)
+        port = PortGears(*ports, bits, ratio_of, reach, useful, self.brakes, self.shifts)
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())

@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.axes.row_sections import RowSection, row_sections
 from vstatics.pictures.schemes.axes.rows import axis_rows
 from vstatics.pictures.schemes.axes.search import arranged, passing
 from vstatics.pictures.schemes.axes.stations import stations_of
-from vstatics.pictures.schemes.coaxial.fitting import CLOSEST
+from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.sheet.style import Style
@@ -22,7 +22,7 @@ GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 """Between stations: the largest with which all fits into the width. [pt]"""
 PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
 """Sizes of all but letters: the largest with which all fits into the width."""
-LETTERS, FEW_LETTERS = 12, 5
+LETTERS = 12
 """Longer names are broken at blanks; where room is short, at all blanks."""
 
 

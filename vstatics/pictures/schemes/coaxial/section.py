@@ -76,7 +76,7 @@ def coaxial_scheme(
     own += [(TopMeaning(port=port), port.link) for port in further]
     coupled = [_ends(scheme.devices[place]) for place in pairs]
     train = CoaxialTrain(planes, coupled, [link for _, link in own], start, end)
-    if end and not has_half_section(train) and all(len(one.wheels) == 1 for one in planes):
+    if end and all(len(one.wheels) == 1 for one in planes) and not has_half_section(train):
         port = next(p for p in scheme.ports if p.link == end and not p.is_left)
         through = replace(train, tops=[*train.tops, end], end=0)
         if has_half_section(through):

@@ -1,5 +1,5 @@
 """Letters of several axes.
 
 `labels` are those of devices, `link_names` those of links; `obstacles` are what they keep clear
-of.
+of, `extent` is how far they reach.
 """

@@ -33,20 +33,18 @@ def free_names(
     solid : sequence of Obstacle
         What names keep clear of.
     """
+    taken = {link for one in found.board.stations if one.layout for link in one.layout.places.names}
+    has_port = {port.link for port in scheme.ports}
     for axis, links in enumerate(found.board.axes.axes):
         own = [link for link in sorted(links) if link in found.spans]
         if not own:
             continue
         left, right = ends_of(found, axis)
-        taken = {
-            link for one in found.board.stations if one.layout for link in one.layout.places.names
-        }
         for link in own:
             if link in taken:
                 continue
             span = found.spans[link]
             y = found.y(axis, span.height)
-            has_port = {port.link for port in scheme.ports}
             if link in named or link in has_port:
                 continue
             wide, off = found.wide(scheme.name(link)), 10 + NAME_GAP
