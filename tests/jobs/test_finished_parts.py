@@ -22,6 +22,6 @@ def test_a_first_part_that_was_cut_is_never_filled_by_the_next(tmp_path: Path) -
         run.put(second if known[1:] else first, case_mark(b"links: 2", []), part)
         run.__exit__(KeyboardInterrupt)
         if part == whole:  # as by a power failure
-            with Path(run.path).open("r+b") as file:
-                file.truncate(Path(run.path).stat().st_size - 5)
+            with Path(run.path).open("r+b") as cut:
+                cut.truncate(Path(run.path).stat().st_size - 5)
     assert known == [(False, False), (False, False), (False, True)]

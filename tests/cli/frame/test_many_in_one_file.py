@@ -41,7 +41,7 @@ def test_patterns_are_expanded_in_order() -> None:
     found = [json.loads(line)["file"] for line in said.out.splitlines()]
     assert found == [Path(name).name for name in NAMES]
     missing = vstatics("run", "drawer/*.yaml", "-f", "jsonl")
-    assert (missing.status, "no file is called `drawer/*.yaml`" in missing.err) == (2, True)
+    assert (missing.status, "no file matches `drawer/*.yaml`" in missing.err) == (2, True)
     Path("odd[1].dat").write_bytes(MZKT.read_bytes())
     assert vstatics("run", "odd[1].dat", "-f", "json").status == 0
 
