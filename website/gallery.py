@@ -16,7 +16,7 @@ from vstatics.examples import example_files
 from website.documents import gallery_name
 from website.page import Page, escaped
 
-OF_CASE = {"stick": "Stick diagram", "structure": "Structure", "plan": "Kinematic plan"}
+OF_CASE = {"stick": "Stick diagram", "structure": "Structure", "lever": "Levers"}
 """Kinds of pictures; where the first can be drawn, the second is not."""
 
 

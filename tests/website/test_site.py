@@ -162,9 +162,10 @@ def test_every_shipped_case_is_in_the_gallery_with_a_picture(
             assert (site / "gallery" / picture).stat().st_size > 1000
 
 
-def test_what_is_searched_for_is_found_on_a_disk(site: Path, page: Any) -> None:
+def test_what_is_searched_for_is_found_on_a_disk(site: Path, browser: Any) -> None:
     """In Chromium, from file://, without any request to elsewhere."""
     asked = []
+    page = browser.new_page()
     page.on("request", lambda request: asked.append(request.url))
     page.goto(f"{(site / 'search.html').as_uri()}?q=Lepelletier")
     page.wait_for_selector("ul.search li a")
