@@ -206,7 +206,7 @@
         if (width > 4) this.zoom(plotted.posToVal(left, "x"), plotted.posToVal(left + width, "x"));
       };
       const options = {
-        width: this.wide(), height: panel.high ?? HEIGHT, series, padding: [8, 12, 0, 0], legend: { show: false },
+        width: this.wide(), height: panel.high ?? HEIGHT, pxAlign: 0, series, padding: [8, 12, 0, 0], legend: { show: false },
         scales: { x: { time: false, range: () => [this.low, this.high] }, y },
         axes: [{ ...line, size: 32 }, { ...line, ...axis, grid: { ...line.grid, ...axis.grid }, ticks: { ...line.ticks, ...axis.ticks } }],
         cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => { this.whole(); } } },
@@ -381,7 +381,9 @@
       for (const one of this.box.querySelectorAll("[data-run]")) one.addEventListener("click", buttons[one.dataset.run]);
       for (const one of this.box.querySelectorAll("[data-run=whole], [data-run=zoom-out]")) one.disabled = this.isWhole;
       this.slider.addEventListener("focus", () => { kept.focused = true; });
-      this.slider.addEventListener("blur", () => { kept.focused = !this.slider.isConnected; });
+      this.slider.addEventListener("blur", () => setTimeout(() => { // where the section is not just replaced
+        if (this.slider.isConnected) kept.focused = false;
+      }));
       this.observer = new ResizeObserver(() => this.size());
       this.observer.observe(this.box.querySelector(".run-panels"));
     }
