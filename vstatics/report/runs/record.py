@@ -36,7 +36,7 @@ _TABLES = {
 """Tables of a run by the kinds of panels; others are tables themselves."""
 
 
-class _Columns:
+class _RunColumns:
     """Columns of a run by their headings, equal ones once."""
 
     def __init__(self) -> None:
@@ -76,7 +76,7 @@ def page_run(results: Results, motion: Motion) -> PageRun:
 
     Events and the extremes of all columns are among them.
     """
-    columns = _Columns()
+    columns = _RunColumns()
     told = _told(results, motion, columns)
     most = MOST_NUMBERS // (1 + len(columns.values))
     events = tuple(one["time"] for one in told["events"])
@@ -105,13 +105,13 @@ def recorded(results: Results, motion: Motion) -> dict[str, Any]:
     motion : Motion
         As of `page_run`.
     """
-    columns = _Columns()
+    columns = _RunColumns()
     told = _told(results, motion, columns)
     time, values = _packed(motion.time), [*map(_packed, columns.values)]
     return {"time": time, "columns": values, **told}
 
 
-def _told(results: Results, motion: Motion, columns: _Columns) -> dict[str, Any]:
+def _told(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, Any]:
     """All but the columns, which are put where they belong."""
     found, names = states(motion), motion.elements
     links = {
@@ -159,7 +159,7 @@ def _event(event: Event) -> dict[str, Any]:
 
 
 def _panel(
-    panel: MotionPanel, motion: Motion, numbers: Mapping[str, int], columns: _Columns
+    panel: MotionPanel, motion: Motion, numbers: Mapping[str, int], columns: _RunColumns
 ) -> dict[str, Any]:
     what, _, unit = panel.english.rpartition(", ")
     lines = [told for line in panel.lines for told in _lines(panel, line, motion, numbers, columns)]
@@ -178,7 +178,7 @@ def _lines(
     line: MotionLine,
     motion: Motion,
     numbers: Mapping[str, int],
-    columns: _Columns,
+    columns: _RunColumns,
 ) -> Iterator[dict[str, Any]]:
     """Of each name of a line; links that turn together have columns of their own."""
     looks, table = line.looks(Style(), numbers), _table(panel, line, motion)
