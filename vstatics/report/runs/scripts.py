@@ -14,7 +14,8 @@ def _resource(name: str) -> Markup:
 LICENCE = _resource("uPlot-LICENSE.txt")
 SCRIPTS = (
     Markup(f"/*!\n{LICENCE.strip()}\n*/\n{_resource('uPlot.iife.min.js').strip()}"),
+    _resource("panels.js"),
     _resource("run.js"),
 )
-"""The plotter with its licence, then that of a run."""
+"""The plotter with its licence, then those of a run."""
 STYLE = Markup(f"{_resource('uPlot.min.css').strip()}\n{_resource('run.css')}")
