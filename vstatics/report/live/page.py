@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,6 +21,8 @@ from vstatics.report.live.lowered import lowered
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
 from vstatics.report.sections import Part, sections
+from vstatics.report.tools import toolbar
+from vstatics.report.tools.toolbar import compact
 from vstatics.tables.html import Markup, joined, tag
 
 _MARKS = re.compile(
@@ -53,7 +54,8 @@ def live_page(material: Material) -> str:
     known = lowered(case) | {"digits": material.digits}
     fields = [*live_fields(case, known["numbers"])]
     revert = tag("button", "Revert", id="revert", type="button")
-    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert])
+    told = toolbar.tools_of(case, digits=material.digits)
+    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert, told])
     texts: dict[str, int] = {}
     shown = (
         one._replace(shown=[_shortened(each, texts) for each in one.shown])
@@ -63,13 +65,17 @@ def live_page(material: Material) -> str:
     known["texts"] = [*texts]
     frame = PageFrame(
         choice=choice(material),
-        panel=tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        panel=joined(
+            toolbar.toolbar(),
+            tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        ),
+        scripts=[toolbar.SCRIPT],
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
             *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
         ),
-        style=_resource("live.css"),
+        style=joined(toolbar.STYLE, _resource("live.css")),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
     return framed(title, about(material), parts, material.document, frame)
@@ -117,8 +123,7 @@ def _units(case: Transmission, gear: Any) -> Iterator[tuple[str, str]]:
 
 def _data(known: Mapping[str, Any]) -> Markup:
     """Plain data within a script; no text of the case ends it, and NaN is null."""
-    text = json.dumps(_finite(known), ensure_ascii=False, allow_nan=False)
-    return Markup(text.replace("<", "\\u003c"))
+    return compact(_finite(known))
 
 
 def _finite(data: Any) -> Any:
