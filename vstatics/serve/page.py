@@ -15,9 +15,10 @@ from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
 from vstatics.report.sections import Part
+from vstatics.report.tools import toolbar
 from vstatics.serve.awaited import QUICK, awaited_pictures, awaited_sections
 from vstatics.statics.results import Results
-from vstatics.tables.html import Markup, tag
+from vstatics.tables.html import Markup, joined, tag
 
 CHANGE = "Change"
 """The section of fields."""
@@ -27,7 +28,9 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPT, _STYLE = _resource("serve.js"), _resource("serve.css")
+SCRIPTS = (SCRIPT, toolbar.SCRIPT, _resource("serve.js"))
+"""Of the page, in their order."""
+_STYLE = joined(toolbar.STYLE, _resource("serve.css"))
 
 
 def _hashed(script: str) -> str:
@@ -36,11 +39,11 @@ def _hashed(script: str) -> str:
 
 
 POLICY = (
-    f"default-src 'none'; script-src {_hashed(SCRIPT)} {_hashed(_OWN_SCRIPT)}; "
+    f"default-src 'none'; script-src {' '.join(map(_hashed, SCRIPTS))}; "
     "style-src 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'"
 )
-"""A browser runs these two scripts and no others, and asks nobody else for anything."""
+"""A browser runs these scripts and no others, and asks nobody else for anything."""
 
 
 def material_of(
@@ -64,7 +67,10 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
-    return [*([changed] if shown else []), *awaited_sections(material, runs=runs)]
+    first, *others = awaited_sections(material, runs=runs)
+    told = toolbar.tools_of(material.results.case, digits=material.digits)
+    first = first._replace(shown=[*first.shown, told])  # it is made anew with its section
+    return [*([changed] if shown else []), first, *others]
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
@@ -129,8 +135,8 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 ) -> str:
     frame = PageFrame(
         choice=chosen,
-        panel=_panel(state),
-        scripts=[_OWN_SCRIPT],
+        panel=joined(toolbar.toolbar(), _panel(state)),
+        scripts=SCRIPTS[1:],
         style=_STYLE,
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},

@@ -16,13 +16,16 @@ from vstatics.summary.grids import WITH_LOAD
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.quantities import UNITS
 
+RELATIVE = "\N{MULTIPLICATION SIGN} input"
+"""In place of a unit, of what is relative to the input."""
+LOSS_SHARE = "loss_share"
 POWERS = {
     "ideal": "power",
     "with losses": "lossy_power",
     "kW": "lossy_power_kW",
     "loss": "power_loss",
     "loss, kW": "power_loss_kW",
-    "share, %": "loss_share",
+    "share, %": LOSS_SHARE,
 }
 """Columns of the table of powers of a gear, and what their numbers are."""
 PartLinks = Callable[[str], Sequence[int]]

@@ -106,4 +106,5 @@
       figure.append(button("svg", nameOf(svg)));
     }
   };
+  document.querySelector("button.save")?.remove(); // the one of a page without tools
   followers.push(offer);

@@ -11,7 +11,7 @@ from typing import Any
 
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.units import unit
-from vstatics.report.tools.marks import POWERS
+from vstatics.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 from vstatics.statics.physical import gear_scales
 from vstatics.tables.html import Markup, tag
 from vstatics.tables.quantities import QUANTITIES, UNITS
@@ -73,6 +73,8 @@ def _known() -> dict[str, Any]:
     """Of results their units, of units their words and sizes: each told where it is at home."""
     results = {one.key: _result(one.of, one.unit or one.with_load) for one in QUANTITIES}
     for name in POWERS.values():
+        if name == LOSS_SHARE:
+            continue
         relative = name.removesuffix("_kW")
         results[name] = _result("" if relative == name else relative, "kW", real=True)
     for name in ("input_power_kW", "output_power_kW"):
@@ -81,7 +83,7 @@ def _known() -> dict[str, Any]:
     return {
         "results": {name: one for name, one in results.items() if one["unit"]},
         "decimals": decimals,
-        "words": {key: one.en for key, one in UNITS.items()} | {"": "\N{MULTIPLICATION SIGN} input"},
+        "words": {key: one.en for key, one in UNITS.items()} | {"": RELATIVE},
         "places": {key: one.decimals for key, one in UNITS.items()},
         "us": {key: [1 / unit(word)[1], word] for key, word in US.items()},
     }
