@@ -126,16 +126,9 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     The name of a gear chooses it for all that is shown of one.
     """
     results = material.results
-    signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
-    columns = [grid.columns[0], *signs, *grid.columns[1:]]
-    [grid] = material.marked([_without_last_step(grid)])
-    rows = [
-        [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
-        for row in grid.cells
-        for index, gear in enumerate(results.case.gears)
-        if gear.name == row[0].text
-    ]
-    yield table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
+    made = gears_grid(material, grid)
+    rows = [[Cell(gear_link(first.text)), *others] for first, *others in made.cells]
+    yield table(made._replace(rows=rows), headed=False)
     if results.case.freewheels:
         yield tag(
             "p", f"{MARKS.engaged} engaged, {MARKS.holds} freewheel that holds", class_="note"
@@ -143,6 +136,21 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     small = material.pictures.small_sticks
     if any(one.sheets for one in small):
         yield side_by_side([flow.gear for flow in material.shown_flows], small)
+
+
+def gears_grid(material: Material, grid: Grid) -> Grid:
+    """The gears of a summary with a sign for each shift element, and with marks."""
+    results = material.results
+    signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
+    [grid] = material.marked([_without_last_step(grid)])
+    columns = [grid.columns[0], *signs, *grid.columns[1:]]
+    rows = [
+        [row[0], *element_signs(results, index, MARKS), *row[1:]]
+        for row in grid.cells
+        for index, gear in enumerate(results.case.gears)
+        if gear.name == row[0].text
+    ]
+    return Grid("Ratios, steps, efficiencies", columns, rows)
 
 
 def _without_last_step(grid: Grid) -> Grid:
