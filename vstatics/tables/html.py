@@ -179,7 +179,7 @@ def _cell(column: Column, cell: Cell) -> Markup:
     if cell.value is not None:
         value = "" if math.isnan(cell.value) else repr(float(cell.value)).removesuffix(".0")
     kind = "sign" if cell.says else _kind(column)
-    look = " ".join(filter(None, (kind or "", cell.look))) or False
+    look = " ".join(str(one) for one in (kind, cell.look) if one) or False
     return tag("td", _text(cell), class_=look, data_value=value, **_marks(cell))
 
 

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import pytest
 
+from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED, TIED_UP, vstatics
 from tests.report.pages import Element, Page
 from vstatics import load, solve
@@ -106,14 +106,15 @@ def test_changes_of_the_case_are_told_and_gears_of_one_alone(files: list[Path]) 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("_without_pictures", "without_pictures")
-def test_a_file_compares_and_a_directory_has_a_page_each(
-    files: list[Path], tmp_path: Path
-) -> None:
+def test_a_file_compares_and_a_directory_has_a_page_each(files: list[Path], tmp_path: Path) -> None:
     made = vstatics("report", *files, "-o", tmp_path / "both.html", "--stamp", "author=Me")
     assert made.status == 0
     assert '<dl class="stamp">' in (tmp_path / "both.html").read_text("utf-8")
     assert vstatics("report", *files, "-o", f"{tmp_path}/each/").status == 0
-    assert sorted(one.name for one in (tmp_path / "each").glob("*.html")) == ["new.html", "old.html"]
+    assert sorted(one.name for one in (tmp_path / "each").glob("*.html")) == [
+        "new.html",
+        "old.html",
+    ]
     for wrong in (["--live"], ["--gears", "low"], [files[0]]):
         assert vstatics("report", *files, "-o", tmp_path / "no.html", *wrong).status == 2
     bad, tied = tmp_path / "bad.yaml", tmp_path / "tied.yaml"
@@ -128,8 +129,8 @@ def test_a_file_compares_and_a_directory_has_a_page_each(
 @pytest.mark.slow
 @pytest.mark.usefixtures("_without_pictures")
 def test_shipped_cases_lose_no_number_beside_one_another() -> None:
-    chance = Random(31)
-    for _ in range(8):
+    chance = seeded(31)
+    for _ in range(count(5, 60)):
         files = chance.sample(SHIPPED, 2)
         page = compared(*files)
         for case, file in zip("AB", files, strict=True):

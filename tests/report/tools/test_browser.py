@@ -128,7 +128,9 @@ def test_without_a_load_nothing_but_relative_numbers_can_be_chosen(
     browser: Any, tmp_path: Path
 ) -> None:
     window = opened(browser, tmp_path, report(CASES / "simpson.yaml", "--live"))
-    assert window.evaluate("[...document.querySelectorAll('#units option')].map((one) => one.disabled)") == [False, True, True]
+    assert window.evaluate(
+        "[...document.querySelectorAll('#units option')].map((one) => one.disabled)"
+    ) == [False, True, True]
     window.close()
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from random import Random
-
 import numpy as np
 
+from tests.chance import count, seeded
 from tests.trains import random_train
 from vstatics import solve
 from vstatics.report.tools.marks import with_tool_marks
@@ -14,8 +13,8 @@ from vstatics.tables.grids import of_results
 
 
 def test_a_torque_is_of_the_links_where_the_matrix_has_its_device() -> None:
-    chance = Random(7)
-    for _ in range(20):
+    chance = seeded(7)
+    for _ in range(count(20, 200)):
         case = random_train(chance, regular=True)
         [grid] = [one for one in of_results(solve(case)) if one.key == "AMLG"]
         rows = [row[0] for row in with_tool_marks(grid, case).cells]

@@ -73,7 +73,7 @@ def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
 def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
     """The same, each with how many of its kind stand before it."""
     seen: Counter[Hashable] = Counter()
-    found = []
+    found: list[Hashable] = []
     for key in keys:
         found.append((key, seen[key]))
         seen[key] += 1

@@ -16,7 +16,7 @@ from vstatics.pictures import pages
 from vstatics.pictures.pair import PairedCase, pair_pages
 from vstatics.report.asked import SECTIONS, AskedPage
 from vstatics.report.html_page import PageFrame, framed, stamped
-from vstatics.report.material import Material, Naming, gather
+from vstatics.report.material import UNNAMED, Material, Naming, gather
 from vstatics.report.overview import alerts
 from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, Pictures, inline
 from vstatics.report.pair.merged import merged
@@ -53,13 +53,13 @@ class PagedCase(NamedTuple):
         return self.material.naming.title(self.material.results.case.name, runs=False)
 
 
-def paged(
+def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     label: str,
     results: Results,
     file: str,
     problems: Iterable[Problem] = (),
     digits: int | None = None,
-    naming: Naming = Naming(),
+    naming: Naming = UNNAMED,
 ) -> PagedCase:
     """A case with what its side of the page is made of; parameters as of `gather`."""
     quick = AskedPage([key for key in SECTIONS if key != "vibration"])
@@ -81,9 +81,7 @@ def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) ->
     first, second = both
     [verdict] = compare(second.material.results, first.material.results).cases
     parts = [
-        Part(name, shown)
-        for name, one in _sections(both, verdict).items()
-        if (shown := [*one])
+        Part(name, shown) for name, one in _sections(both, verdict).items() if (shown := [*one])
     ]
     title = f"{first.title} and {second.title}"
     if first.title == second.title:
@@ -107,9 +105,7 @@ def _told(both: Sequence[PagedCase], stamp: dict[str, str]) -> Iterator[Markup]:
     yield terms((one.label, f"{one.title}, {one.file}") for one in both)
 
 
-def _sections(
-    both: Sequence[PagedCase], verdict: CaseVerdict
-) -> dict[str, Iterable[Markup]]:
+def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iterable[Markup]]:
     summaries = [_summary(one) for one in both]
     own = zip(both, summaries, strict=True)
     gears = _merged(both, [gears_grid(one.material, grids["gears"]) for one, grids in own])

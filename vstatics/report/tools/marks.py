@@ -92,7 +92,7 @@ def _of_links(cell: Cell, links: Sequence[int]) -> Cell:
 def _named(case: Transmission) -> dict[str, PartLinks]:
     """By the heading of names: what links they are of."""
     elements = {one.name: _indices(one.links) for one in case.shift_elements}
-    devices, members, planets = dict[str, list[int]](), dict[str, list[int]](), {}
+    devices, members, planets = (dict[str, list[int]]() for _ in range(3))
     for one in case.mechanisms:
         devices[one.name] = _indices(one.links)
     for own in case.own_devices:
