@@ -29,6 +29,7 @@ _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
+_LINES, _HUNDREDTHS = re.compile(r' d="[^"]*"'), re.compile(r"\d+\.\d\d+")
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -97,7 +98,20 @@ def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
         ]
         return f' data-marks="{" ".join(map(str, [*places, number]))}"'
 
-    return Markup(_MARKS.sub(short, shown))
+    return Markup(_MARKS.sub(short, _coarser(shown)))
+
+
+def _coarser(shown: str) -> str:
+    """Lines of pictures to a tenth of a point, which is enough for a screen: they are long.
+
+    >>> _coarser('<path d="M103.56 0L18.02 7.1" /><td>103.56</td>')
+    '<path d="M103.6 0L18 7.1"/><td>103.56</td>'
+    """
+
+    def rounded(found: re.Match[str]) -> str:
+        return _HUNDREDTHS.sub(lambda one: f"{float(one[0]):.1f}".removesuffix(".0"), found[0])
+
+    return _LINES.sub(rounded, shown).replace('" />', '"/>')
 
 
 def live_fields(case: Transmission, numbers: Mapping[str, float]) -> Iterator[PageField]:
