@@ -134,6 +134,20 @@ def test_without_a_load_nothing_but_relative_numbers_can_be_chosen(
     window.close()
 
 
+def test_of_two_cases_one_without_a_load_has_no_number_in_units(
+    browser: Any, box: Path, tmp_path: Path
+) -> None:
+    other = tmp_path / "other.yaml"
+    other.write_text(BOX[: BOX.index("load:")].replace("-2.5", "-3"), encoding="utf-8")
+    window = opened(browser, tmp_path, vstatics("report", box, other, "-o", "-").out)
+    cell = """([label]) => document.querySelector(
+      `td[data-case=${label}][data-result=W][data-row="-out"][data-gear=low]`).textContent"""
+    assert [window.evaluate(cell, [one]) for one in "AB"] == ["0.286", "0.250"]  # 1/3.5, 1/4
+    chosen(window, "si")
+    assert [window.evaluate(cell, [one]) for one in "AB"] == ["857.1", "\N{EN DASH}"]
+    window.close()
+
+
 def test_rows_of_a_link_are_left_and_escape_brings_all_back(page: Any) -> None:
     rows = """(key) => [...document.querySelector(`main td[data-result="${key}"]`).closest("tbody").rows]
       .filter((one) => !one.hidden).map((one) => one.cells[0].textContent)"""

@@ -20,14 +20,14 @@
     const sign = unit === "kW" && !real && of.gears[gear]?.Nm * of.gears[gear]?.rpm < 0 ? -1 : 1; // of what is driven: statics/physical.py
     return one === undefined ? NaN : one * sign;
   };
-  const isKnown = (of, unit) => Object.values(of.gears).some((one) => Math.abs(one[unit]) > 0);
+  const isKnown = (unit) => Object.values(cases).some(({ gears }) => Object.values(gears).some((one) => Math.abs(one[unit]) > 0));
 
   const find = () => {
     cells = [];
     for (const element of document.querySelectorAll("main :is([data-result], [data-unit], [data-scaled])")) {
       const told = about(element);
       const of = cases[element.dataset.case ?? ""];
-      if (told && of && !element.closest("svg") && isKnown(of, told.unit)) cells.push({ element, told, of });
+      if (told && of && !element.closest("svg") && isKnown(told.unit)) cells.push({ element, told, of });
     }
     const can = cells.length > 0;
     for (const option of select.options) option.disabled = option.value !== "relative" && !can;
