@@ -91,9 +91,9 @@ def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) ->
         panel=toolbar.toolbar(),
         scripts=[toolbar.SCRIPT],
         style=joined(toolbar.STYLE, Markup(_style())),
+        named=[one.material.document["case"] for one in both],
     )
-    names = {"case": [one.material.document["case"] for one in both]}
-    return framed(title, _told(both, stamp or {}), parts, {**names, **document}, frame)
+    return framed(title, _told(both, stamp or {}), parts, document, frame)
 
 
 def _style() -> str:
