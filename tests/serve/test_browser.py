@@ -328,3 +328,23 @@ def test_a_ten_speed_shows_its_numbers_soon_after_a_save(browser: Any, tmp_path:
     assert running.end() == (0, "")
     print("seconds from a save to its numbers:", *(f"{one:.3f}" for one in took))  # noqa: T201
     assert min(took) < 2  # a machine that does nothing else takes less than 0.3 s
+
+
+def test_units_and_the_link_stay_when_the_file_is_saved_and_the_page_loaded_again(
+    program: Program, window: Callable[[], Window]
+) -> None:
+    here = window()
+    here.page.select_option("#units", "si")
+    here.page.fill("#links", "carrier")
+    cell = 'document.querySelector(\'td[data-result="W"][data-row="carrier"][data-gear="low"]\')'
+    rest = "document.querySelector('td[data-result=\"W\"][data-row=\"sun\"]').closest('tr').hidden"
+    for ratio, load in ((-3, 3000), (-4, 1500)):
+        text = BOX.replace("-78/30", str(ratio)).replace("3000 rpm", f"{load} rpm")
+        program.file.write_text(text, encoding="utf-8")
+        here.until(f"Math.abs(Number({cell}.dataset.number) - 1 / (1 - {ratio})) < 1e-9")
+        here.until(f"{cell}.textContent === '{load / (1 - ratio):.1f}' && {rest}")
+    here.page.reload()
+    here.page.wait_for_selector("html[data-ready]")
+    here.until(f"{cell}.textContent === '300.0' && {rest}")
+    assert here.page.input_value("#units") == "si"
+    assert here.page.input_value("#links") == "carrier"

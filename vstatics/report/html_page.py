@@ -38,6 +38,8 @@ class PageFrame(NamedTuple):
     """Attributes of the body."""
     revision: int | None = None
     """The first one that is shown, for the attribute of the page."""
+    named: object = None
+    """Plain data with names, which stay as they are; else the case of the document."""
 
 
 BARE = PageFrame()
@@ -93,7 +95,7 @@ def framed(
     links = (tag("a", part.name, href=f"#{_id(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label="Contents")
     shown = tag("main", *map(_section, parts))
-    main, looks = shared(printed(shown, _names(document.get("case"))))
+    main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
     data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
     body = tag(

@@ -48,6 +48,8 @@ class Cell(NamedTuple):
     """Of what it stands for: float, int, bool; str of words."""
     marks: Mapping[str, str] = {}
     """What a page writes at it as data, for a script."""
+    look: str = ""
+    """A class that a page gives it besides."""
 
     @property
     def datum(self) -> Datum:

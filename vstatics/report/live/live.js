@@ -32,14 +32,7 @@
 
   const digits = (value) => (Number.isFinite(value) ? String(value) : "");
 
-  const shown = (value, decimals) => { // as vstatics/tables/numbers.py rounds: small numbers have more digits
-    const size = Math.abs(value);
-    if (!Number.isFinite(value)) return "\u2013";
-    if (size >= 1e7) return value.toPrecision(6);
-    const fixed = c.digits ?? (size < 0.1 && size > 1e-12 && decimals ? Math.max(decimals, 3 - Math.floor(Math.log10(size))) : decimals);
-    const text = size.toFixed(Math.min(fixed, 20));
-    return value < 0 && /[1-9]/.test(text) ? `\u2212${text}` : text;
-  };
+  const shown = (value, decimals) => globalThis.page.rounded(value, decimals, c.digits ?? undefined);
 
   const mark = (number, of) => { // of what holds or does not
     if (number === "" || number === "0") return number === "" ? "\u2013" : "\u00b7";
@@ -69,6 +62,7 @@
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
     document.body.toggleAttribute("data-moved", JSON.stringify(numbers) !== given);
+    dispatchEvent(new Event("numbers")); // the tools may show them in other units
   };
 
   document.addEventListener("input", ({ target }) => {

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import SECTIONS
+from vstatics.report.tools.marks import POWERS
 from vstatics.tables.grid import Cell, Grid
 from vstatics.tables.quantities import QUANTITIES
 
@@ -46,17 +47,6 @@ def marked(grid: Grid) -> Grid:
     return grid
 
 
-_POWERS = {
-    "ideal": "power",
-    "with losses": "lossy_power",
-    "kW": "lossy_power_kW",
-    "loss": "power_loss",
-    "loss, kW": "power_loss_kW",
-    "share, %": "loss_share",
-}
-"""Columns of the table of powers of a gear, and what their numbers are."""
-
-
 def marked_powers(grid: Grid, gear: str) -> Grid:
     """The table of powers of a gear with marks; rows are ``link ring``, ``mechanism P1.sun``.
 
@@ -73,7 +63,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
     [None, 'link 1', 'link 2', None, 'mechanism pair', 'mechanism pair.first']
     """
     kinds = {heading: kind for kind, heading in SECTIONS.items()}
-    names = [_POWERS.get(one.heading, "") for one in grid.columns]
+    names = [POWERS.get(one.heading, "") for one in grid.columns]
     kind, owner, rows = "", "", []
     for level, row in zip(grid.levels, grid.cells, strict=True):
         own = row[0].text

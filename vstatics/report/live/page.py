@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,12 +22,15 @@ from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as runs
 from vstatics.report.sections import Part, sections
+from vstatics.report.tools import toolbar
+from vstatics.report.tools.toolbar import compact
 from vstatics.tables.html import Markup, joined, tag
 
 _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
+_LINES, _HUNDREDTHS = re.compile(r' d="[^"]*"'), re.compile(r"\d+\.\d\d+")
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -54,7 +56,8 @@ def live_page(material: Material) -> str:
     known = lowered(case) | {"digits": material.digits}
     fields = [*live_fields(case, known["numbers"])]
     revert = tag("button", "Revert", id="revert", type="button")
-    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert])
+    told = toolbar.tools_of(case, digits=material.digits)
+    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert, told])
     texts: dict[str, int] = {}
     shown = (
         one._replace(shown=[_shortened(each, texts) for each in one.shown])
@@ -65,14 +68,17 @@ def live_page(material: Material) -> str:
     moves = material.run is not None and bool(material.run.moves)
     frame = PageFrame(
         choice=choice(material),
-        panel=tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
-        scripts=runs.SCRIPTS if moves else (),
+        panel=joined(
+            toolbar.toolbar(),
+            tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        ),
+        scripts=[toolbar.SCRIPT, *(runs.SCRIPTS if moves else ())],
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
             *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
         ),
-        style=joined(_resource("live.css"), runs.STYLE if moves else ""),
+        style=joined(toolbar.STYLE, _resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
     return framed(title, about(material), parts, material.document, frame)
@@ -94,7 +100,20 @@ def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
         ]
         return f' data-marks="{" ".join(map(str, [*places, number]))}"'
 
-    return Markup(_MARKS.sub(short, shown))
+    return Markup(_MARKS.sub(short, _coarser(shown)))
+
+
+def _coarser(shown: str) -> str:
+    """Lines of pictures to a tenth of a point, which is enough for a screen: they are long.
+
+    >>> _coarser('<path d="M103.56 0L18.02 7.1" /><td>103.56</td>')
+    '<path d="M103.6 0L18 7.1"/><td>103.56</td>'
+    """
+
+    def rounded(found: re.Match[str]) -> str:
+        return _HUNDREDTHS.sub(lambda one: f"{float(one[0]):.1f}".removesuffix(".0"), found[0])
+
+    return _LINES.sub(rounded, shown).replace('" />', '"/>')
 
 
 def live_fields(case: Transmission, numbers: Mapping[str, float]) -> Iterator[PageField]:
@@ -120,8 +139,7 @@ def _units(case: Transmission, gear: Any) -> Iterator[tuple[str, str]]:
 
 def _data(known: Mapping[str, Any]) -> Markup:
     """Plain data within a script; no text of the case ends it, and NaN is null."""
-    text = json.dumps(_finite(known), ensure_ascii=False, allow_nan=False)
-    return Markup(text.replace("<", "\\u003c"))
+    return compact(_finite(known))
 
 
 def _finite(data: Any) -> Any:
