@@ -5,6 +5,7 @@ The box: a set of ratio u = -78/30 whose ring is held has the ratio 1 - u betwee
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import signal
@@ -38,21 +39,25 @@ def _ended() -> Iterator[None]:
 
 
 class Program:
-    """`vstatics serve`, as a process of its own."""
+    """`vstatics serve`, as a process group of its own."""
 
     def __init__(self, file: Path, *words: str) -> None:
         self.file = file
         command = [sys.executable, "-m", "vstatics", *(words or ["serve"]), str(file)]
         self.process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
         )
         assert self.process.stdout is not None
         started.append(self)
         self.address = self.process.stdout.readline().strip()
 
     def end(self) -> tuple[int, str]:
-        """End it by Ctrl-C: its status, and what it said."""
-        self.process.send_signal(signal.SIGINT)
+        """End it by Ctrl-C, as a terminal sends it to all its processes: its status, its words."""
+        os.killpg(self.process.pid, signal.SIGINT)
         _, said = self.process.communicate(timeout=20)
         return self.process.returncode, said
 
@@ -97,6 +102,17 @@ class Window:
     def field(self, path: str) -> str:
         """What stands in a field."""
         return str(self.page.input_value(f'input.field[data-path="{path}"]'))
+
+    def sections(self) -> list[str]:
+        """The headings of all sections, which are those of the contents, too."""
+        found: list[str] = self.page.locator("main > section > h2").all_text_contents()
+        assert self.page.locator(".contents a").all_text_contents() == found
+        return found
+
+    def top(self, section: str) -> float:
+        """How far below the top of the window a section begins."""
+        place = f"document.getElementById('{section}').getBoundingClientRect().top"
+        return float(self.page.evaluate(place))
 
     def shows(self, *names: str) -> set[str]:
         """Which of the parts of the panel are in sight."""
@@ -197,12 +213,11 @@ def test_a_file_that_is_saved_is_shown_without_losing_the_place(
     here.page.click('.chooser a[data-choose="direct"]')
     here.page.evaluate("document.getElementById('tables').scrollIntoView()")
     here.page.wait_for_timeout(300)
-    before = here.page.evaluate("document.getElementById('tables').getBoundingClientRect().top")
+    before = here.top("tables")
     program.file.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
     here.has_ratio(3)
     here.page.wait_for_timeout(300)
-    after = here.page.evaluate("document.getElementById('tables').getBoundingClientRect().top")
-    assert abs(after - before) < 40
+    assert abs(here.top("tables") - before) < 40
     assert here.page.evaluate("location.hash") == "#gear=direct"
     assert here.page.get_attribute(".chooser [aria-current]", "data-choose") == "direct"
     assert float(here.field("P1.ratio")) == -2
@@ -279,6 +294,50 @@ def test_a_page_whose_program_has_ended_says_so(
     here.state("gone")
     assert here.field("P1.ratio") == "-3"
     assert here.page.is_visible(".when-gone")
+
+
+@pytest.mark.parametrize("seconds", [0, 0.1, 0.3, 0.5])
+def test_ctrl_c_ends_it_without_a_word_also_while_processes_start(
+    program: Program, seconds: float
+) -> None:
+    time.sleep(seconds)
+    assert program.end() == (0, "")
+
+
+def test_sections_come_and_go_with_a_number_without_a_new_page(
+    browser: Any, tmp_path: Path
+) -> None:
+    """A split of other speeds has no shifts whose work could be told: that section leaves."""
+    file = tmp_path / "power-split.yaml"
+    shutil.copy(CASES / file.name, file)
+    running = Program(file)
+    here = Window(browser, running)
+    before = here.sections()
+    here.page.evaluate("window.same = true")
+    here.page.evaluate("document.getElementById('conventions').scrollIntoView()")
+    top = here.top("conventions")
+    original = here.field("power split.ratio")
+    field = "document.querySelector('input.field[data-path=\"power split.ratio\"]')"
+    here.page.evaluate(
+        f"{field}.value = 1.5; {field}.dispatchEvent(new Event('input', {{ bubbles: true }}))"
+    )
+    here.until("!document.getElementById('shifts')")
+    assert here.sections() == [one for one in before if one != "Shifts"]
+    assert abs(here.top("conventions") - top) < 40
+    assert here.page.locator(".save", has_text="JSON").count() == 1
+    here.type("power split.ratio", original)
+    here.until("document.getElementById('shifts')")
+    assert here.sections() == before
+    assert here.page.evaluate("window.same")
+    here.type("power split.ratio", "1.5")
+    here.until("!document.getElementById('shifts')")
+    revision = int(here.page.get_attribute("html", "data-revision"))
+    here.page.reload()  # edits stay, and are shown at once
+    here.page.wait_for_selector("html[data-ready]")
+    here.until("!document.getElementById('shifts')")
+    assert int(here.page.get_attribute("html", "data-revision")) > revision
+    assert here.field("power split.ratio") == "1.5"
+    here.context.close()
 
 
 def test_a_run_is_on_the_page_of_its_scenario(browser: Any, tmp_path: Path) -> None:
