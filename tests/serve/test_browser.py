@@ -9,6 +9,7 @@ import re
 import shutil
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -253,17 +254,27 @@ def test_a_ten_speed_shows_its_numbers_soon_after_a_save(browser: Any, tmp_path:
     shutil.copy(CASES / file.name, file)
     running = Program(file, "report", "--watch")
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[\w-]{22,}/", running.address)
+    begin = time.monotonic()
     here = Window(browser, running)
-    text, took = file.read_text("utf-8"), []
-    for sun in range(46, 52):
+    first, text = time.monotonic() - begin, file.read_text("utf-8")
+    took: dict[str, list[float]] = {"first page": [first], "save": [], "field": []}
+
+    def shown_after(kind: str, work: Callable[[], object]) -> None:
+        """Wait until something that is done shows."""
         before = here.page.get_attribute("html", "data-revision")
-        assert before is not None
         begin = time.monotonic()
-        file.write_text(text.replace("sun: 45", f"sun: {sun}"), encoding="utf-8")
+        work()
         here.until(f"document.documentElement.dataset.revision !== '{before}'")
-        took.append(time.monotonic() - begin)
-        here.page.wait_for_timeout(100)
+        took[kind].append(time.monotonic() - begin)
+        here.page.wait_for_timeout(200)
+
+    for sun in range(46, 52):
+        new = text.replace("sun: 45", f"sun: {sun}")
+        shown_after("save", partial(file.write_text, new, encoding="utf-8"))
+    for ring in range(90, 94):
+        shown_after("field", partial(here.type, "P1.teeth.ring", str(ring)))
     here.context.close()
     assert running.end() == (0, "")
-    print("seconds from a save to its numbers:", *(f"{one:.3f}" for one in took))  # noqa: T201
-    assert min(took) < 2  # a machine that does nothing else takes less than 0.3 s
+    for kind, times in took.items():
+        print(f"{kind}:", *(f"{one:.3f}" for one in times), "s")  # noqa: T201
+    assert min(took["save"]) < 2  # a machine that does nothing else takes less than 0.3 s
