@@ -129,6 +129,11 @@ def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
     return printed(joined(*part.shown), _names(document.get("case")))
 
 
+def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
+    """A section with its heading, as it stands on the page of a document."""
+    return printed(_section(part), _names(document.get("case")))
+
+
 def _section(part: Part) -> Markup:
     look = False if part.is_printed else SCREEN
     return tag("section", tag("h2", part.name), *part.shown, id=_id(part.name), class_=look)

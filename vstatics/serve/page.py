@@ -10,7 +10,7 @@ from typing import Any
 
 from vstatics.errors import Problem, excerpt
 from vstatics.report.asked import AskedPage
-from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, shown_alone
+from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, section_alone
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
@@ -78,8 +78,8 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """What stands below the heading of each section, by the headings."""
-    return {part.name: shown_alone(part, material.document) for part in parts}
+    """Each section by its heading."""
+    return {part.name: section_alone(part, material.document) for part in parts}
 
 
 def told(problems: Iterable[Problem]) -> str:
