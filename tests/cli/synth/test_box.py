@@ -19,9 +19,9 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
-from vstatics.synthesis.boxes import pieces
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.search import pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 ASKED = ("--sets", 1, "--elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
@@ -284,7 +284,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.search.work.MOST_FOUND", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err
@@ -308,7 +308,14 @@ Options = tuple[object, ...]
         (("--bounds", "1.4"), "--bounds: read 1.4:1.4"),
         (("--bounds", "a:b"), "--bounds: read `a:b`, expected LOW:HIGH, such as 1.4:5"),
         (("--bounds", "2:3,4:5"), "--bounds: read `2:3,4:5`, expected LOW:HIGH"),
-        (("--tolerance", "nan"), "--tolerance: read nan"),
+        (("--tolerance", "nan"), "--tolerance: read `nan`, expected a number"),
+        (("--tolerance", ".7"), "--tolerance: read `.7`, expected a number above 0, up to 0.5"),
+        (("--tolerance", ".1,.2"), "--tolerance: read `.2`, expected one number, and GEAR=T"),
+        (
+            ("--tolerance", "R=.1"),
+            "--tolerance: read `R`, but there is no such gear; expected 1 or",
+        ),
+        (("--ratios", "2:-3"), "--ratios: read `2:-3`, expected two different ratios of one sign"),
         (("--efficiency", 0), "--efficiency: read 0, expected a number above 0, up to 1"),
         (("--efficiency", "nan"), "--efficiency: read nan"),
         (("--meshed", 2), "--meshed: read 2, expected 0 to 1"),

@@ -11,21 +11,22 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.elements import PortGears
-from vstatics.synthesis.boxes.engaged import (
+from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
+from vstatics.synthesis.boxes.search.elements import PortGears
+from vstatics.synthesis.boxes.search.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
 )
-from vstatics.synthesis.boxes.joining import set_room
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
-from vstatics.synthesis.boxes.ranges import lines
-from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
-from vstatics.synthesis.boxes.set_ratios import Asked
-from vstatics.synthesis.boxes.shifts import neighbours
-from vstatics.synthesis.boxes.solving import cell_room
+from vstatics.synthesis.boxes.search.joining import set_room
+from vstatics.synthesis.boxes.search.kernel import Room, boxes_of_ports
+from vstatics.synthesis.boxes.search.ranges import lines
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.shifts import neighbours
+from vstatics.synthesis.boxes.search.solving import cell_room
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
 PORTS_AT_ONCE = 100
@@ -121,7 +122,7 @@ class _PortSearch:
         counts = search.brake_counts
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
-        self.shifts = neighbours(search.targets if search.singly else ())
+        self.shifts = _shifts(search)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -191,9 +192,15 @@ _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
 def _asked(search: BoxSearch) -> Asked:
     """What is asked, as arrays."""
     targets = np.array(search.targets, dtype=float)
-    factor = math.exp(search.tolerance + TARGET_MARGIN)
-    ends = np.sort([targets / factor, targets * factor], axis=0)
-    return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
+    widths = np.array(search.widths)
+    factors = np.exp(widths + TARGET_MARGIN)
+    ends = np.sort([targets / factors, targets * factors], axis=0)
+    return Asked(targets, ends[0], ends[1], widths, *search.bounds)
+
+
+def _shifts(search: BoxSearch) -> Integers:
+    """The targets between which one element is to change."""
+    return neighbours(search.targets if search.singly else ())
 
 
 @lru_cache(maxsize=32)
@@ -204,7 +211,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
-        cells=cell_room(table, asked, sets),
+        cells=cell_room(table, asked, sets, _shifts(search)),
         gears=np.zeros((most, targets), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),

@@ -12,10 +12,10 @@ from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
-from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.search import pieces as box_pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 MOST_FOUND = 1_000_000
@@ -61,6 +61,7 @@ def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
     """What a search is, for its directory of pieces and for whoever looks into that."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
+    asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
     named = {_OPTIONS.get(name, name): value for name, value in asked.items()}
     text = json.dumps([named, pieces, build()])
