@@ -12,7 +12,7 @@ from tests.synthesis.boxes.listed_boxes import many, simpson
 from vstatics import CaseError
 from vstatics.report import boxes
 from vstatics.report.boxes import box_pages, boxes_page
-from vstatics.synthesis.boxes.listing import listing_of
+from vstatics.synthesis.boxes.reading import listing_of
 
 
 def page(document: dict[str, Any], digits: int | None = None) -> str:

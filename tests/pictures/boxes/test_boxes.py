@@ -23,8 +23,10 @@ from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import box_case, box_is_planar
-from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
+from vstatics.synthesis.boxes.figures.case import box_case
+from vstatics.synthesis.boxes.figures.planar import box_is_planar
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import listing_of
 
 
 def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:

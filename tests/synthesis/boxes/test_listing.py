@@ -10,8 +10,9 @@ import pytest
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import ReadError
-from vstatics.synthesis.boxes.figures import box_case
-from vstatics.synthesis.boxes.listing import drawn_boxes, is_listing, listing_of, read_document
+from vstatics.synthesis.boxes.figures.case import box_case
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import is_listing, listing_of, read_document
 
 
 def read(document: Any) -> Any:
