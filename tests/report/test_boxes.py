@@ -44,6 +44,26 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     assert 'id="box-1"' in html
 
 
+def test_boxes_of_one_core_are_one_row_that_unfolds() -> None:
+    document = many(5)
+    for box, core in zip(document["boxes"], [1, 2, 1, 1, 3], strict=True):
+        box["core"] = core
+    html = page(document)
+    own = rows(html, "boxes")
+    assert [re.findall("box-([0-9]+)", row) for row in own] == [["1", "3", "4"], ["2"], ["5"]]
+    assert "<summary>2</summary>" in own[0]
+
+
+def test_a_box_unfolds_to_its_figures_by_gear() -> None:
+    html = page(simpson())
+    inner = html.partition("<summary>Torques, slips, speeds")[2].partition("</details>")[0]
+    listed = simpson()["boxes"][0]
+    assert html.count("<details>") == 1
+    for name, torque in listed["gears"]["R"]["torques"].items():
+        assert f'data-value="{torque!r}"'.replace('.0"', '"') in inner, name
+    assert "known as simpson" in words(html)
+
+
 @pytest.mark.slow
 def test_the_page_carries_the_document() -> None:
     found = re.search('<script type="application/json" id="result">(.*?)</script>', page(simpson()))

@@ -32,22 +32,22 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
     for box in listing.boxes[:most]:
         cores.setdefault(box.core, []).append(box)
     numbers = ("family", "loss [%]", "torque", "drag", "planet speed", "slip", "error [%]")
-    counts = ("brakes", "clutches", "skip shifts")
+    front = (*numbers, "brakes", "clutches")
     signs = (Column(one, is_sign=True) for one in ("Pareto", "single", "planar"))
-    names = ("code", "elements", "known", "locked otherwise")
+    names = ("locked otherwise", "known as")
     rows: list[Values] = [
         (
-            _named(box, drawn),
+            *(_named(box, drawn), _variants(others, drawn), box.known or ""),
             box.family,
             100 * box.loss,
             *(box.torque, box.drag, box.planet_speed, box.slip, 100 * box.error),
-            *(box.brakes, box.clutches, box.skip_shifts),
+            *(box.brakes, box.clutches),
             *map(_mark, (box.pareto, box.single, box.planar)),
-            *(box.code, " ".join(box.elements), box.known or "", _variants(others, drawn)),
+            *(box.code, " ".join(box.elements)),
         )
         for box, *others in cores.values()
     ]
-    headings: list[str | Column] = ["box", *numbers, *counts, *signs, *names]
+    headings: list[str | Column] = ["box", *names, *front, *signs, "code", "elements"]
     return grid_of("Boxes in their order", headings, rows, optional=names)
 
 

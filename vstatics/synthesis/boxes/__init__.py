@@ -6,6 +6,6 @@ which sets of elements may give all (`joining` what comes into one next, `matchi
 whose, `shifts` whether one element may change at a time), `solving` with which ratios
 (`set_ratios` nearest to the targets), all of it compiled and put together in `kernel`, in
 `pieces`, which `work` hands out and keeps. A found box has a case and `figures` (with its
-`chosen_gears`), and a `least_form`; `choice` puts boxes in order, and is the whole search in
-Python. `grids` and `listing` tell of them.
+`chosen_gears`), and a `least_form`; `choice` puts boxes in order, by `grouping`, and is the whole
+search in Python. `grids` and `listing` tell of them; `reading` reads a listing back.
 """

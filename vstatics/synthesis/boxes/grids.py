@@ -132,7 +132,6 @@ def _of_families(boxes: Sequence[RankedBox]) -> Grid:
         first = own[0].found
         losses = [100 * box.found.figures.loss for box in own]
         ends = (exact(min(losses), 2), exact(max(losses), 2), 100 * first.figures.error)
-        cores = len({box.core for box in own})
-        rows.append((family, len(own), cores, *ends, *(gear.ratio for gear in first.gears)))
-    columns = ("family", "boxes", "cores", "loss from [%]", "to [%]", "error [%]")
+        rows.append((family, len(own), *ends, *(gear.ratio for gear in first.gears)))
+    columns = ("family", "boxes", "loss from [%]", "to [%]", "error [%]")
     return grid_of("Families", [*columns, *(gear.name for gear in boxes[0].found.gears)], rows)
