@@ -59,7 +59,7 @@ def test_a_held_link_and_meshed_planets_are_drawn() -> None:
         svg = written(figure, "svg", Style(), "box")
     assert list(wires(svg)).count("housing") == 1
     said = {text.get_text() for text in figure.texts}
-    assert {"P1", "P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
+    assert {"P1-P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
     assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
 
 

@@ -24,6 +24,7 @@ from tests.synthesis.boxes.hand_boxes import (
 from vstatics import load, solve
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, set_ratios
+from vstatics.synthesis.boxes.figures.case import box_case
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.figures.planar import box_is_planar
 from vstatics.synthesis.structures.scheme import SetScheme
@@ -71,7 +72,7 @@ def test_figures_are_those_of_exact_fractions(name: str) -> None:
     search, box = BUILT[name]
     short = box._replace(ratios=tuple(round(ratio, 2) for ratio in box.ratios))
     found = measured(search, short, 0.97)
-    gears = oracle.solve(found.case)
+    gears = oracle.solve(box_case(found.box, found.targets, 0.97))
     figures = found.figures
     losses = [1 - gear.efficiency for gear in gears if gear.ratio > 0 and gear.efficiency]  # type: ignore[operator]
     assert figures.loss == pytest.approx(float(sum(losses) / len(losses)), rel=1e-9)

@@ -30,6 +30,9 @@ def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
     case = found.case
     results = solve(case)
     names = [element.name for element in case.shift_elements]
+    devices = case.own_devices
+    turning = [planet.name for device in devices for planet in device.planets]
+    names_of_planets = [name.removesuffix(".planet") for name in turning]
     for row, (gear, own, flow) in enumerate(
         zip(found.gears, case.gears, flows(results), strict=True)
     ):
@@ -44,11 +47,19 @@ def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
                 else (results.slip_speeds, figures.slips)
             )
             assert table[name] == near(solved[row][place])
-        for place, mechanism in enumerate(case.mechanisms):
-            carrier = results.speeds[row][mechanism.third - 1] if mechanism.third else 0.0
-            assert figures.carriers[mechanism.name] == near(carrier)
-            assert figures.planets[mechanism.name] == near(results.planet_speeds[row][place])
-            assert figures.losses[mechanism.name] == near(results.losses[row][place])
+        lost = dict(zip([one.name for one in devices], results.losses[row], strict=True))
+        planets = dict(zip(names_of_planets, results.planet_speeds[row], strict=True))
+        speeds = dict(zip(case.link_names, results.speeds[row], strict=True))
+        for name, (_, carrier, _) in zip(found.ratios, found.box.scheme.sets, strict=True):
+            whole = next((pair for pair in found.ravigneaux if name in found.ravigneaux[pair]), "")
+            assert figures.carriers[name] == near(speeds.get(f"L{carrier}", 0.0))
+            if not whole:
+                assert figures.planets[name] == near(planets[name])
+                assert figures.losses[name] == near(lost[name])
+            elif name == found.ravigneaux[whole][0]:
+                assert figures.planets[name] == near(planets[f"{whole}.long"])
+                both = found.ravigneaux[whole]
+                assert sum(figures.losses[one] for one in both) == near(lost[whole])
         assert math.fsum(figures.losses.values()) == near(1 - results.efficiency[row])
         assert flow.shown is not None
         assert figures.circulating == near(flow.shown.circulating)

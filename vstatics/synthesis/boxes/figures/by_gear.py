@@ -119,11 +119,11 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
         if name not in names
     ]
     problems += [
-        Problem("E797", f"{name}: read {weight:g}, expected a number, 0 or above", ("weights",))
+        Problem("E796", f"{name}: read {weight:g}, expected a number, 0 or above", ("weights",))
         for name, weight in weights.items()
         if not 0 <= weight < math.inf
     ]
     if not problems and not any(weights.get(name, 1.0) for name in names):
-        problems = [Problem("E797", "read 0 for all gears, expected one above 0", ("weights",))]
+        problems = [Problem("E796", "read 0 for all gears, expected one above 0", ("weights",))]
     if problems:
         raise CaseError(problems)

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import combinations
 
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.element import Element
+from vstatics.elements.kinds import RAVIGNEAUX
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
@@ -71,6 +75,72 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
         description=f"{assumed}, as assumed. {inertia}",
         inertias={number[box.input]: INERTIA, number[box.output]: INERTIA},
     )
+
+
+def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
+    """The case of a box with its Ravigneaux sets as such, of which ratios are known, no teeth.
+
+    Speeds, torques and losses are the same; what goes round within a set is not told apart.
+
+    Parameters
+    ----------
+    box : FoundBox
+    case : Transmission
+        Of `box_case`.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2-3-1-2"), None, 3, 2, ((1, HELD), (0, HELD)),
+    ...                (-2.0, 2.5), ((0,), (1,)), 0.0)
+    >>> case = drawn_case(box, box_case(box, [2.5, 1.5], 0.98))
+    >>> case.drawing.elements[0].kind, [one.name for one in case.mechanisms]
+    ('ravigneaux', ['P1-P2.small_sun-ring', 'P1-P2.large_sun-ring'])
+    """
+    pairs = ravigneaux_sets(box)
+    if not pairs:
+        return case
+    sets = {one.name: one for one in case.mechanisms}
+    elements = tuple(
+        _ravigneaux(name, sets.pop(plain), sets.pop(meshed))
+        for name, (plain, meshed) in pairs.items()
+    )
+    drawing = Drawing(case.links, elements, tuple(sets.values()))
+    return case.replace(mechanisms=(), drawing=drawing)
+
+
+def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
+    """The element that two sets are, each with one efficiency."""
+    members = {"small_sun": meshed.first, "large_sun": plain.first}
+    members |= {"ring": plain.second, "carrier": plain.third}
+    ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
+    return Element(name, RAVIGNEAUX, members, efficiency=plain.efficiency, ratios=ratios)
+
+
+def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
+    """By name the two sets of a box that are one Ravigneaux set, the plain one first.
+
+    They share carrier and ring, the planets of one mesh, and its sun is the smaller one.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2-3-1-2"), None, 3, 2, (), (2.5, -2.0), (), 0.0)
+    >>> ravigneaux_sets(box), ravigneaux_sets(box._replace(ratios=(2.5, -3.0)))
+    ({'P2-P1': ('P2', 'P1')}, {})
+    """
+    pairs = {}
+    taken: set[int] = set()
+    sets = [*enumerate(zip(box.scheme.sets, box.ratios, strict=True))]
+    for one, other in combinations(sets, 2):
+        plain, meshed = sorted((one, other), key=lambda own: own[1][1])
+        (first, (links, ratio)), (second, (others, more)) = plain, meshed
+        is_one = links[1:] == others[1:] and ratio < 0 < -ratio < more
+        if is_one and taken.isdisjoint((first, second)):
+            taken |= {first, second}
+            names = set_name(first + 1), set_name(second + 1)
+            pairs["-".join(names)] = names
+    return pairs
 
 
 def planet_ratio(ratio: float) -> float:

@@ -1,11 +1,10 @@
-"""What a found box is called: a gearbox that is built, a Ravigneaux set."""
+"""What a found box is called: the gearbox that is built."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from functools import cache
-from itertools import combinations
 from typing import Any, NamedTuple
 
 from vstatics.examples import example, example_files
@@ -13,7 +12,6 @@ from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, equal_sets
 from vstatics.synthesis.boxes.figures.built import built_box
 from vstatics.synthesis.boxes.least_form import identity, least_forms
-from vstatics.synthesis.gears.case_of_scheme import set_name
 
 FAR_DECIMALS = 6
 """Ratios of sets that agree in so many are the same: they may be fitted."""
@@ -74,27 +72,3 @@ def _known() -> Mapping[tuple[Any, ...], list[_KnownBox]]:
             own = _KnownBox(name, frozenset(form.gears), form.ratios, left_out)
             found.setdefault(identity(form), []).append(own)
     return found
-
-
-def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
-    """By name the two sets of a box that are one Ravigneaux set, the plain one first.
-
-    They share carrier and ring, the planets of one mesh, and its sun is the smaller one.
-
-    Examples
-    --------
-    >>> ravigneaux_sets(built_box(example("ravigneaux-aod")))
-    {'P2-P1': ('P2', 'P1')}
-    """
-    pairs = {}
-    taken: set[int] = set()
-    sets = [*enumerate(zip(box.scheme.sets, box.ratios, strict=True))]
-    for one, other in combinations(sets, 2):
-        plain, meshed = sorted((one, other), key=lambda own: own[1][1])
-        (first, (links, ratio)), (second, (others, more)) = plain, meshed
-        is_one = links[1:] == others[1:] and ratio < 0 < -ratio < more
-        if is_one and taken.isdisjoint((first, second)):
-            taken |= {first, second}
-            names = set_name(first + 1), set_name(second + 1)
-            pairs["-".join(names)] = names
-    return pairs

@@ -25,10 +25,12 @@ from vstatics.synthesis.boxes.figures.by_gear import (
 from vstatics.synthesis.boxes.figures.case import (
     box_case,
     box_element_name,
+    drawn_case,
     element_links,
     planet_ratio,
+    ravigneaux_sets,
 )
-from vstatics.synthesis.boxes.figures.known import known_name, ravigneaux_sets
+from vstatics.synthesis.boxes.figures.known import known_name
 from vstatics.synthesis.boxes.figures.planar import box_is_planar
 from vstatics.synthesis.boxes.figures.shifting import beyond, one_way, reversing, skip_shifts
 from vstatics.synthesis.boxes.least_form import least_box
@@ -75,7 +77,7 @@ class MeasuredBox(NamedTuple):
     @property
     def case(self) -> Transmission:
         """The box as a case, made when it is asked for."""
-        return box_case(self.box, self.targets, self.efficiency)
+        return drawn_case(self.box, box_case(self.box, self.targets, self.efficiency))
 
 
 def measured(
@@ -122,7 +124,13 @@ def measured(
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
     sets = _chosen(least, targets, solved)
-    by_gear = with_drag([_of_gear(least, one, solved(one)) for one in sets])
+    drawn = drawn_case(least, case)
+    by_gear = with_drag(
+        [
+            _of_gear(least, case, one, solved(one))._replace(circulating=_circulating(drawn, one))
+            for one in sets
+        ]
+    )
     gears = tuple(
         BoxGear(
             names[place],
@@ -149,8 +157,14 @@ class _SolvedGear(NamedTuple):
     loss: float
     torque: float
     """The largest one. [-]"""
-    state: GearState
     values: Mapping[str, Any]
+
+
+def _state_of(case: Transmission, engaged: Engaged) -> GearState:
+    """The gear of a case that engages some elements, numbers from 0."""
+    ratios = [one.ratio for one in case.mechanisms]
+    efficiencies = [one.efficiency for one in case.mechanisms]
+    return find_state(case, Gear([number + 1 for number in engaged]), ratios, efficiencies)
 
 
 _Solved = Callable[[Engaged], _SolvedGear]
@@ -158,19 +172,16 @@ _Solved = Callable[[Engaged], _SolvedGear]
 
 def _solved(case: Transmission) -> _Solved:
     """What the solver has of a gear of a case by its engaged elements, each calculated once."""
-    ratios = [one.ratio for one in case.mechanisms]
-    efficiencies = [one.efficiency for one in case.mechanisms]
 
     @cache
     def solved(engaged: Engaged) -> _SolvedGear:
-        state = find_state(case, Gear([number + 1 for number in engaged]), ratios, efficiencies)
+        state = _state_of(case, engaged)
         found = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
         efficiency = found["efficiency"]
         return _SolvedGear(
             ratio=found["ratio"],
             loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # nothing comes through
             torque=_largest(found["torques"][number] for number in engaged),
-            state=state,
             values=found,
         )
 
@@ -182,9 +193,11 @@ def _largest(numbers: Iterable[float]) -> float:
     return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
 
 
-def _of_gear(box: FoundBox, engaged: Engaged, solved: _SolvedGear) -> GearFigures:
-    """The figures of a gear, but for its drag, which needs those of the others."""
-    values, case = solved.values, solved.state.case
+def _of_gear(
+    box: FoundBox, case: Transmission, engaged: Engaged, solved: _SolvedGear
+) -> GearFigures:
+    """The figures of a gear, but for its drag, which needs those of the others, and circulation."""
+    values = solved.values
     held = range(len(box.elements))
     is_open = [number for number in held if number not in engaged]
     sets = [set_name(number) for number in range(1, len(box.ratios) + 1)]
@@ -199,16 +212,21 @@ def _of_gear(box: FoundBox, engaged: Engaged, solved: _SolvedGear) -> GearFigure
         names = (box_element_name(box.elements[number]) for number in chosen)
         return without_noise(names, (values[name][number] for number in chosen))
 
-    flow = shown_flow(solved.state)
     return GearFigures(
         torques=of(engaged, "torques"),
         slips=of(is_open, "slip_speeds"),
         carriers=without_noise(sets, carriers),
         planets=without_noise(sets, planets),
         losses=without_noise(sets, values["losses"]),
-        circulating=math.nan if flow is None else flow.circulating,
+        circulating=math.nan,
         drag=math.nan,
     )
+
+
+def _circulating(case: Transmission, engaged: Engaged) -> float:
+    """Power that goes round in a gear, as far as it is not within one set."""
+    flow = shown_flow(_state_of(case, engaged))
+    return math.nan if flow is None else flow.circulating
 
 
 def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequence[Engaged]:
