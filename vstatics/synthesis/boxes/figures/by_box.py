@@ -12,15 +12,15 @@ class BoxFigures(NamedTuple):
     """By what boxes are compared: the less the better, and two that are so or not."""
 
     error: float
-    """The largest |ln(i/target)|. [-]"""
+    """The largest ``|ln(i/target)|``. [-]"""
     loss: float
     """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
     planet_speed: float
-    """The largest |speed of a planet against its carrier|/input speed of all gears. [-]"""
+    """The largest speed of a planet against its carrier/input speed of all gears. [-]"""
     slip: float
-    """The largest |slip| of an open element/input speed. [-]"""
+    """The largest ``|slip|`` of an open element/input speed. [-]"""
     torque: float
-    """The largest |torque| of an engaged element/input torque, without losses. [-]"""
+    """The largest ``|torque|`` of an engaged element/input torque, without losses. [-]"""
     brakes: int
     clutches: int
     drag: float

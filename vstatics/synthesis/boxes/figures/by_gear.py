@@ -28,7 +28,7 @@ class GearFigures(NamedTuple):
     circulating: float
     """Power that goes round, with losses. [-]"""
     drag: float
-    """The sum over open elements of |slip| times capacity. [-]"""
+    """The sum over open elements of ``|slip|`` times capacity. [-]"""
 
 
 class BoxGear(NamedTuple):
