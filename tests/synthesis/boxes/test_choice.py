@@ -21,10 +21,12 @@ from tests.synthesis.boxes.hand_boxes import (
 from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, LIMITED, FoundBox
-from vstatics.synthesis.boxes.choice import PARETO, BoxFilter, RankedBox, pareto, ranked
-from vstatics.synthesis.boxes.figures import MeasuredBox, measured
+from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.choice import BoxFilter, RankedBox, ranked
+from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
+from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box
 from vstatics.synthesis.structures.growth import FoundScheme
@@ -162,11 +164,8 @@ def test_pareto_list_is_that_of_all_pairs() -> None:
         (BoxFilter(single=True, planar=True, brakes=(2,), clutches=(1, 3)), True),
         (BoxFilter(brakes=(1, 3)), False),
         (BoxFilter(clutches=(2,)), False),
-        *((BoxFilter(limits={name: getattr(EIGHT.figures, name)}), True) for name in LIMITED),
-        *(
-            (BoxFilter(limits={name: getattr(EIGHT.figures, name) * 0.99}), False)
-            for name in LIMITED
-        ),
+        *((BoxFilter(limits={name: EIGHT.figures.number(name)}), True) for name in LIMITED),
+        *((BoxFilter(limits={name: EIGHT.figures.number(name) - 1e-3}), False) for name in LIMITED),
     ],
 )
 def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
@@ -203,7 +202,7 @@ def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
 
 
 def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
-    boxes = [RankedBox(EIGHT, 1, pareto=True), RankedBox(EIGHT, 1, pareto=False)]
+    boxes = [RankedBox(EIGHT, 1, 1, pareto=True), RankedBox(EIGHT, 1, 2, pareto=False)]
     counts, best, schemes, families = box_grids(7, boxes, 3)
     assert counts.texts == [
         ["searched", "7"],

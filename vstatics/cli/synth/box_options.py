@@ -10,22 +10,36 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.cli.frame.options import gathered
-from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
+from vstatics.cli.frame.values import (
+    each,
+    named,
+    pair,
+    separated,
+    told,
+    value,
+    wrong_use,
+    wrong_value,
+)
 from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
-from vstatics.errors import nearest, plural, quoted, spoken, typed_number
+from vstatics.errors import plural, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
+from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search
+from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
+from vstatics.synthesis.boxes.figures.by_gear import check_weights
+from vstatics.synthesis.gears.case_of_scheme import names_of_mean
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter
 
 
 class BoxAsked(NamedTuple):
-    """A search, and which of the found boxes are told."""
+    """A search, and which of the found boxes are told in which order."""
 
     search: BoxSearch
     efficiency: float
     wanted: BoxFilter
+    order: BoxOrder
+    weights: Mapping[str, float]
 
 
 class WantedFigures(NamedTuple):
@@ -56,7 +70,12 @@ class WantedFigures(NamedTuple):
 
 
 def _asked(
-    search: BoxSearch, gears: WantedGears, efficiency: float, figures: WantedFigures
+    search: BoxSearch,
+    gears: WantedGears,
+    efficiency: float,
+    figures: WantedFigures,
+    order: BoxOrder,
+    weights: Mapping[str, float],
 ) -> BoxAsked:
     """What the options ask for.
 
@@ -65,10 +84,17 @@ def _asked(
     UsageError
     """
     search = search._replace(**gears._asdict())
-    with wrong_use(("ratios", *BoxSearch._fields)):
+    with wrong_use(("ratios", *BoxSearch._fields, *BoxOrder._fields, "weights")):
         check_box_search(search)
+        order.check()
+        check_weights(names_of_mean(search.targets), weights)
     wanted = figures.of_boxes(search.elements)
-    return BoxAsked(wanted.narrowed(search), efficiency, wanted)
+    return BoxAsked(wanted.narrowed(search), efficiency, wanted, order, weights)
+
+
+def _names(texts: Sequence[str]) -> tuple[str, ...]:
+    """Names of figures, each once."""
+    return tuple(dict.fromkeys(separated(texts)))
 
 
 def _efficiency(given: float) -> float:
@@ -82,8 +108,7 @@ def _limits(texts: Sequence[str]) -> dict[str, float]:
     found = named("FIGURE=X", number)(texts)
     for name, most in found.items():
         if name not in LIMITED:
-            hint = nearest(name, LIMITED) or f"; expected {spoken(LIMITED, 'or')}"
-            raise ValueError(f"read {quoted(name)}, but there is no such figure{hint}")
+            raise ValueError(no_figure(name, LIMITED))
         if math.isnan(most):
             raise ValueError(f"{name}: read {most}, expected a number")
     return found
@@ -201,6 +226,32 @@ options = gathered(
             metavar="FIGURE=X,...",
             help=f"No larger {spoken(LIMITED, 'or')}, such as loss=.05,torque=4.",
         ),
+    ),
+    gathered(
+        "order",
+        BoxOrder,
+        click.option(
+            "--sort",
+            multiple=True,
+            callback=value(_names, "--sort"),
+            metavar="FIGURE,...",
+            help="Those with less of it stand first.",
+        ),
+        click.option(
+            "--pareto",
+            multiple=True,
+            default=PARETO,
+            callback=value(_names, "--pareto"),
+            metavar="FIGURE,...",
+            help=f"The figures of the Pareto list: {spoken(PARETO, 'and')} when not given.",
+        ),
+    ),
+    click.option(
+        "--weights",
+        multiple=True,
+        callback=value(named("GEAR=WEIGHT", number), "--weights"),
+        metavar="GEAR=WEIGHT,...",
+        help="Of forward gears in the mean of the drag, such as 1=3; else 1.",
     ),
 )
 """The options of a search and its filters; the command gets `asked`."""

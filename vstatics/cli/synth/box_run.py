@@ -21,7 +21,7 @@ from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
 from vstatics.numerics.compiled import CACHE_TROUBLE
 from vstatics.synthesis.boxes.choice import family_count, ranked
-from vstatics.synthesis.boxes.figures import MeasuredBox
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox
 from vstatics.synthesis.boxes.search import pieces as box_pieces
 from vstatics.synthesis.boxes.search.work import (
     MOST_MEASURED,
@@ -48,7 +48,7 @@ class BoxRun(NamedTuple):
     @property
     def work(self) -> BoxWork:
         """What workers need to know."""
-        return BoxWork(self.asked.search, self.asked.efficiency)
+        return BoxWork(self.asked.search, self.asked.efficiency, self.asked.weights)
 
     def workers(self, items: int) -> Workers:
         """Who does so many pieces."""
@@ -153,7 +153,7 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
         for _, some in called.each(measure, portions(boxes)):
             measured += some
             advance(len(some))
-    chosen = ranked(asked.search, measured, asked.wanted)
+    chosen = ranked(asked.search, measured, asked.wanted, asked.order)
     return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
 
 

@@ -2,5 +2,6 @@
 
 `box` says what is asked for. `schemes` has the schemes, and `search` finds the boxes in them. A
 found box has a case and `figures` (with its `chosen_gears`), and a `least_form`; `choice` puts
-boxes in order, and is the whole search in Python. `grids` and `listing` tell of them.
+boxes in order, by `grouping`, and is the whole search in Python. `grids` and `listing` tell of
+them; `reading` reads a listing back.
 """

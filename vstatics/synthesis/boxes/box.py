@@ -1,4 +1,4 @@
-"""A box to be found: what is asked for, what can be, what a found one is, how it is judged."""
+"""A box to be found: what is asked for, what can be, what a found one is."""
 
 from __future__ import annotations
 
@@ -67,32 +67,6 @@ class BoxSearch(NamedTuple):
     def shafts(self) -> int:
         """Links that move, an input shaft of its own among them."""
         return self.links + self.own_input - bool(self.fixed)
-
-
-class BoxFigures(NamedTuple):
-    """By what boxes are compared: the less the better, and two that are so or not."""
-
-    error: float
-    """The largest ``|ln(i/target)|``. [-]"""
-    loss: float
-    """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
-    planet_speed: float
-    """The largest |speed of a planet against its carrier|/input speed of all gears [-]; NaN where
-    all sets have meshed planets, whose teeth it would need."""
-    slip: float
-    """The largest |slip| of an open element/input speed. [-]"""
-    torque: float
-    """The largest |torque| of an engaged element/input torque, without losses. [-]"""
-    brakes: int
-    clutches: int
-    single: bool
-    """Whether one element changes between neighbours."""
-    planar: bool
-    """Whether it can be drawn without shafts that cross."""
-
-
-LIMITED = tuple(name for name in BoxFigures._fields if name not in ("single", "planar"))
-"""The figures that can have a limit."""
 
 
 class FoundBox(NamedTuple):

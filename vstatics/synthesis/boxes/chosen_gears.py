@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -148,7 +148,7 @@ def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: W
         ways[key] = way
 
 
-def is_single(gears: Sequence[Engaged]) -> bool:
+def is_single(gears: Sequence[Collection[object]]) -> bool:
     """Whether one element changes between neighbours.
 
     >>> is_single([(0, 1), (1, 2), (2, 3)]), is_single([(0, 1), (2, 3)])

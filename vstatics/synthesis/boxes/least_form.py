@@ -36,8 +36,20 @@ def least_box(box: FoundBox) -> FoundBox:
     >>> least.elements, least.gears
     (((1, -1), (0, 2)), ((0,), (1,)))
     """
-    found = (_renamed(box, one) for one in _least_codes(box.scheme.sets))
-    return min(found, key=lambda one: (identity(one), one.ratios, one.gears))  # some are symmetric
+    return min(least_forms(box), key=lambda one: (one.ratios, one.gears))
+
+
+def least_forms(box: FoundBox) -> list[FoundBox]:
+    """The box in all forms of the least identity; there are several where it is symmetric.
+
+    >>> box = FoundBox(SetScheme.of_code("0-1-2-0-1-3"), None, 0, 1, ((2, HELD), (3, HELD)),
+    ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
+    >>> [one.ratios for one in least_forms(box)]
+    [(-2.0, -3.0), (-3.0, -2.0)]
+    """
+    found = [_renamed(box, one) for one in _least_codes(box.scheme.sets)]
+    least = min(map(identity, found))
+    return [one for one in found if identity(one) == least]
 
 
 def identity(box: FoundBox) -> tuple[Any, ...]:

@@ -8,7 +8,7 @@ import pytest
 
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
-from vstatics.synthesis.boxes.figures import measured
+from vstatics.synthesis.boxes.figures.measured import measured
 from vstatics.synthesis.boxes.search.pieces import cut, found_in
 
 pytestmark = pytest.mark.slow

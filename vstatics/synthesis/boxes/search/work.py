@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
 from itertools import islice
 from typing import Any, NamedTuple
@@ -13,7 +13,7 @@ from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import MeasuredBox, measured
+from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
 from vstatics.synthesis.boxes.search import pieces as box_pieces
 from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
@@ -33,6 +33,8 @@ class BoxWork(NamedTuple):
 
     search: BoxSearch
     efficiency: float
+    weights: Mapping[str, float] = ALIKE
+    """Of gears in the mean of the drag."""
 
     def describe(self, item: object) -> str:
         """A piece, boxes that are measured, or files of one with a name, in words."""
@@ -48,7 +50,7 @@ def find(work: BoxWork, piece: int) -> FoundPiece:
 
 def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
     """The figures of some boxes."""
-    return [measured(work.search, box, work.efficiency) for box in boxes]
+    return [measured(work.search, box, work.efficiency, work.weights) for box in boxes]
 
 
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
