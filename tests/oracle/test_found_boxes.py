@@ -10,9 +10,9 @@ from tests.chance import seeded
 from tests.oracle.boxes import HELD, Box, Frame, Space, all_frames, found_in, names, searched
 from tests.oracle.test_boxes import A41TE, AOD, GF4A, GM6, LEPELLETIER, SIMPSON, Built, Pairs, holds
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import _pieces, cut
-from vstatics.synthesis.boxes.pieces import found_in as search_piece
 from vstatics.synthesis.boxes.schemes import BoxScheme
+from vstatics.synthesis.boxes.search.pieces import _pieces, cut
+from vstatics.synthesis.boxes.search.pieces import found_in as search_piece
 
 pytestmark = pytest.mark.slow  # they compile
 Name = tuple[Frame, Pairs]

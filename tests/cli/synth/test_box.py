@@ -19,9 +19,9 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
-from vstatics.synthesis.boxes import pieces
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.search import pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 ASKED = ("--sets", 1, "--elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
@@ -284,7 +284,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.search.work.MOST_FOUND", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err

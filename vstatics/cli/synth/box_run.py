@@ -20,10 +20,10 @@ from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
 from vstatics.numerics.compiled import CACHE_TROUBLE
-from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.choice import family_count, ranked
 from vstatics.synthesis.boxes.figures import MeasuredBox
-from vstatics.synthesis.boxes.work import (
+from vstatics.synthesis.boxes.search import pieces as box_pieces
+from vstatics.synthesis.boxes.search.work import (
     MOST_MEASURED,
     BoxWork,
     SearchedPieces,

@@ -278,7 +278,7 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.pieces import cut, found_in  # compiles
+    from vstatics.synthesis.boxes.search.pieces import cut, found_in  # compiles
 
     low, high = search.bounds
     search = search._replace(targets=tuple(search.targets), bounds=(low, high))

@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.joining import SetRoom, choose, join
-from vstatics.synthesis.boxes.matching import matched
-from vstatics.synthesis.boxes.shifts import shifts_singly
+from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
+from vstatics.synthesis.boxes.search.joining import SetRoom, choose, join
+from vstatics.synthesis.boxes.search.matching import matched
+from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
 
 class PortGears(NamedTuple):

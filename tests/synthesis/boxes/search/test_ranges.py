@@ -7,9 +7,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.boxes.matching import match_room, matched
-from vstatics.synthesis.boxes.ranges import divide, lines, reached
-from vstatics.synthesis.boxes.set_ratios import Asked, fit_room, fitted
+from vstatics.synthesis.boxes.search.matching import match_room, matched
+from vstatics.synthesis.boxes.search.ranges import divide, lines, reached
+from vstatics.synthesis.boxes.search.set_ratios import Asked, fit_room, fitted
 
 CORNERS = (np.arange(8)[:, None] >> np.arange(3)) & 1
 

@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.elements import PortGears, element_sets, find_ratios
-from vstatics.synthesis.boxes.engaged import Combinations, GearSpeeds, number_of
-from vstatics.synthesis.boxes.joining import SetRoom
-from vstatics.synthesis.boxes.ranges import divide, reached
-from vstatics.synthesis.boxes.set_ratios import Asked
-from vstatics.synthesis.boxes.solving import CellRoom, solved
+from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, find_ratios
+from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
+from vstatics.synthesis.boxes.search.joining import SetRoom
+from vstatics.synthesis.boxes.search.ranges import divide, reached
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 

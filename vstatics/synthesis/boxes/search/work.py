@@ -12,10 +12,10 @@ from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
-from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures import MeasuredBox, measured
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.search import pieces as box_pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 MOST_FOUND = 1_000_000

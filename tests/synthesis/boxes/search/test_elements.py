@@ -10,9 +10,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Integers
-from vstatics.synthesis.boxes.elements import PortGears, element_sets
-from vstatics.synthesis.boxes.engaged import combinations_table
-from vstatics.synthesis.boxes.joining import set_room
+from vstatics.synthesis.boxes.search.elements import PortGears, element_sets
+from vstatics.synthesis.boxes.search.engaged import combinations_table
+from vstatics.synthesis.boxes.search.joining import set_room
 
 BRAKES = 4
 """The first elements of a table with so many links."""

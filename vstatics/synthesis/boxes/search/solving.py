@@ -14,10 +14,10 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.engaged import Combinations, all_used
-from vstatics.synthesis.boxes.matching import MatchRoom, match_room, matched
-from vstatics.synthesis.boxes.ranges import extremes, has_one_sign, reached
-from vstatics.synthesis.boxes.set_ratios import Asked, FitRoom, fit_room, fitted
+from vstatics.synthesis.boxes.search.engaged import Combinations, all_used
+from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
+from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
+from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted
 from vstatics.synthesis.tolerances import LEAST_SUM_OF_SQUARES
 
 SPREADS = np.array([0.5, 0.2, 0.06])

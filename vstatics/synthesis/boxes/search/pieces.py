@@ -12,20 +12,20 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.elements import PortGears
-from vstatics.synthesis.boxes.engaged import (
+from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
+from vstatics.synthesis.boxes.search.elements import PortGears
+from vstatics.synthesis.boxes.search.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
 )
-from vstatics.synthesis.boxes.joining import set_room
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
-from vstatics.synthesis.boxes.ranges import lines
-from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
-from vstatics.synthesis.boxes.set_ratios import Asked
-from vstatics.synthesis.boxes.shifts import neighbours
-from vstatics.synthesis.boxes.solving import cell_room
+from vstatics.synthesis.boxes.search.joining import set_room
+from vstatics.synthesis.boxes.search.kernel import Room, boxes_of_ports
+from vstatics.synthesis.boxes.search.ranges import lines
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.shifts import neighbours
+from vstatics.synthesis.boxes.search.solving import cell_room
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
 PORTS_AT_ONCE = 100
