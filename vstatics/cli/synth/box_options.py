@@ -11,6 +11,7 @@ import click
 
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
+from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
@@ -54,13 +55,16 @@ class WantedFigures(NamedTuple):
         return BoxFilter(self.single, self.planar, brakes, clutches, self.limits)
 
 
-def _asked(search: BoxSearch, efficiency: float, figures: WantedFigures) -> BoxAsked:
+def _asked(
+    search: BoxSearch, gears: WantedGears, efficiency: float, figures: WantedFigures
+) -> BoxAsked:
     """What the options ask for.
 
     Raises
     ------
     UsageError
     """
+    search = search._replace(**gears._asdict())
     with wrong_use(("ratios", *BoxSearch._fields)):
         check_box_search(search)
     wanted = figures.of_boxes(search.elements)
@@ -104,12 +108,14 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
+_TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
+
 options = gathered(
     "asked",
     _asked,
     gathered(
         "search",
-        BoxSearch,
+        partial(BoxSearch, targets=()),
         click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
         click.option(
             "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
@@ -121,14 +127,27 @@ options = gathered(
             metavar="E",
             help="So many of them are engaged in every gear.",
         ),
-        click.option(
-            "--ratios",
-            "targets",
-            multiple=True,
-            required=True,
-            callback=value(each(number), "--ratios"),
-            metavar="I,...",
-            help="The ratio of each gear, those backward below 0; may be given several times.",
+        gathered(
+            "gears",
+            wanted_gears,
+            click.option(
+                "--ratios",
+                "targets",
+                multiple=True,
+                required=True,
+                callback=value(each(wanted_ratio), "--ratios"),
+                metavar="I,...",
+                help="Of each gear a ratio or a range, below 0 backward: 5.8:6.2,1,-4:-2.5.",
+            ),
+            click.option(
+                "--tolerance",
+                multiple=True,
+                default=[str(_TOLERANCE)],
+                show_default=str(_TOLERANCE),
+                callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
+                metavar="T,...",
+                help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2.",
+            ),
         ),
         click.option(
             "--bounds",
@@ -156,14 +175,6 @@ options = gathered(
             default=0,
             metavar="K",
             help="So many members of sets are held for good.",
-        ),
-        click.option(
-            "--tolerance",
-            type=float,
-            default=BoxSearch._field_defaults["tolerance"],
-            show_default=True,
-            metavar="T",
-            help="A box is found where all |ln(i/wanted)| can be no more.",
         ),
     ),
     click.option(

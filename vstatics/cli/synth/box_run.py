@@ -75,8 +75,9 @@ def carry_out(run: BoxRun) -> int:
     if found.with_ratios:
         files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
     else:
-        within = f"within {run.asked.search.tolerance:g} of these ratios"
-        files.say(f"no box is found: none of {found.searched} comes {within}")
+        search = run.asked.search
+        within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
+        files.say(f"no box is found: none of {found.searched} comes within {within}")
     return FAILED
 
 

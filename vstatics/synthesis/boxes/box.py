@@ -41,11 +41,22 @@ class BoxSearch(NamedTuple):
     fixed: int = 0
     """So many members are held for good; they are one more link of the scheme."""
     tolerance: float = 0.01
-    """A box is found if least squares leave no gear with a larger |ln(i/target)|. [-]"""
+    """A box is found if ratios of its sets leave no gear with a larger |ln(i/target)|. [-]"""
+    tolerances: tuple[float, ...] = ()
+    """The same of each gear; `tolerance` of all where there are none. [-]"""
     brake_counts: tuple[int, ...] | None = None
     """It has one of these numbers of them; None for any."""
     singly: bool = False
     """Whether only such are looked for in which one element may change between neighbours."""
+
+    @property
+    def widths(self) -> tuple[float, ...]:
+        """The largest |ln(i/target)| of each gear [-].
+
+        >>> BoxSearch(2, 4, 2, (2.84, 1.57)).widths
+        (0.01, 0.01)
+        """
+        return self.tolerances or (self.tolerance,) * len(self.targets)
 
     @property
     def links(self) -> int:
@@ -150,7 +161,7 @@ def check_box_search(search: BoxSearch) -> None:
     Traceback (most recent call last):
     vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged [E801]
     """
-    problems = [*_of_numbers(search), *_of_ratios(search.targets)] or [*_of_counts(search)]
+    problems = [*_of_numbers(search), *_of_ratios(search)] or [*_of_counts(search)]
     if problems:
         raise CaseError(problems)
 
@@ -199,8 +210,15 @@ def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("tolerance", message)
 
 
-def _of_ratios(targets: tuple[float, ...]) -> Iterator[Problem]:
+def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
     """Problems of the ratios of gears."""
+    targets = search.targets
+    if len(search.widths) != len(targets):
+        message = f"read {len(search.tolerances)}, expected one for each of {len(targets)} gears"
+        yield _problem("tolerances", message)
+    for width in search.tolerances:
+        if not 0 < width < math.inf:
+            yield _problem("tolerances", f"read {width:g}, expected a number above 0")
     if not targets:
         yield _problem("ratios", "read none, expected the ratio of each gear")
     if len(targets) > MOST_TARGETS:

@@ -76,7 +76,7 @@ def ranked(
     if not chosen:
         return ()
     sizes = np.array([box.figures[:NUMBERS] for box in chosen], np.float64)
-    within = sizes[:, 0] <= search.tolerance * (1 + SAME_RATIO)
+    within = sizes[:, 0] <= max(search.widths) * (1 + SAME_RATIO)
     sizes[within, 0] = 0.0
     places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
     keys = (places[name].tolist() for name in ORDER)
@@ -281,7 +281,9 @@ def find_boxes(
     from vstatics.synthesis.boxes.search.pieces import cut, found_in  # compiles
 
     low, high = search.bounds
-    search = search._replace(targets=tuple(search.targets), bounds=(low, high))
+    search = search._replace(
+        targets=tuple(search.targets), bounds=(low, high), tolerances=tuple(search.tolerances)
+    )
     check_box_search(search)
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected a number above 0, up to 1"

@@ -70,7 +70,7 @@ def test_a_fit_is_that_of_scipy(number: int) -> None:
     random = np.random.default_rng(number)
     parts = random.uniform(0.5, 2, (5, 2, 8))
     targets = random.uniform(0.7, 1.5, 5)
-    asked = Asked(targets, targets, targets, 1.0, 1.5, 4.0)
+    asked = Asked(targets, targets, targets, np.ones(5), 1.5, 4.0)
     room = fit_room(5, 3)
     room.logs[:] = np.log(2.5)
     total = fitted(parts, np.arange(5), asked, room)

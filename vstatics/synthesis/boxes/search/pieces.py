@@ -191,9 +191,10 @@ _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
 def _asked(search: BoxSearch) -> Asked:
     """What is asked, as arrays."""
     targets = np.array(search.targets, dtype=float)
-    factor = math.exp(search.tolerance + TARGET_MARGIN)
-    ends = np.sort([targets / factor, targets * factor], axis=0)
-    return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
+    widths = np.array(search.widths)
+    factors = np.exp(widths + TARGET_MARGIN)
+    ends = np.sort([targets / factors, targets * factors], axis=0)
+    return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
 @lru_cache(maxsize=32)

@@ -37,8 +37,8 @@ class Asked(NamedTuple):
     least: Floats
     """Between which a target is met, shape (targets,). [-]"""
     most: Floats
-    tolerance: float
-    """Largest |ln(i/target)|. [-]"""
+    widths: Floats
+    """The largest |ln(i/target)| of each, shape (targets,). [-]"""
     low: float
     """Bounds of ring teeth/sun teeth. [-]"""
     high: float
@@ -50,7 +50,7 @@ class FitRoom(NamedTuple):
     logs: Floats
     """Logarithms of ring teeth/sun teeth: where it begins and ends, shape (sets,). [-]"""
     errors: Floats
-    """ln(i/target) in the end, shape (targets,). [-]"""
+    """ln(i/target)/width in the end, shape (targets,). [-]"""
     jacobian: Floats
     """Their derivatives by the logarithms, shape (targets, sets)."""
     tried: Floats
@@ -81,7 +81,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 @compiled
 def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """The least sum of squares of ln(i/target) near a point; infinity where there is none.
+    """The least sum of squares of ln(i/target)/width near a point; infinity where there is none.
 
     Parameters
     ----------
@@ -99,7 +99,8 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     >>> room = fit_room(1, 1)
     >>> room.logs[0] = np.log(2.0)
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]]])
-    >>> bool(fitted(parts, np.array([0]), Asked(four, four, four, 0.01, 1.4, 5.0), room) < 1e-20)
+    >>> asked = Asked(four, four, four, np.ones(1), 1.4, 5.0)
+    >>> bool(fitted(parts, np.array([0]), asked, room) < 1e-20)
     True
     >>> round(float(np.exp(room.logs[0])), 9)
     3.0
@@ -110,7 +111,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     best = _errors(parts, chosen, asked, room, room.errors)
     if best == math.inf:
         return best
-    _slopes(parts, chosen, room)
+    _slopes(parts, chosen, asked, room)
     damping = FIRST_DAMPING
     for _ in range(MOST_BOX_STEPS):
         _step(room, least, most, damping)
@@ -135,7 +136,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
         if is_last:
             return best
         damping = max(damping * 0.1, LEAST_BOX_DAMPING)
-        _slopes(parts, chosen, room)
+        _slopes(parts, chosen, asked, room)
     return best
 
 
@@ -172,27 +173,27 @@ def _weighed(part: Floats, weights: Floats) -> tuple[float, float]:
 
 @compiled
 def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats) -> float:
-    """ln(i/target) of every gear; the sum of squares, or infinity where one has another sign."""
+    """ln(i/target)/width of every gear; the sum of squares, infinity with another sign of one."""
     total = 0.0
     for target in range(len(asked.targets)):
         above, below = _weighed(parts[chosen[target]], room.own)
         quotient = above / (below * asked.targets[target])
         if not 0 < quotient < math.inf:
             return math.inf
-        found[target] = math.log(quotient)
+        found[target] = math.log(quotient) / asked.widths[target]
         total += found[target] ** 2
     return total
 
 
 @compiled
-def _slopes(parts: Floats, chosen: Integers, room: FitRoom) -> None:
-    """Derivatives of ln(i) of every gear by the logarithms of the ratios of sets."""
+def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> None:
+    """Derivatives of ln(i)/width of every gear by the logarithms of the ratios of sets."""
     for target in range(len(chosen)):
         part = parts[chosen[target]]
         above, below = _weighed(part, room.own)
         for number in range(room.slopes.shape[0]):
             over, under = _weighed(part, room.slopes[number])
-            room.jacobian[target, number] = over / above - under / below
+            room.jacobian[target, number] = (over / above - under / below) / asked.widths[target]
 
 
 @compiled

@@ -141,12 +141,12 @@ def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: 
     total = fitted(parts, room.match.chosen, asked, room.fit)
     if total == math.inf:
         return False
-    largest = 0.0
-    for error in room.fit.errors:
-        largest = max(largest, abs(error))
-    if largest > asked.tolerance or not all_used(
-        table, room.ratio_of, room.match.chosen, room.came, room.gears
-    ):
+    largest = outside = 0.0
+    for target in range(len(asked.targets)):
+        size = abs(room.fit.errors[target])
+        outside = max(outside, size)
+        largest = max(largest, size * asked.widths[target])
+    if outside > 1 or not all_used(table, room.ratio_of, room.match.chosen, room.came, room.gears):
         return False
     if total < room.best[1]:
         room.best[0] = largest

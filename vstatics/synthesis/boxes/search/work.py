@@ -61,6 +61,7 @@ def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
     """What a search is, for its directory of pieces and for whoever looks into that."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
+    asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
     named = {_OPTIONS.get(name, name): value for name, value in asked.items()}
     text = json.dumps([named, pieces, build()])
