@@ -170,6 +170,18 @@ options = gathered(
             help="The input is a shaft that only clutches join to the sets.",
         ),
         click.option(
+            "--own-output",
+            is_flag=True,
+            help="The output is a shaft that only clutches join to the sets.",
+        ),
+        click.option(
+            "--shafts",
+            type=int,
+            default=0,
+            metavar="K",
+            help="So many further shafts no set has a member on; three elements or more join each.",
+        ),
+        click.option(
             "--fixed",
             type=int,
             default=0,

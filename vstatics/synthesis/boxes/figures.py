@@ -15,11 +15,18 @@ from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import values_of
 from vstatics.synthesis.boxes.box import HELD, BoxFigures, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
+from vstatics.synthesis.boxes.chosen_gears import (
+    Engaged,
+    all_of,
+    chosen_sets,
+    equal_sets,
+    is_single,
+)
 from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
 from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.structures.scheme import link_name
+from vstatics.synthesis.tolerances import NO_LOAD
 
 
 def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Transmission:
@@ -51,7 +58,7 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
     >>> [element.name for element in case.shift_elements]
     ['T-L2', 'F-L0-L1']
     """
-    links = [link for link in range(max(box.scheme.links, box.input + 1)) if link != box.held]
+    links = [link for link in range(box.links) if link != box.held]
     number = {link: place for place, link in enumerate(links, 1)} | {HELD: HOUSING}
     if box.held is not None:
         number[box.held] = HOUSING
@@ -196,7 +203,8 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     targets = search.targets
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
-    sets = _chosen(least, targets, solved)
+    used_in = (lambda one: solved(one).carrying) if search.shafts else all_of
+    sets = _chosen(least, targets, solved, used_in)
     gears = tuple(
         BoxGear(
             names[place],
@@ -222,6 +230,8 @@ class _GearValues(NamedTuple):
     planet_speed: float
     slip: float
     torque: float
+    carrying: int
+    """The engaged elements that carry torque, as bits."""
 
 
 _Solved = Callable[[Engaged], _GearValues]
@@ -245,6 +255,7 @@ def _solved(case: Transmission) -> _Solved:
             planet_speed=_largest(found["planet_speeds"]),
             slip=_largest(slip for slip, held in zip(slips, holds, strict=True) if not held),
             torque=_largest(one for one, held in zip(torques, holds, strict=False) if held),
+            carrying=all_of(tuple(one for one in engaged if abs(torques[one]) > NO_LOAD)),
         )
 
     return values
@@ -255,7 +266,12 @@ def _largest(numbers: Iterable[float]) -> float:
     return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
 
 
-def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequence[Engaged]:
+def _chosen(
+    box: FoundBox,
+    targets: Sequence[float],
+    solved: _Solved,
+    used_in: Callable[[Engaged], int],
+) -> Sequence[Engaged]:
     """Of each gear, in their order, one of the sets of elements that give its ratio."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
@@ -267,7 +283,7 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequenc
         found = solved(engaged)
         return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
 
-    return chosen_sets(ranges, len(box.elements), cost)
+    return chosen_sets(ranges, len(box.elements), cost, used_in)
 
 
 def _figures(

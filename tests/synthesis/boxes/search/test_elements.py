@@ -65,6 +65,8 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
             useful,
             brakes,
             np.zeros((0, 2), np.int64),
+            table.masks,
+            np.zeros(0, np.int64),
         )
         room = set_room(table, targets, 2000)
         rows = room.found[: element_sets(table, port, room)].tolist()

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled, put
+from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom, choose, join
 from vstatics.synthesis.boxes.search.matching import matched
@@ -34,6 +35,11 @@ class PortGears(NamedTuple):
     """How many brakes a set may have, as bits."""
     shifts: Integers
     """Targets that are neighbours, between which one element is to change, shape (shifts, 2)."""
+    loaded: Integers
+    """The elements of each combination that are in use in its gear, as bits: all of them, or
+    those that carry torque; shape (combinations,)."""
+    shafts: Integers
+    """The elements at each shaft that is no port and of no set, as bits, shape (shafts,)."""
 
 
 @compiled
@@ -127,12 +133,29 @@ def _find_members(room: SetRoom, depth: int) -> int:
 
 @compiled
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
-    """Whether so many chosen elements can be of a set with a number of brakes that is wanted."""
-    brakes = 0
+    """Whether so many chosen elements can be of a set with a number of brakes that is wanted.
+
+    And whether the others are enough for the shafts.
+    """
+    brakes = chosen = 0
     for place in range(members):
         brakes += table.ends[room.chosen[place], 1] < 0
+        chosen |= 1 << room.chosen[place]
     others = len(room.chosen) - members
+    for shaft in port.shafts:
+        if _count(shaft & chosen) + others < SHAFT_ELEMENTS:
+            return False
     return bool((port.brakes >> brakes) & ((2 << others) - 1))
+
+
+@compiled
+def _count(bits: int) -> int:
+    """How many bits there are."""
+    count = 0
+    while bits:
+        bits &= bits - 1
+        count += 1
+    return count
 
 
 @compiled
@@ -150,7 +173,7 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
     """The different ratios of the chosen elements and what they reach; how many.
 
-    `held` takes the elements that have them.
+    `held` takes the elements that are in use with one of them.
     """
     count = used = 0
     room.held[0] += 1
@@ -160,7 +183,7 @@ def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
         room.targets[subset] = 0
         if ratio >= 0:
             room.targets[subset] = port.reach[ratio]
-            used |= table.masks[which]
+            used |= port.loaded[which]
             if room.seen[ratio] != room.held[0]:
                 room.seen[ratio] = room.held[0]
                 room.ratios[count] = ratio

@@ -62,13 +62,13 @@ def boxes_of_ports(
         these were given up.
     """
     _find_ratios_of_ports(gears.speeds, port, asked, room)
-    _find_useful(table, gears.way, port, room.kinds)
+    _find_useful(table, gears, port, room.kinds)
     count = element_sets(table, port, room.sets)
     sets = room.sets.found
     found = given_up = 0
     for number in range(count):
         different = _different(table, port, sets[number], room)
-        error = solved(table, room.parts[:different], asked, room.cells)
+        error = solved(room.parts[:different], asked, room.cells)
         if error < math.inf:
             room.errors[found] = error
             put(room.cells.best_gears, room.gears[found])
@@ -107,8 +107,9 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: R
 
 
 @compiled
-def _find_useful(table: Combinations, way: Integers, port: PortGears, kinds: Integers) -> None:
+def _find_useful(table: Combinations, gears: GearSpeeds, port: PortGears, kinds: Integers) -> None:
     """The ratio of each combination of elements that there are; those that have one."""
+    way = gears.way
     count = 0
     for which in range(len(way)):
         there = table.masks[which] & ~port.elements == 0
@@ -116,8 +117,40 @@ def _find_useful(table: Combinations, way: Integers, port: PortGears, kinds: Int
         if port.ratio_of[which] >= 0:
             port.useful[count] = which
             count += 1
+            port.loaded[which] = table.masks[which]
+            if len(port.shafts):
+                port.loaded[which] = _loaded(table, gears, port, which)
     if count < len(way):
         port.useful[count] = -1
+
+
+@compiled
+def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
+    """The elements of a combination that carry torque in its gear, as bits.
+
+    One that carries none can go, and input and output keep their ratio: with the input held in
+    its place, the output stands.
+    """
+    corners = gears.speeds.shape[2] - 1
+    found = 0
+    for place in range(table.members.shape[1]):
+        number = 0
+        after = 1  # the place of the next member, the brake of the input among them
+        brake = port.input
+        for other in range(table.members.shape[1]):
+            member = table.members[which, other]
+            if other != place:
+                if 0 <= brake < member:
+                    number += table.ranks[brake, after]
+                    after += 1
+                    brake = -1
+                number += table.ranks[member, after]
+                after += 1
+        if brake >= 0:
+            number += table.ranks[brake, after]
+        if abs(gears.speeds[gears.way[number], port.output, corners]) > NO_BOX_SPEED:
+            found |= 1 << table.members[which, place]
+    return found
 
 
 @compiled
@@ -129,8 +162,13 @@ def _different(table: Combinations, port: PortGears, elements: Integers, room: R
         for half in range(2):
             put(room.ratios[room.sets.ratios[number], half], room.parts[number, half])
     for subset in range(len(table.places)):
-        ratio = port.ratio_of[number_of(table, elements, subset)]
+        which = number_of(table, elements, subset)
+        ratio = port.ratio_of[which]
         room.cells.ratio_of[subset] = -1
+        room.cells.used[subset] = 0
+        for place in table.places[subset]:
+            if (port.loaded[which] >> elements[place]) & 1:
+                room.cells.used[subset] |= 1 << place
         for number in range(count):
             if room.sets.ratios[number] == ratio:
                 room.cells.ratio_of[subset] = number

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.search.elements import PortGears
@@ -122,6 +123,7 @@ class _PortSearch:
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
         self.shifts = neighbours(search.targets if search.singly else ())
+        self.shafts = _at_shafts(search, self.table)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -132,8 +134,9 @@ class _PortSearch:
         there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
         self.searched += math.comb(len(there), search.elements)
         bits, count = sum(1 << number for number in there), len(table.members)
-        ratio_of, reach, useful = np.zeros((3, count), np.int64)
-        port = PortGears(*ports, bits, ratio_of, reach, useful, self.brakes, self.shifts)
+        ratio_of, reach, useful, loaded = np.zeros((4, count), np.int64)
+        asked = self.brakes, self.shifts
+        port = PortGears(*ports, bits, ratio_of, reach, useful, *asked, loaded, self.shafts)
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
@@ -162,6 +165,16 @@ class _PortSearch:
             tuple(tuple(self.table.places[one].tolist()) for one in room.gears[row].tolist()),
             float(room.errors[row]),
         )
+
+
+def _at_shafts(search: BoxSearch, table: Combinations) -> Integers:
+    """The elements at each shaft that is no port and of no set, as bits; they are the last."""
+    shafts = range(search.moving - search.shafts, search.moving)
+    found = [
+        sum(1 << number for number, ends in enumerate(table.ends.tolist()) if shaft in ends)
+        for shaft in shafts
+    ]
+    return np.array(found, np.int64)
 
 
 def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
@@ -200,7 +213,7 @@ def _asked(search: BoxSearch) -> Asked:
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    table = combinations_table(search.shafts, search.engaged, search.elements)
+    table = combinations_table(search.moving, search.engaged, search.elements)
     asked = _asked(search)
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(

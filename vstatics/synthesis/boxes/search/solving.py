@@ -34,12 +34,11 @@ MORE_FITS = 12
 
 
 @compiled
-def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> float:
+def solved(parts: Floats, asked: Asked, room: CellRoom) -> float:
     """The largest |ln(i/target)| of the best fit within tolerance; infinity if there is none.
 
     Parameters
     ----------
-    table : Combinations
     parts : array, shape (ratios, 2, corners)
         Numerators and denominators of different ratios at the corners of the bounds.
     asked : Asked
@@ -70,7 +69,7 @@ def solved(table: Combinations, parts: Floats, asked: Asked, room: CellRoom) -> 
         if _is_due(room, top, number):
             fits += 1
             is_last = number < 0
-            is_met, are_all = _fits(table, parts, asked, room, top)
+            is_met, are_all = _fits(parts, asked, room, top)
             if room.best[1] < (math.inf if fits > MORE_FITS else LEAST_SUM_OF_SQUARES):
                 break
             if is_met or is_last or (are_all and room.stages[top] == len(SPREADS)):
@@ -96,9 +95,7 @@ def _is_due(room: CellRoom, top: int, number: int) -> bool:
 
 
 @compiled
-def _fits(
-    table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int
-) -> tuple[bool, bool]:
+def _fits(parts: Floats, asked: Asked, room: CellRoom, top: int) -> tuple[bool, bool]:
     """Fit from the middle of a cell, for every way to give targets to ratios.
 
     The best is noted. Whether one does; whether there were no more ways than may be tried.
@@ -113,7 +110,7 @@ def _fits(
     while target >= 0 and ways < most:
         if target == count:
             ways += 1
-            is_met |= _fit(table, parts, asked, room, top)
+            is_met |= _fit(parts, asked, room, top)
             target -= 1
             continue
         ratio = way[target]
@@ -133,7 +130,7 @@ def _fits(
 
 
 @compiled
-def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
+def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
     """Fit the chosen ratios; whether all are within tolerance, and all elements used."""
     for number in range(room.low.shape[1]):
         middle = room.low[top, number] * room.high[top, number]
@@ -146,7 +143,9 @@ def _fit(table: Combinations, parts: Floats, asked: Asked, room: CellRoom, top: 
         size = abs(room.fit.errors[target])
         outside = max(outside, size)
         largest = max(largest, size * asked.widths[target])
-    if outside > 1 or not all_used(table, room.ratio_of, room.match.chosen, room.came, room.gears):
+    if outside > 1 or not all_used(
+        room.ratio_of, room.used, room.match.chosen, room.came, room.gears
+    ):
         return False
     if total < room.best[1]:
         room.best[0] = largest
@@ -178,6 +177,8 @@ class CellRoom(NamedTuple):
     """Whether a ratio has a target, shape (ratios,)."""
     ratio_of: Integers
     """The ratio of each combination of a set, below 0 of none, shape (combinations of a set,)."""
+    used: Integers
+    """The places of elements that it uses, as bits, shape (combinations of a set,)."""
     came: Integers
     """Room for `all_used`."""
     gears: Integers
@@ -208,6 +209,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int) -> CellRoom:
         match=match_room(targets),
         taken=np.zeros(ratios, np.bool_),
         ratio_of=np.zeros(ratios, np.int64),
+        used=np.zeros(ratios, np.int64),
         came=np.zeros((targets + 1, 2**size), np.int64),
         gears=np.zeros(targets, np.int64),
         given_up=np.zeros(1, np.bool_),

@@ -77,6 +77,7 @@ def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
 _OPTIONS = {
     "targets": "ratios",
     "own_input": "own-input",
+    "own_output": "own-output",
     "brake_counts": "brakes",
     "singly": "single",
 }
