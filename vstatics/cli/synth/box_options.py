@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.cases import RequiredUnless
+from vstatics.cli.frame.options import Option, gathered, refuse
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
+from vstatics.cli.synth.box_kept import free_parts, kept_box_search
 from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
@@ -56,7 +58,12 @@ class WantedFigures(NamedTuple):
 
 
 def _asked(
-    search: BoxSearch, gears: WantedGears, efficiency: float, figures: WantedFigures
+    search: BoxSearch,
+    gears: WantedGears,
+    efficiency: float,
+    figures: WantedFigures,
+    keep: str | None,
+    free: Mapping[str, int],
 ) -> BoxAsked:
     """What the options ask for.
 
@@ -65,6 +72,9 @@ def _asked(
     UsageError
     """
     search = search._replace(**gears._asdict())
+    refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
+    if keep is not None:
+        search = kept_box_search(search, keep, free)
     with wrong_use(("ratios", *BoxSearch._fields)):
         check_box_search(search)
     wanted = figures.of_boxes(search.elements)
@@ -108,6 +118,19 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
+def _count_option(name: str, metavar: str, says: str) -> Option:
+    """A count that a search needs, unless it comes from a case."""
+    return click.option(
+        name,
+        type=int,
+        required=True,
+        cls=RequiredUnless,
+        unless="keep",
+        metavar=metavar,
+        help=says,
+    )
+
+
 _TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
 
 options = gathered(
@@ -116,17 +139,9 @@ options = gathered(
     gathered(
         "search",
         partial(BoxSearch, targets=()),
-        click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
-        click.option(
-            "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
-        ),
-        click.option(
-            "--engaged",
-            type=int,
-            required=True,
-            metavar="E",
-            help="So many of them are engaged in every gear.",
-        ),
+        _count_option("--sets", "N", "Planetary sets."),
+        _count_option("--elements", "M", "Brakes and clutches in all."),
+        _count_option("--engaged", "E", "So many of them are engaged in every gear."),
         gathered(
             "gears",
             wanted_gears,
@@ -188,6 +203,20 @@ options = gathered(
             metavar="K",
             help="So many members of sets are held for good.",
         ),
+    ),
+    click.option(
+        "--keep",
+        type=click.Path(),
+        is_eager=True,
+        metavar="CASE",
+        help="Boxes with the scheme, kinds of sets, ports and elements of a case.",
+    ),
+    click.option(
+        "--free",
+        multiple=True,
+        callback=value(free_parts, "--free"),
+        metavar="elements=N",
+        help="So many of its elements may be missing.",
     ),
     click.option(
         "--efficiency",

@@ -16,6 +16,22 @@ EFFICIENCY = 0.98
 """Of each set with its carrier held, where nothing is said."""
 
 
+class KeptParts(NamedTuple):
+    """What boxes have of a gearbox that there is."""
+
+    scheme: SetScheme
+    meshed: tuple[bool, ...]
+    """Whether a set has meshed planets."""
+    held: int | None
+    """The link that is held for good."""
+    input: int
+    output: int
+    elements: tuple[tuple[int, int], ...]
+    """As those of a `FoundBox`."""
+    free: int
+    """So many of them may be missing."""
+
+
 class BoxSearch(NamedTuple):
     """Which boxes are asked for.
 
@@ -53,6 +69,9 @@ class BoxSearch(NamedTuple):
     """It has one of these numbers of them; None for any."""
     singly: bool = False
     """Whether only such are looked for in which one element may change between neighbours."""
+
+    kept: KeptParts | None = None
+    """What all boxes have in common with one that there is."""
 
     @property
     def widths(self) -> tuple[float, ...]:
@@ -280,7 +299,7 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
     """Problems of numbers that do not go together."""
     engaged, elements, gears = search.engaged, search.elements, len(search.targets)
     possible = engaged_range(search)
-    if engaged not in possible:
+    if search.kept is None and engaged not in possible:
         sets = f"{search.sets} {plural('set', search.sets)}"
         given = _with(search)
         words = " or ".join(map(str, possible)) or "none"

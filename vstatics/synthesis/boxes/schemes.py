@@ -48,6 +48,10 @@ def box_schemes(search: BoxSearch) -> Iterator[BoxScheme]:
     >>> len(found), sum(len(one.ports) for one in found)  # tree schemes, facts by Burnside
     (6, 90)
     """
+    if search.kept is not None:
+        kept = search.kept
+        yield BoxScheme(kept.scheme, kept.meshed, kept.held, ((kept.input, kept.output),))
+        return
     for codes, found in _classes(search):
         starts = np.searchsorted(found.which, np.arange(len(codes) + 1))
         for row, code in enumerate(codes.reshape(len(codes), -1, MEMBERS).tolist()):

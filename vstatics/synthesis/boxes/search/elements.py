@@ -40,6 +40,10 @@ class PortGears(NamedTuple):
     those that carry torque; shape (combinations,)."""
     shafts: Integers
     """The elements at each shaft that is no port and of no set, as bits, shape (shafts,)."""
+    kept: int
+    """Elements of which a set is to have some, as bits."""
+    least_kept: int
+    """So many of them."""
 
 
 @compiled
@@ -135,13 +139,15 @@ def _find_members(room: SetRoom, depth: int) -> int:
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
     """Whether so many chosen elements can be of a set with a number of brakes that is wanted.
 
-    And whether the others are enough for the shafts.
+    And whether the others are enough for the shafts, and for what is to be kept.
     """
     brakes = chosen = 0
     for place in range(members):
         brakes += table.ends[room.chosen[place], 1] < 0
         chosen |= 1 << room.chosen[place]
     others = len(room.chosen) - members
+    if _count(port.kept & chosen) + others < port.least_kept:
+        return False
     for shaft in port.shafts:
         if _count(shaft & chosen) + others < SHAFT_ELEMENTS:
             return False

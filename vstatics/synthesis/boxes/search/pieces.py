@@ -124,6 +124,7 @@ class _PortSearch:
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
         self.shifts = neighbours(search.targets if search.singly else ())
         self.shafts = _at_shafts(search, self.table)
+        self.kept = _kept(search, self.bases, self.table)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -131,12 +132,28 @@ class _PortSearch:
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())
-        there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
-        self.searched += math.comb(len(there), search.elements)
+        there = {number for number, (one, other) in ends if other >= 0 or one not in ports}
+        there |= self.kept
+        least_kept = 0 if search.kept is None else len(self.kept) - search.kept.free
+        for kept in range(max(least_kept, 0), min(len(self.kept), search.elements) + 1):
+            others = math.comb(len(there - self.kept), search.elements - kept)
+            self.searched += math.comb(len(self.kept), kept) * others
         bits, count = sum(1 << number for number in there), len(table.members)
         ratio_of, reach, useful, loaded = np.zeros((4, count), np.int64)
-        asked = self.brakes, self.shifts
-        port = PortGears(*ports, bits, ratio_of, reach, useful, *asked, loaded, self.shafts)
+        kept_bits = sum(1 << number for number in self.kept)
+        port = PortGears(
+            *ports,
+            bits,
+            ratio_of,
+            reach,
+            useful,
+            self.brakes,
+            self.shifts,
+            loaded,
+            self.shafts,
+            kept_bits,
+            least_kept,
+        )
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
@@ -175,6 +192,15 @@ def _at_shafts(search: BoxSearch, table: Combinations) -> Integers:
         for shaft in shafts
     ]
     return np.array(found, np.int64)
+
+
+def _kept(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:
+    """The numbers of the elements of which most are to be kept."""
+    if search.kept is None:
+        return set()
+    row = {link: place for place, link in enumerate(bases.moving)} | {HELD: HELD}
+    numbers = {(one, other): number for number, (one, other) in enumerate(table.ends.tolist())}
+    return {numbers[row[one], row[other]] for one, other in search.kept.elements}
 
 
 def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
