@@ -9,6 +9,7 @@ import pytest
 from tests.commands import vstatics
 
 KEEP = ("--keep", "cases/simpson.yaml", "--ratios", "2.48,1.48,1,-2.09")
+COUNTS = ("--sets", 2, "--elements", 4, "--engaged", 2)
 
 
 @pytest.mark.slow
@@ -24,7 +25,11 @@ def test_the_gearbox_itself_is_found() -> None:
         ((*KEEP, "--sets", 2), 2, "--sets is told by the case of --keep"),
         ((*KEEP, "--free", "sets=1"), 2, "read `sets`, expected elements=N"),
         ((*KEEP, "--free", "elements=x"), 2, "expected a number from 0 to 12"),
-        (("--free", "elements=1", *KEEP[2:]), 2, "--free says what of --keep CASE may be missing"),
+        (
+            ("--free", "elements=1", *COUNTS, *KEEP[2:]),
+            2,
+            "--free says what of --keep CASE may be missing",
+        ),
         (("--keep", "cases/none.yaml", *KEEP[2:]), 1, "none.yaml"),
         (("--keep", "cases/two-stage.yaml", *KEEP[2:]), 1, "P0 is no planetary set"),
         (KEEP[2:], 2, "Missing option '--sets'"),
