@@ -48,7 +48,7 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
         found = kept_search(reading.case, free.get("elements", 0), search.targets)
     except CaseError as error:
         raise ReadError(one.in_file(file) for one in error.problems) from None
-    names = ("bounds", "tolerance", "tolerances")
+    names = ("bounds", "tolerance", "tolerances", "sequence")
     found = found._replace(**{name: getattr(search, name) for name in names})
     return found._replace(elements=search.elements or found.elements)
 

@@ -14,9 +14,16 @@ from vstatics.cli.frame.options import Option, gathered, refuse
 from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
 from vstatics.cli.synth.box_kept import free_parts, kept_box_search
 from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
+from vstatics.cli.synth.box_sequence import ends, gear_counts, wanted_sequence
 from vstatics.errors import nearest, plural, quoted, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
+from vstatics.synthesis.boxes.box import (
+    EFFICIENCY,
+    LIMITED,
+    BoxSearch,
+    WantedSequence,
+    check_box_search,
+)
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter
@@ -75,7 +82,7 @@ def _asked(
     refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
     if keep is not None:
         search = kept_box_search(search, keep, free)
-    with wrong_use(("ratios", *BoxSearch._fields)):
+    with wrong_use(("ratios", "gears", "spread", "steps", *BoxSearch._fields)):
         check_box_search(search)
     wanted = figures.of_boxes(search.elements)
     return BoxAsked(wanted.narrowed(search), efficiency, wanted)
@@ -118,6 +125,16 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
+def _sequence(
+    gears_wanted: tuple[int, int] | None,
+    spread: tuple[float, float] | None,
+    steps: tuple[float, float] | None,
+    *,
+    falling: bool,
+) -> WantedSequence | None:
+    return wanted_sequence(gears_wanted, spread, steps, falling=falling)
+
+
 def _count_option(name: str, metavar: str, says: str) -> Option:
     """A count that a search needs, unless it comes from a case."""
     return click.option(
@@ -150,6 +167,8 @@ options = gathered(
                 "targets",
                 multiple=True,
                 required=True,
+                cls=RequiredUnless,
+                unless="gears_wanted",
                 callback=value(each(wanted_ratio), "--ratios"),
                 metavar="I,...",
                 help="Of each gear a ratio or a range, below 0 backward: 5.8:6.2,1,-4:-2.5.",
@@ -163,6 +182,31 @@ options = gathered(
                 metavar="T,...",
                 help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2.",
             ),
+        ),
+        gathered(
+            "sequence",
+            _sequence,
+            click.option(
+                "--gears",
+                "gears_wanted",
+                is_eager=True,
+                callback=value(gear_counts, "--gears"),
+                metavar="A:B",
+                help="So many forward gears besides --ratios, whatever their ratios are.",
+            ),
+            click.option(
+                "--spread",
+                callback=value(ends, "--spread"),
+                metavar="LOW:HIGH",
+                help="Of --gears the first ratio over the last.",
+            ),
+            click.option(
+                "--steps",
+                callback=value(ends, "--steps"),
+                metavar="LOW:HIGH",
+                help="Of --gears each ratio over the next one.",
+            ),
+            click.option("--falling", is_flag=True, help="No step is larger than that below it."),
         ),
         click.option(
             "--bounds",

@@ -32,6 +32,20 @@ class KeptParts(NamedTuple):
     """So many of them may be missing."""
 
 
+class WantedSequence(NamedTuple):
+    """Forward gears that a box is to have, whatever their ratios are."""
+
+    least: int
+    """So many at least."""
+    most: int
+    spread: tuple[float, float]
+    """Between which the ratio of the first over that of the last is. [-]"""
+    steps: tuple[float, float]
+    """Between which that of each over that of the next one is. [-]"""
+    falling: bool = False
+    """Whether no step is larger than the one below it."""
+
+
 class BoxSearch(NamedTuple):
     """Which boxes are asked for.
 
@@ -70,6 +84,8 @@ class BoxSearch(NamedTuple):
     singly: bool = False
     """Whether only such are looked for in which one element may change between neighbours."""
 
+    sequence: WantedSequence | None = None
+    """Gears besides the targets."""
     kept: KeptParts | None = None
     """What all boxes have in common with one that there is."""
 
@@ -188,6 +204,8 @@ SHAFT_ELEMENTS = 3
 MOST_LINKS = 10
 """Moving links: their brakes and clutches are bits of a number."""
 MOST_ELEMENTS = 12
+MOST_SEQUENCE = 24
+"""Forward gears, where their ratios are not told."""
 MOST_TARGETS = 924
 """So many sets of six have twelve elements, which is the most that there can be."""
 COARSEST = 0.5
@@ -209,7 +227,9 @@ def check_box_search(search: BoxSearch) -> None:
     Traceback (most recent call last):
     vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged [E801]
     """
-    problems = [*_of_numbers(search), *_of_ratios(search)] or [*_of_counts(search)]
+    problems = [*_of_numbers(search), *_of_ratios(search), *_of_sequence(search.sequence)] or [
+        *_of_counts(search)
+    ]
     if problems:
         raise CaseError(problems)
 
@@ -282,7 +302,7 @@ def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
     for width in search.tolerances:
         if not 0 < width < math.inf:
             yield _problem("tolerances", f"read {width:g}, expected a number above 0")
-    if not targets:
+    if not targets and search.sequence is None:
         yield _problem("ratios", "read none, expected the ratio of each gear")
     if len(targets) > MOST_TARGETS:
         yield _problem("ratios", f"read {len(targets)}, expected {MOST_TARGETS} at most")
@@ -295,9 +315,27 @@ def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("ratios", f"read {target:g} twice, expected gears that differ")
 
 
+def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
+    """Problems of gears whose ratios are not told."""
+    if wanted is None:
+        return
+    if not 2 <= wanted.least <= wanted.most <= MOST_SEQUENCE:
+        given = f"read {wanted.least}:{wanted.most}"
+        yield _problem(
+            "gears", f"{given}, expected numbers from 2 to {MOST_SEQUENCE}, the larger behind"
+        )
+    for name, (low, high) in (("spread", wanted.spread), ("steps", wanted.steps)):
+        if not 1 <= low <= high <= LARGEST_RATIO**2:
+            message = f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger behind"
+            yield _problem(name, message)
+
+
 def _of_counts(search: BoxSearch) -> Iterator[Problem]:
     """Problems of numbers that do not go together."""
     engaged, elements, gears = search.engaged, search.elements, len(search.targets)
+    fewest, sequence = gears, search.sequence
+    if sequence is not None:
+        fewest, gears = gears + sequence.least, gears + sequence.most
     possible = engaged_range(search)
     if search.kept is None and engaged not in possible:
         sets = f"{search.sets} {plural('set', search.sets)}"
@@ -321,13 +359,14 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
         all_of_them = f", all that there are ({choice})" if most == there else ""
         message = f"expected {engaged}, which are engaged, to {most}{all_of_them}"
         yield _problem("elements", f"read {elements}, {message}")
-    elif elements < (fewest := fewest_elements(search.shafts)):
+    elif elements < (at_shafts := fewest_elements(search.shafts)):
         each = f"{SHAFT_ELEMENTS} join each of {search.shafts} {plural('shaft', search.shafts)}"
-        yield _problem("elements", f"read {elements}, expected {fewest} or more, so that {each}")
-    elif gears > math.comb(elements, engaged):
+        yield _problem("elements", f"read {elements}, expected {at_shafts} or more, so that {each}")
+    elif fewest > math.comb(elements, engaged):
         most = math.comb(elements, engaged)
-        given = f"read {gears} ratios, but {elements} elements with {engaged} engaged"
-        yield _problem("ratios", f"{given} give {most} {plural('gear', most)} at most")
+        what = "ratios" if sequence is None else "gears"
+        given = f"read {fewest} {what}, but {elements} elements with {engaged} engaged"
+        yield _problem(what, f"{given} give {most} {plural('gear', most)} at most")
     elif elements > gears * engaged:
         used = f"{gears} {plural('gear', gears)} with {engaged} engaged"
         yield _problem(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -24,6 +24,8 @@ from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, MeasuredBox, measu
 from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
+NO_RATIO = 1e9
+"""In place of a gear that a box has not. [-]"""
 NUMBERS = BoxFigures._fields.index("single")
 """So many figures are numbers."""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
@@ -83,7 +85,7 @@ def ranked(
     names = [identity(box.box) for box in chosen]
     order = sorted(zip(*keys, names, range(len(chosen)), strict=True))
     rows = [row for *_, row in order]
-    families = _families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
+    families = _families(_ratios([chosen[row] for row in rows]))
     best = pareto(np.array([places[name] for name in PARETO]).T[rows])
     return tuple(
         RankedBox(chosen[row], family, is_best)
@@ -119,6 +121,15 @@ def _places(values: Floats) -> Integers:
     places = np.empty(len(values), np.int64)
     places[order] = np.concatenate([[0], np.cumsum(gaps)])
     return places
+
+
+def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
+    """The ratios of all gears, (boxes, gears); where a box has fewer, what no gear has."""
+    most = max(len(box.gears) for box in boxes)
+    ratios = np.full((len(boxes), most), NO_RATIO)
+    for row, box in zip(ratios, boxes, strict=True):
+        row[: len(box.gears)] = [gear.ratio for gear in box.gears]
+    return ratios
 
 
 def _families(ratios: Floats) -> list[int]:

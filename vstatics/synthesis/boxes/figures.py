@@ -21,6 +21,7 @@ from vstatics.synthesis.boxes.chosen_gears import (
     chosen_sets,
     equal_sets,
     is_single,
+    set_ratios,
 )
 from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
@@ -201,6 +202,8 @@ def measured(search: BoxSearch, box: FoundBox, efficiency: float) -> MeasuredBox
     """
     least = least_box(box)
     targets = search.targets
+    if search.sequence is not None:  # further gears are as they are wanted
+        targets += tuple(set_ratios(least, least.gears[len(targets) :]).tolist())
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
     used_in = (lambda one: solved(one).carrying) if search.shafts else all_of

@@ -107,7 +107,7 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     for which in port.useful:
         if which < 0:
             break
-        targets = port.reach[port.ratio_of[which]]
+        targets = port.reach[port.ratio_of[which]] & ((1 << len(room.lengths)) - 1)
         target = 0
         while targets:
             if targets & 1:
@@ -118,7 +118,10 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
                     room.rows[table.rests[which, place], target] |= 1 << member
             targets >>= 1
             target += 1
-    return bool(room.lengths.min() > 0)
+    is_empty = False
+    for length in room.lengths:
+        is_empty |= length == 0
+    return not is_empty
 
 
 @compiled
@@ -172,7 +175,7 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
         ratio = port.ratio_of[number_of(table, room.chosen, subset)]
         if ratio >= 0:
             held |= port.reach[ratio]
-    return held
+    return held & ((1 << len(room.lengths)) - 1)
 
 
 @compiled

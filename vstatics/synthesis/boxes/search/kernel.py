@@ -11,6 +11,7 @@ from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, fi
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
 from vstatics.synthesis.boxes.search.ranges import divide, reached
+from vstatics.synthesis.boxes.search.sequences import SequenceRoom, sequence_found
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
@@ -21,8 +22,11 @@ class Room(NamedTuple):
 
     sets: SetRoom
     cells: CellRoom
+    sequences: SequenceRoom
+    lengths: Integers
+    """So many gears there are beside those of the targets, shape (most,)."""
     gears: Integers
-    """The combination of places of each target, shape (most, targets)."""
+    """The combination of places of each gear, shape (most, gears)."""
     logs: Floats
     """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
     errors: Floats
@@ -76,6 +80,31 @@ def boxes_of_ports(
             put(room.cells.best_logs, room.logs[found])
             found += 1
         given_up += room.cells.given_up[0]
+    return found, count, given_up
+
+
+@compiled
+def sequences_of_ports(
+    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
+) -> tuple[int, int, int]:
+    """All boxes with a sequence of gears, as `boxes_of_ports` has those of targets alone."""
+    _find_ratios_of_ports(gears.speeds, port, asked, room)
+    _find_useful(table, gears, port, room.kinds)
+    count = element_sets(table, port, room.sets)
+    sets = room.sets.found
+    found = given_up = 0
+    for number in range(count):
+        different = _different(table, port, sets[number], room)
+        put(room.cells.ratio_of, room.sequences.ratio_of)
+        put(room.cells.used, room.sequences.used)
+        length, is_open = sequence_found(room.parts[:different], asked, room.sequences)
+        if length > 0:
+            room.lengths[found] = length
+            put(room.sequences.best_gears, room.gears[found])
+            put(sets[number], sets[found])
+            put(room.sequences.best_logs, room.logs[found])
+            found += 1
+        given_up += length == 0 and is_open
     return found, count, given_up
 
 

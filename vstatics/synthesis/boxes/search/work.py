@@ -81,6 +81,7 @@ _OPTIONS = {
     "own_input": "own-input",
     "own_output": "own-output",
     "brake_counts": "brakes",
+    "sequence": "gears",
     "singly": "single",
 }
 """What is named otherwise where it is asked for."""
