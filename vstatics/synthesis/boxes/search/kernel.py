@@ -68,9 +68,9 @@ def boxes_of_ports(
     found = given_up = 0
     for number in range(count):
         different = _different(table, port, sets[number], room)
-        error = solved(table, room.parts[:different], asked, room.cells)
-        if error < math.inf:
-            room.errors[found] = error
+        reach = room.sets.reach[:different]
+        if solved(room.parts[:different], reach, asked, room.cells) < math.inf:
+            room.errors[found] = room.cells.best[1]
             put(room.cells.best_gears, room.gears[found])
             put(sets[number], sets[found])
             put(room.cells.best_logs, room.logs[found])

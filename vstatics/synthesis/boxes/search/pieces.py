@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
 from vstatics.synthesis.boxes.search.elements import PortGears
@@ -121,7 +122,7 @@ class _PortSearch:
         counts = search.brake_counts
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
-        self.shifts = neighbours(search.targets if search.singly else ())
+        self.shifts = _shifts(search)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -197,6 +198,11 @@ def _asked(search: BoxSearch) -> Asked:
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
+def _shifts(search: BoxSearch) -> Integers:
+    """The targets between which one element is to change."""
+    return neighbours(search.targets if search.singly else ())
+
+
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
@@ -205,7 +211,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
-        cells=cell_room(table, asked, sets),
+        cells=cell_room(table, asked, sets, _shifts(search)),
         gears=np.zeros((most, targets), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
