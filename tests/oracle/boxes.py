@@ -407,15 +407,19 @@ def _least_farthest(
     off: Callable[[Array], Array], start: Array, limits: tuple[float, float]
 ) -> float:
     """The least that the largest error near a point can be: it is one more variable."""
-    found = minimize(
-        lambda x: x[-1],
-        [*start, abs(off(start)).max()],
-        jac=lambda x: np.eye(len(x))[-1],
-        bounds=[limits] * len(start) + [(0, None)],
-        constraints={
-            "type": "ineq",
-            "fun": lambda x: np.concatenate([x[-1] - off(x[:-1]), x[-1] + off(x[:-1])]),
-        },
+
+    def farthest(x: Array) -> float:
+        return float(x[-1])
+
+    def room(x: Array) -> Array:
+        gaps = off(x[:-1])
+        return np.concatenate([x[-1] - gaps, x[-1] + gaps])
+
+    found = minimize(  # type: ignore[call-overload] # a tuple of bounds is one, too
+        farthest,
+        np.array([*start, abs(off(start)).max()]),
+        bounds=[*[limits] * len(start), (0.0, 1e6)],
+        constraints={"type": "ineq", "fun": room},
         method="SLSQP",
         options={"ftol": 1e-12, "maxiter": 500},
     )

@@ -27,7 +27,7 @@ ROUNDING = 1e-12
 """A share that is cut off is so much less. [-]"""
 
 
-class Cells(NamedTuple):
+class RatioCells(NamedTuple):
     """Cells one on the other, the next to look at on top; and room for the one looked at."""
 
     low: Floats
@@ -51,11 +51,11 @@ class Cells(NamedTuple):
     """How far each corner is within the one end of a range, and the other, shape (2, corners)."""
 
 
-def cells_room(ratios: int, asked: Asked, sets: int) -> Cells:
+def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
     """Room for so many ratios."""
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_CELL))
     deep = 2 + len(asked.targets) + sets * math.ceil(max(halvings, 0))
-    return Cells(
+    return RatioCells(
         low=np.zeros((deep, sets)),
         high=np.zeros((deep, sets)),
         reach=np.zeros((deep, ratios), np.int64),
@@ -70,7 +70,7 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> Cells:
 
 
 @compiled
-def is_left(parts: Floats, asked: Asked, cells: Cells, top: int) -> bool:
+def is_left(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> bool:
     """Make a cell less by all targets; whether something of it is left.
 
     A target with one ratio has it for its own.
@@ -80,7 +80,7 @@ def is_left(parts: Floats, asked: Asked, cells: Cells, top: int) -> bool:
     parts : array, shape (ratios, 2, corners)
         At the corners of the bounds.
     asked : Asked
-    cells : Cells
+    cells : RatioCells
     top : int
         The number of the cell.
     """
@@ -105,7 +105,7 @@ def is_left(parts: Floats, asked: Asked, cells: Cells, top: int) -> bool:
 
 
 @compiled
-def _cut_out(parts: Floats, asked: Asked, cells: Cells, top: int) -> None:
+def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
     """Numerators and denominators at the corners of a cell, of ratios with a target."""
     width = asked.high - asked.low
     for ratio in range(len(parts)):
@@ -126,7 +126,7 @@ def _cut_out(parts: Floats, asked: Asked, cells: Cells, top: int) -> None:
 
 
 @compiled
-def _has_target(target: int, asked: Asked, cells: Cells, top: int) -> bool:
+def _has_target(target: int, asked: Asked, cells: RatioCells, top: int) -> bool:
     """Whether some ratio may have a target in what is left of a cell; it is made less."""
     reach, hull, left = cells.reach[top], cells.hull, cells.left
     hull[:, 0] = 1.0
@@ -153,7 +153,7 @@ def _has_target(target: int, asked: Asked, cells: Cells, top: int) -> bool:
 
 
 @compiled
-def _leaves(part: Floats, least: float, most: float, cells: Cells) -> bool:
+def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
     """What a gear that is to be within a range leaves of a cell, into `ends`; whether there is any.
 
     The quotient is within where two polynomials are not below 0. Along the ratio of a set the
@@ -212,7 +212,7 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
 
 
 @compiled
-def spread_in(cells: Cells, top: int) -> float:
+def spread_in(cells: RatioCells, top: int) -> float:
     """How far ln(i) of what may have a target spreads in a cell."""
     found = 0.0
     for ratio in range(cells.parts.shape[0]):
@@ -226,7 +226,7 @@ def spread_in(cells: Cells, top: int) -> float:
 
 
 @compiled
-def longest(cells: Cells, top: int) -> int:
+def longest(cells: RatioCells, top: int) -> int:
     """The set along whose ratio gears change most; -1 if the cell is too narrow."""
     best = 0.0
     found = -1
@@ -257,7 +257,7 @@ def _change(part: Floats, number: int) -> float:
 
 
 @compiled
-def double(cells: Cells, top: int) -> None:
+def double(cells: RatioCells, top: int) -> None:
     """Put the same cell on top of a cell."""
     put(cells.low[top], cells.low[top + 1])
     put(cells.high[top], cells.high[top + 1])
@@ -267,7 +267,7 @@ def double(cells: Cells, top: int) -> None:
 
 
 @compiled
-def halve(cells: Cells, top: int, number: int) -> None:
+def halve(cells: RatioCells, top: int, number: int) -> None:
     """Halve a cell, along the ratio of a set: the lower half stays there, the other is next."""
     double(cells, top)
     middle = math.sqrt(cells.low[top, number] * cells.high[top, number])

@@ -15,7 +15,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.cells import (
-    Cells,
+    RatioCells,
     cells_room,
     double,
     halve,
@@ -47,7 +47,7 @@ MORE_FITS = 50
 class CellRoom(NamedTuple):
     """Room for cells and fits."""
 
-    cells: Cells
+    cells: RatioCells
     match: MatchRoom
     """A ratio for each target."""
     chains: ChainRoom
@@ -172,7 +172,7 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 
 @compiled
-def _give(target: int, cells: Cells, top: int) -> None:
+def _give(target: int, cells: RatioCells, top: int) -> None:
     """Two cells of one: in that on top the first ratio has the target, in the other it has not."""
     double(cells, top)
     bit = 1 << target
@@ -198,7 +198,7 @@ def _has_elements(room: CellRoom, top: int) -> bool:
 
 
 @compiled
-def _is_due(spread: float, cells: Cells, top: int) -> bool:
+def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
     """Whether a fit is to be tried in a cell; it is noted that it was."""
     stage = before = cells.stages[top]
     while stage < len(SPREADS) and spread <= SPREADS[stage]:
