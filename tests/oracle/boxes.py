@@ -6,20 +6,21 @@ each ratio. Its factors are whole numbers, read off determinants at ratios 0 and
 that is linear in each variable has its extremes in a cell at the cell's corners; so it is
 *proved*, not sampled, in which cells of the bounds a gear can be within the tolerance of a
 target. Gears are chosen one after another as long as some cell is left for all of them. What
-is left at the end is fitted by scipy's least squares from many starts in these cells.
+is left at the end is fitted by scipy's least squares from many starts in these cells; where that
+leaves a gear beyond its range, SLSQP makes the largest error least.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, permutations, product
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, minimize
 
 Array = npt.NDArray[np.float64]
 Code = tuple[int, ...]
@@ -44,10 +45,17 @@ class Space(NamedTuple):
     own_input: bool = False
     fixed: int = 0
     tolerance: float = 0.01
+    tolerances: tuple[float, ...] = ()
+    """Of each gear, where they are not the same."""
     cells: int = 16
     """Along the ratio of each set."""
     own_output: bool = False
     shafts: int = 0
+
+    @property
+    def widths(self) -> tuple[float, ...]:
+        """Of each gear."""
+        return self.tolerances or (self.tolerance,) * len(self.targets)
 
     @property
     def links(self) -> int:
@@ -96,6 +104,8 @@ class Box(NamedTuple):
     """The least of the largest |ln(i/target)| of all its minima."""
     best: float
     """That of the minimum with the least sum of squares."""
+    farthest: float
+    """The least that the largest |ln(i/target)|/width can be, of all choices of gears."""
     ratios: tuple[float, ...]
     gears: tuple[tuple[tuple[int, int], ...], ...]
     """Links of the engaged elements for each target, in the names of `found_as`."""
@@ -312,7 +322,8 @@ class Search:
         factors = factors.reshape(*whole.shape[1:], -1)
         speeds = valued(factors, [axis[[0, -1]] for axis in axes])
         corners = speeds.reshape(-1, *speeds.shape[-2:])
-        hope = np.array([_can(corners, one, space.tolerance) for one in space.targets])
+        wanted = list(zip(space.targets, space.widths, strict=True))
+        hope = np.array([_can(corners, *one) for one in wanted])
         hope &= factors.any(axis=tuple(range(space.sets))).all(axis=0)
         if not hope.any(axis=1).all():
             return
@@ -323,8 +334,8 @@ class Search:
             own = factors[..., number]
             fine = valued(own[..., 0], axes), valued(own[..., 1], axes)
             cells = tuple(
-                reached(fine, target, space.tolerance) if can else 0
-                for target, can in zip(space.targets, hope[:, number], strict=True)
+                reached(fine, *one) if can else 0
+                for one, can in zip(wanted, hope[:, number], strict=True)
             )
             if any(cells):
                 formula = tuple(ratios[:, number].tolist())
@@ -388,14 +399,14 @@ class Search:
         ends = [link for one in elements for link in self.frame.possible[one]]
         return all(ends.count(shaft) >= 3 for shaft in self.frame.further)
 
-    def fitted(self, gears: Sequence[Gear], cells: int) -> list[tuple[float, float, Array]]:
-        """Minima: the sum of squares, the largest error, the ratios."""
+    def fitted(self, gears: Sequence[Gear], cells: int) -> list[Minimum]:
+        """Minima from the nearest centres of cells."""
         count, sets = self.space.cells, self.space.sets
         bits = np.frombuffer(cells.to_bytes(math.ceil(count**sets / 8), "big"), np.uint8)
         places = np.argwhere(np.unpackbits(bits)[: count**sets].reshape((count,) * sets))
         middle = (self.logarithms[1:] + self.logarithms[:-1]) / 2
         centres = middle[places]
-        targets = np.array(self.space.targets)
+        targets, widths = np.array(self.space.targets), np.array(self.space.widths)
         factors = np.array([[one.input_speed.ravel(), one.output_speed.ravel()] for one in gears])
 
         def off(x: Array) -> Array:
@@ -404,28 +415,66 @@ class Search:
                 terms = np.multiply.outer(terms, np.array([1.0, sign * one])).ravel()
             speeds = factors @ terms
             with np.errstate(divide="ignore", invalid="ignore"):
-                gaps: Array = np.log(speeds[:, 0] / speeds[:, 1] / targets)
-            return np.where(np.isfinite(gaps), gaps, 1e3)
+                gaps: Array = np.log(speeds[:, 0] / speeds[:, 1] / targets) / widths
+            return np.where(np.isfinite(gaps), gaps, 1e5)
 
         squares = [float((off(x) ** 2).sum()) for x in centres]
         nearest = np.argsort(squares)[:STARTS]
         limits = (self.logarithms[0], self.logarithms[-1])
         minima = []
         for at in nearest:
-            if squares[at] >= 1e6:
+            if squares[at] >= 1e10:
                 continue
             found = least_squares(off, centres[at], bounds=limits, xtol=EPS, ftol=EPS, gtol=EPS)
             gaps = off(found.x)
             ratios = np.exp(found.x) * self.signs
-            minima.append((float(gaps @ gaps), float(abs(gaps).max()), ratios))
+            farthest = float(abs(gaps).max())
+            if farthest > 1 and gaps @ gaps <= 1.1 * len(gaps):
+                farthest = min(farthest, _least_farthest(off, found.x, limits))
+            size = float((abs(gaps) * widths).max())
+            minima.append(Minimum(float(gaps @ gaps), size, farthest, ratios))
         return minima
 
 
+class Minimum(NamedTuple):
+    """Of the sum of squares of ln(i/target)/width."""
+
+    squares: float
+    error: float
+    """The largest |ln(i/target)| there."""
+    farthest: float
+    """The largest |ln(i/target)|/width, as small as can be near it."""
+    ratios: Array
+
+
+def _least_farthest(
+    off: Callable[[Array], Array], start: Array, limits: tuple[float, float]
+) -> float:
+    """The least that the largest error near a point can be: it is one more variable."""
+
+    def farthest(x: Array) -> float:
+        return float(x[-1])
+
+    def room(x: Array) -> Array:
+        gaps = off(x[:-1])
+        return np.concatenate([x[-1] - gaps, x[-1] + gaps])
+
+    found = minimize(  # type: ignore[call-overload] # a tuple of bounds is one, too
+        farthest,
+        np.array([*start, abs(off(start)).max()]),
+        bounds=[*[limits] * len(start), (0.0, 1e6)],
+        constraints={"type": "ineq", "fun": room},
+        method="SLSQP",
+        options={"ftol": 1e-12, "maxiter": 500},
+    )
+    return float(abs(off(found.x[:-1])).max())
+
+
 def found_in(space: Space, frame: Frame) -> list[Box]:
-    """The boxes of a frame with an error of no more than 1.05 times the tolerance."""
+    """The boxes of a frame whose gears are no farther than 1.05 times their tolerances."""
     search = Search(space, frame)
     boxes: dict[object, Box] = {}
-    known: dict[object, list[tuple[float, float, Array]]] = {}
+    known: dict[object, list[Minimum]] = {}
     for gears, cells in search.choices():
         formulas = tuple(one.formula for one in gears)
         if formulas not in known:
@@ -433,17 +482,23 @@ def found_in(space: Space, frame: Frame) -> list[Box]:
         minima = known[formulas]
         if not minima:
             continue
-        best = min(minima, key=lambda one: one[0])[1]
-        _, error, ratios = min(minima, key=lambda one: one[1])
-        if error > 1.05 * space.tolerance:
+        best = min(minima, key=lambda one: one.squares).error
+        _, error, _, ratios = min(minima, key=lambda one: one.error)
+        farthest = min(one.farthest for one in minima)
+        if farthest > 1.05:
             continue
         used = frozenset().union(*(one.engaged for one in gears))
         elements = tuple(frame.possible[at] for at in sorted(used))
         name = min(names(frame, elements))
-        if name in boxes and boxes[name].error <= error:
-            continue
+        if name in boxes:
+            farthest = min(farthest, boxes[name].farthest)
+            boxes[name] = boxes[name]._replace(farthest=farthest)
+            if boxes[name].error <= error:
+                continue
         chosen = tuple(tuple(frame.possible[at] for at in sorted(one.engaged)) for one in gears)
-        boxes[name] = Box(*name, error, best, tuple(ratios.tolist()), chosen, (frame, elements))
+        boxes[name] = Box(
+            *name, error, best, farthest, tuple(ratios.tolist()), chosen, (frame, elements)
+        )
     return [boxes[name] for name in sorted(boxes)]  # type: ignore[type-var]
 
 

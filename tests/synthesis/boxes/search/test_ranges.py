@@ -73,7 +73,7 @@ def test_a_fit_is_that_of_scipy(number: int) -> None:
     asked = Asked(targets, targets, targets, np.ones(5), 1.5, 4.0)
     room = fit_room(5, 3)
     room.logs[:] = np.log(2.5)
-    total = fitted(parts, np.arange(5), asked, room)
+    total = fitted(parts, np.arange(5), asked, 0.0, room)
 
     def errors(logs: Floats) -> Floats:
         own = weights((np.exp(logs)[None] - 1.5) / 2.5)[0]

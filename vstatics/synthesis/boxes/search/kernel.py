@@ -72,9 +72,9 @@ def boxes_of_ports(
     found = given_up = 0
     for number in range(count):
         different = _different(table, port, sets[number], room)
-        error = solved(room.parts[:different], asked, room.cells)
-        if error < math.inf:
-            room.errors[found] = error
+        reach = room.sets.reach[:different]
+        if solved(room.parts[:different], reach, asked, room.cells) < math.inf:
+            room.errors[found] = room.cells.best[1]
             put(room.cells.best_gears, room.gears[found])
             put(sets[number], sets[found])
             put(room.cells.best_logs, room.logs[found])
@@ -96,7 +96,7 @@ def sequences_of_ports(
     for number in range(count):
         different = _different(table, port, sets[number], room)
         put(room.cells.ratio_of, room.sequences.ratio_of)
-        put(room.cells.used, room.sequences.used)
+        put(room.cells.chains.used, room.sequences.used)
         length, is_open = sequence_found(room.parts[:different], asked, room.sequences)
         if length > 0:
             room.lengths[found] = length
@@ -194,10 +194,10 @@ def _different(table: Combinations, port: PortGears, elements: Integers, room: R
         which = number_of(table, elements, subset)
         ratio = port.ratio_of[which]
         room.cells.ratio_of[subset] = -1
-        room.cells.used[subset] = 0
+        room.cells.chains.used[subset] = 0
         for place in table.places[subset]:
             if (port.loaded[which] >> elements[place]) & 1:
-                room.cells.used[subset] |= 1 << place
+                room.cells.chains.used[subset] |= 1 << place
         for number in range(count):
             if room.sets.ratios[number] == ratio:
                 room.cells.ratio_of[subset] = number

@@ -125,8 +125,7 @@ class _PortSearch:
         counts = search.brake_counts
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
-        in_turn = search.singly and search.sequence is None
-        self.shifts = neighbours(search.targets if in_turn else ())
+        self.shifts = _shifts(search)
         self.shafts = _at_shafts(search, self.table)
         self.kept = _kept(search, self.bases, self.table)
         self.searched = self.given_up = 0
@@ -260,6 +259,12 @@ def _sequence(search: BoxSearch) -> Sequence:
     return Sequence(wanted.least, wanted.most, low, high, least, most, wanted.falling)
 
 
+def _shifts(search: BoxSearch) -> Integers:
+    """The targets between which one element is to change."""
+    in_turn = search.singly and search.sequence is None
+    return neighbours(search.targets if in_turn else ())
+
+
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
@@ -268,7 +273,7 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
-        cells=cell_room(table, asked, sets),
+        cells=cell_room(table, asked, sets, _shifts(search)),
         sequences=sequence_room(table, asked, _sequence(search), sets),
         lengths=np.zeros(most, np.int64),
         gears=np.zeros((most, targets + _sequence(search).most), np.int64),

@@ -19,7 +19,6 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, all_used
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
-from vstatics.synthesis.boxes.search.solving import halve
 
 NARROW = 1.01
 """A cell is not halved along a ratio whose bounds are so near. [-]"""
@@ -59,8 +58,6 @@ class SequenceRoom(NamedTuple):
     low: Floats
     """Bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
     high: Floats
-    stages: Integers
-    """As `halve` has them, shape (cells,)."""
     ends: Floats
     """Between which ln(i) of each ratio is in a cell, none where it is never forward; shape
     (ratios, 2). [-]"""
@@ -105,7 +102,6 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
         parts=np.zeros((deep, ratios, 2, 2**sets)),
         low=np.zeros((deep, sets)),
         high=np.zeros((deep, sets)),
-        stages=np.zeros(deep, np.int64),
         ends=np.zeros((ratios, 2)),
         lasts=np.zeros((gears + 1, 2)),
         reach=np.zeros(ratios, np.int64),
@@ -167,7 +163,7 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
         if number < 0:
             is_open = True
             continue
-        halve(room, count, top, number)  # type: ignore[arg-type]  # compiled for any such room
+        _halve(room, count, top, number)
         top += 2
     return best, bool((is_open or top > 0) and best < wanted.most)
 
@@ -381,3 +377,27 @@ def _widest(room: SequenceRoom, top: int) -> int:
         if width > widest:
             found, widest = number, width
     return found
+
+
+@compiled
+def _halve(room: SequenceRoom, count: int, top: int, number: int) -> None:
+    """Halve the cell on top, along one ratio: the lower half stays there, the other is next."""
+    low, high = room.low[top, number], room.high[top, number]
+    middle = math.sqrt(low * high)
+    part = (middle - low) / (high - low)
+    bit = 1 << number
+    for ratio in range(count):
+        for half in range(2):
+            here = room.parts[top, ratio, half]
+            there = room.parts[top + 1, ratio, half]
+            for corner in range(len(here)):
+                if corner & bit == 0:
+                    last = here[corner | bit]
+                    value = here[corner] + (last - here[corner]) * part
+                    here[corner | bit] = value
+                    there[corner] = value
+                    there[corner | bit] = last
+    put(room.low[top], room.low[top + 1])
+    put(room.high[top], room.high[top + 1])
+    room.high[top, number] = middle
+    room.low[top + 1, number] = middle
