@@ -74,6 +74,9 @@ golden: .venv/dev.stamp ## rewrite tests/golden; fails where something changed
 messages: .venv/dev.stamp ## rewrite causes and cures in docs/messages.md
 	$(BIN)/python -m tests.message_page docs/messages.md
 
+site: .venv/dev.stamp ## build the site in site/, to be read from the disk or served (two minutes)
+	$(BIN)/python -m website site
+
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.cli.schemas schemas
 
@@ -89,7 +92,7 @@ dist: .venv/dev.stamp ## build wheel and sdist in dist/, and try the wheel witho
 	$(BIN)/pytest -q -n 0 tests/test_wheel.py --wheel dist/*.whl
 
 clean: ## remove what make has made
-	rm -rf .venv .venv-oldest dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-oldest dist site .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
 
 .venv/run.stamp: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -111,4 +114,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden messages schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden messages site schema bench boxes dist clean

@@ -219,9 +219,9 @@ def test_broken_links_are_found(tmp_path: Path) -> None:
 
 
 def test_every_document_is_reached_from_the_readme() -> None:
-    """Pages of the cookbook and of the sources by their lists."""
+    """Pages of the cookbook, of how to and of the sources by their lists."""
     linked = set(LINK.findall((ROOT / "README.md").read_text(encoding="utf-8")))
-    for document in ("docs/cookbook/README.md", "docs/sources.md"):
+    for document in ("docs/cookbook/README.md", "docs/how-to/README.md", "docs/sources.md"):
         folder, pages = document.rpartition("/")[0], (ROOT / document).read_text(encoding="utf-8")
         linked |= {f"{folder}/{page}" for page in LINK.findall(pages)}
     assert {name for name in NAMES if name != "README.md"} <= {

@@ -292,8 +292,19 @@ def test_a_run_is_on_the_page_of_its_scenario(browser: Any, tmp_path: Path) -> N
     here.until(f"""document.querySelector('{event}')""")
     first = float(here.page.get_attribute(event, "data-number"))
     assert first == pytest.approx(0.410054, abs=1e-5)  # as the scenario says itself
+    here.page.focus("#time")
+    here.page.keyboard.press("PageUp")  # by a tenth of a second
+    here.page.keyboard.press("+")
+    brake = 'document.querySelector("[data-element=brake]")'
+    assert here.page.evaluate(f"{brake}.querySelectorAll('td')[2].dataset.number") == "-120"
     here.type("controls.brake.1.2", "150")
     here.until(f"""Number(document.querySelector('{event}').dataset.number) < {first} - 1e-3""")
+    here.until(f"{brake}.querySelectorAll('td')[2].dataset.number === '-150'")
+    assert here.page.text_content(".time-now") == "0.1000"
+    assert here.page.is_enabled("[data-run=whole]")  # it is zoomed as before
+    here.until("document.querySelector('.run-still svg')")  # for print
+    assert not here.page.is_visible(".run-still")
+    assert here.errors == []
     here.context.close()
     assert running.end() == (0, "")
 

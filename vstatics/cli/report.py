@@ -89,7 +89,8 @@ def report(
 
     With --live the page calculates: it has sliders for the numbers of the case, and ratios,
     speeds, torques, losses and efficiencies follow. Where it can't, it says so: then run the
-    program.
+    program. The run of a scenario moves then: panels are zoomed, and levers, stick diagram and
+    numbers follow a slider for the time.
 
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
@@ -100,6 +101,7 @@ def report(
       vstatics report upshift.yaml -o upshift.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
       vstatics report gearbox.yaml --live -o live.html
+      vstatics report upshift.yaml --live -o live.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 

@@ -142,7 +142,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         without,
         vibration(results, asked, has_pictures=not without) if asked.has("vibration") else None,
         digits,
-        run_section(results, motion, has_pictures=not without)
+        run_section(results, motion, has_pictures=not without, moves=has_marks)
         if motion is not None and asked.has("run")
         else None,
         naming,

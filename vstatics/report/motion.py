@@ -20,6 +20,7 @@ TIME, FIGURES = 4, 5
 """Digits of a time in s after the point; significant ones of the largest in a column."""
 KILO = 1e4
 """Energies with one as large are told in kJ. [J]"""
+NOTHING = Markup()
 
 
 class RunSection(NamedTuple):
@@ -30,20 +31,48 @@ class RunSection(NamedTuple):
     """Over time; nothing where there are no pictures."""
     plan: Drawn | None = None
     """In the kinematic plan."""
+    moves: Markup = NOTHING
+    """What a script moves; it takes the place of `course` on a screen."""
 
 
-def run_section(results: Results, motion: Motion, *, has_pictures: bool) -> RunSection:
+def run_section(
+    results: Results, motion: Motion, *, has_pictures: bool, moves: bool = False
+) -> RunSection:
     """A run with its pictures.
 
     Parameters
     ----------
     has_pictures : bool
         Whether anything can be drawn.
+    moves : bool
+        Whether the page has the script of a run.
     """
     if not has_pictures:
         return RunSection(motion)
     course, plan = (picture_of(results, kind, motion=motion) for kind in ("shift", "plan"))
-    return RunSection(motion, course, plan)
+    moving = moving_of(results, motion, bare_stick(results, motion)) if moves else NOTHING
+    return RunSection(motion, course, plan, moving)
+
+
+def moving_of(results: Results, motion: Motion, stick: Drawn) -> Markup:
+    """What moves of a run; nothing where nothing moves.
+
+    Parameters
+    ----------
+    stick : Drawn
+        The diagram whose shift elements show what they do.
+    """
+    if len(motion.time) < 2:
+        return NOTHING
+    from vstatics.report.runs.section import moving_run
+
+    return moving_run(results, motion, stick)
+
+
+def bare_stick(results: Results, motion: Motion) -> Drawn:
+    """The stick diagram of no gear, for a run; where there is none the structure."""
+    stick = picture_of(results, "stick", motion=motion)
+    return stick if stick.sheets else picture_of(results, "structure", motion=motion)
 
 
 def shown_run(
@@ -65,8 +94,10 @@ def shown_run(
         yield tag("p", f"The run stopped: {printable(motion.stopped.told)}", class_="error")
     if motion.messages:
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
+    yield section.moves
     if section.course:
-        yield from figures(section.course, "Run over time")
+        course = figures(section.course, "Run over time")
+        yield from [tag("div", *course, class_="run-still")] if section.moves else course
     grids = [in_figures(grid).with_digits(digits) for grid in motion_grids(motion)]
     yield from tables(map(marked, grids) if has_marks else grids)
     if section.plan:

@@ -28,7 +28,7 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
 """Colours of pictures on paper and on a dark screen, by the name of their variable."""
-_VARIABLES = {light: f"var(--{name})" for name, (light, _) in _PAIRS.items()}
+_COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
@@ -199,8 +199,22 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
     if key == "href" and value.startswith("#"):
         return f"#{prefix}-{value[1:]}"
     if key in _COLOURED:
-        value = _COLOUR.sub(lambda found: _VARIABLES.get(found[0], found[0]), value)
+        value = _COLOUR.sub(_variable, value)
     return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)
+
+
+def _variable(found: re.Match[str]) -> str:
+    name = _COLOUR_NAMES.get(found[0])
+    return f"var(--{name})" if name else found[0]
+
+
+def colour_name(colour: str) -> str:
+    """The name of the variable that has a colour of pictures.
+
+    >>> colour_name(Style().colour(3)), colour_name(Style().ink)
+    ('colour3', 'ink')
+    """
+    return _COLOUR_NAMES[colour]
 
 
 _TAG = re.compile(r"<(?:path|text|use|g)\b[^<>]*>")

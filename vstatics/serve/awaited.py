@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError
+from vstatics.extras import missing
 from vstatics.report.asked import SECTIONS, AskedPage
 from vstatics.report.material import Material
-from vstatics.report.motion import RunSection, shown_run
+from vstatics.report.motion import NOTHING, RunSection, bare_stick, moving_of, shown_run
 from vstatics.report.page_pictures import OF_ALL_GEARS, PAGE, Drawn, Pictures, of_each, picture_of
 from vstatics.report.sections import Part, sections
 from vstatics.report.vibration import shown_vibration, vibrates, vibration
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 
 OF_GEARS = ("stick", "flow", "lever", "modes")
 """Pictures of which each gear has one."""
-OF_RUN = ("shift", "plan")
+OF_RUN = ("shift", "plan", "stick")
 SOON, LATER = ("run", "vibration"), ("equations",)
 """Sections that are made behind the others: those with numbers at once, others when looked at."""
 QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
@@ -44,8 +46,8 @@ def awaited_pictures(results: Results) -> Pictures:
     )
 
 
-def _drawn(name: str) -> Drawn:
-    return Drawn(name.partition(":")[0], [awaited(name)])
+def _drawn(name: str, *, soon: bool = False) -> Drawn:
+    return Drawn(name.partition(":")[0], [awaited(name, soon=soon)])
 
 
 def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
@@ -79,8 +81,13 @@ def _section(name: str, material: Material, run: Callable[[], Motion | None]) ->
     """A section, pictures in it still awaited."""
     shown: Iterable[Markup] = ()
     if name == "run" and (motion := run()):
-        course, plan = (_drawn(f"run-picture:{kind}") for kind in OF_RUN)
-        section = RunSection(motion, course, plan)
+        course, plan, stick = (
+            _drawn(f"run-picture:{kind}", soon=kind == "shift") for kind in OF_RUN
+        )
+        moves = NOTHING
+        if not missing("plot", "a run that moves"):
+            moves = moving_of(material.results, motion, stick)
+        section = RunSection(motion, course, plan, moves)
         shown = shown_run(section, material.digits, in_full=True, has_marks=True)
     elif name == "vibration":
         shown = _vibration(material)
@@ -95,7 +102,8 @@ def _picture(name: str, results: Results, run: Callable[[], Motion | None]) -> M
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):
-        drawn = picture_of(results, of, motion=motion)
+        make = bare_stick if of == "stick" else partial(picture_of, kind=of)
+        drawn = make(results, motion=motion)
     elif name in (*OF_ALL_GEARS, "campbell"):
         drawn = picture_of(results, name)
     elif kind in OF_GEARS and of in map(str, range(1, len(results.case.gears) + 1)):

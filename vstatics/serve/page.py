@@ -14,10 +14,11 @@ from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, 
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
+from vstatics.report.runs import scripts as run_scripts
 from vstatics.report.sections import Part
 from vstatics.serve.awaited import QUICK, awaited_pictures, awaited_sections
 from vstatics.statics.results import Results
-from vstatics.tables.html import Markup, tag
+from vstatics.tables.html import Markup, joined, tag
 
 CHANGE = "Change"
 """The section of fields."""
@@ -36,11 +37,12 @@ def _hashed(script: str) -> str:
 
 
 POLICY = (
-    f"default-src 'none'; script-src {_hashed(SCRIPT)} {_hashed(_OWN_SCRIPT)}; "
+    f"default-src 'none'; "
+    f"script-src {' '.join(map(_hashed, (SCRIPT, *run_scripts.SCRIPTS, _OWN_SCRIPT)))}; "
     "style-src 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'"
 )
-"""A browser runs these two scripts and no others, and asks nobody else for anything."""
+"""A browser runs these scripts and no others, and asks nobody else for anything."""
 
 
 def material_of(
@@ -101,7 +103,8 @@ def page_of(
     """
     title = _title(material, runs=runs)
     state = {**state, "head": head_of(material, runs=runs)}
-    return _framed(title, [*about(material)], parts, material.document, choice(material), state)
+    head = [*about(material)]
+    return _framed(title, head, parts, material.document, choice(material), state, has_run=runs)
 
 
 def _title(material: Material, *, runs: bool) -> str:
@@ -126,12 +129,14 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
     document: dict[str, Any],
     chosen: Markup,
     state: Mapping[str, Any],
+    *,
+    has_run: bool = False,
 ) -> str:
     frame = PageFrame(
         choice=chosen,
         panel=_panel(state),
-        scripts=[_OWN_SCRIPT],
-        style=_STYLE,
+        scripts=[*(run_scripts.SCRIPTS if has_run else ()), _OWN_SCRIPT],
+        style=joined(_STYLE, run_scripts.STYLE if has_run else ""),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},
         revision=state["revision"],

@@ -42,12 +42,22 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "count": {"type": click.IntRange(option.least)},
         "flag": {"is_flag": True, "default": None},
         "choice": {"type": click.Choice(option.choices)},
+        "text": {"multiple": True, "callback": _once},
+        "list": {"multiple": True, "callback": _once},
         "texts": {"multiple": True},
         "vary": {"multiple": True},
     }
     names = filter(None, [option.short, f"--{name}"])
     more = kinds.get(option.kind, {})
     return click.option(*names, metavar=option.metavar, help=option.help, **more)
+
+
+def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ...]) -> str | None:
+    """A text that is given twice is no text: the first one would be lost."""
+    if len(given) > 1:
+        join = "with `and`" if option.name == "where" else "with commas"
+        raise click.BadParameter(f"it is given {len(given)} times; expected one, {join}")
+    return given[0] if given else None
 
 
 class Effort(NamedTuple):

@@ -21,6 +21,7 @@ from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
+from vstatics.report.runs import scripts as runs
 from vstatics.report.sections import Part, sections
 from vstatics.tables.html import Markup, joined, tag
 
@@ -61,15 +62,17 @@ def live_page(material: Material) -> str:
     )
     parts = [change._replace(is_printed=False), *shown]
     known["texts"] = [*texts]
+    moves = material.run is not None and bool(material.run.moves)
     frame = PageFrame(
         choice=choice(material),
         panel=tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        scripts=runs.SCRIPTS if moves else (),
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
             *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
         ),
-        style=_resource("live.css"),
+        style=joined(_resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
     return framed(title, about(material), parts, material.document, frame)

@@ -76,7 +76,7 @@ class BoxSearch(NamedTuple):
     fixed: int = 0
     """So many members are held for good; they are one more link of the scheme."""
     tolerance: float = 0.01
-    """A box is found if ratios of its sets leave no gear with a larger |ln(i/target)|. [-]"""
+    """A box is found if ratios of its sets leave no gear with a larger ``|ln(i/target)|``. [-]"""
     tolerances: tuple[float, ...] = ()
     """The same of each gear; `tolerance` of all where there are none. [-]"""
     brake_counts: tuple[int, ...] | None = None
@@ -128,7 +128,7 @@ class BoxFigures(NamedTuple):
     """By what boxes are compared: the less the better, and two that are so or not."""
 
     error: float
-    """The largest |ln(i/target)|. [-]"""
+    """The largest ``|ln(i/target)|``. [-]"""
     loss: float
     """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
     planet_speed: float
@@ -176,7 +176,7 @@ class FoundBox(NamedTuple):
     gears: tuple[tuple[int, ...], ...]
     """For each target the elements engaged, numbers in `elements` from 0."""
     error: float
-    """The largest |ln(i/target)|. [-]"""
+    """The largest ``|ln(i/target)|``. [-]"""
 
     @property
     def links(self) -> int:

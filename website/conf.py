@@ -1,0 +1,25 @@
+"""What Sphinx is told of the site; nothing in it comes from a network, nor is read from one."""
+
+from vstatics import __version__
+
+project = "vstatics"
+release = __version__
+author = "the authors of vstatics"
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+myst_enable_extensions = ["deflist", "dollarmath"]
+myst_heading_anchors = 4
+autodoc_default_options = {"members": True, "undoc-members": True}
+autodoc_typehints = "description"
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+html_theme = "furo"
+html_title = "vstatics"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_show_sourcelink = False
+html_copy_source = False
+html_show_search_summary = False  # it would be fetched, which a browser refuses on a disk
+suppress_warnings = [
+    "misc.highlighting_failure",
+    "ref.python",
+]  # a shell within a shell; a word as a name

@@ -1,0 +1,119 @@
+"""Which document is which page of the site, and where its links lead then."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from website.page import KINDS, Page, anchor
+
+ROOT = Path(__file__).parents[1]
+PLACES = {
+    "README.md": "start/readme",
+    "docs/own-gearbox.md": "start/own-gearbox",
+    "docs/python.md": "api/index",
+    "docs/sources.md": "sources/index",
+    "CHANGELOG.md": "reference/changelog",
+}
+HOW_TO = ("docs/ci.md", "docs/serve.md", "docs/damage.md")
+"""Besides those in docs/how-to."""
+SOURCES = ("docs/sources.md",)
+"""Besides those in docs/sources."""
+_LINK = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)\s#]+)(#[^)\s]*)?\)")
+_MESSAGE = re.compile(r"^### ([EWN]\d{3})$", re.MULTILINE)
+_FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
+
+
+def places() -> dict[str, str]:
+    """The page of each document, by its path in the project.
+
+    >>> places()["docs/cookbook/README.md"], places()["docs/sweep.md"]
+    ('cookbook/index', 'reference/sweep')
+    """
+    found = dict(PLACES)
+    for path in sorted((ROOT / "docs").glob("**/*.md")):
+        document = path.relative_to(ROOT).as_posix()
+        name = "index" if path.stem == "README" else path.stem
+        if document not in found:
+            found[document] = f"{_kind(document)}/{name}"
+    return found
+
+
+def _kind(document: str) -> str:
+    folder = document.split("/")[1]
+    if document == "docs/messages.md":
+        return "messages"
+    if document in SOURCES:
+        return "sources"
+    return "how-to" if document in HOW_TO else folder if folder in KINDS else "reference"
+
+
+def pages() -> Iterator[Page]:
+    """The documents as pages."""
+    known = places()
+    for document, name in known.items():
+        text = (ROOT / document).read_text(encoding="utf-8")
+        text = "".join(
+            part if part.startswith("```") else _with_links(part, document, name, known)
+            for part in _FENCED.split(text)
+        )
+        if name == "messages/messages":
+            text = _MESSAGE.sub(lambda found: f"{anchor(found[1])}\n{found[0]}", text)
+        yield Page(name.partition("/")[0], name, text)
+
+
+def _with_links(text: str, document: str, name: str, known: dict[str, str]) -> str:
+    """Links to other documents lead to their pages, links to shipped cases to the gallery.
+
+    A folder that is not in the site has its words alone.
+    """
+
+    def moved(found: re.Match[str]) -> str:
+        words, link, place = found.groups(default="")
+        path = os.path.normpath(Path(document).parent / link)
+        target = target_of(path, known)
+        if target == f"files/{path}" and (ROOT / path).is_dir():
+            return words
+        return f"[{words}]({os.path.relpath(target, Path(name).parent)}{place})"
+
+    return _LINK.sub(moved, text)
+
+
+def target_of(path: str, known: dict[str, str]) -> str:
+    """What stands in the site for a file of the project.
+
+    >>> target_of("cases/zf-8hp70.yaml", {}), target_of("cases/scenarios/8hp70-upshift.yaml", {})
+    ('gallery/zf-8hp70.md', 'gallery/scenarios-8hp70-upshift.md')
+    >>> target_of("LICENSE", {})
+    'files/LICENSE'
+    """
+    if path in known:
+        return f"{known[path]}.md"
+    if path in {"cases", "cases/scenarios"}:
+        return "gallery/index.md"
+    if path.startswith("cases/"):
+        return f"gallery/{gallery_name(path)}.md"
+    return path.removeprefix("docs/") if path.startswith("docs/pictures/") else f"files/{path}"
+
+
+def gallery_name(path: str) -> str:
+    """The page of a shipped case: the same case as a deck has the page of its YAML.
+
+    >>> gallery_name("cases/mzkt7922.dat")
+    'mzkt7922'
+    """
+    return os.path.splitext(path)[0].removeprefix("cases/").replace("/", "-")  # noqa: PTH122
+
+
+def files(known: dict[str, str]) -> Iterator[tuple[str, str]]:
+    """Files that documents show or name: where they are, where they will be."""
+    found = set()
+    for document in known:
+        for link in _LINK.finditer(_FENCED.sub("", (ROOT / document).read_text(encoding="utf-8"))):
+            path = os.path.normpath(Path(document).parent / link[2])
+            target = target_of(path, known)
+            if not target.startswith("gallery/") and (ROOT / path).is_file() and path not in known:
+                found.add((path, target))
+    yield from sorted(found)

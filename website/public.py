@@ -1,0 +1,48 @@
+"""Reference of the public names in Python, from their docstrings."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from importlib import import_module
+
+from website.page import Page
+
+MODULES = {
+    "vstatics": "The calculation",
+    "vstatics.elements": "Teeth and drawn elements",
+    "vstatics.torsion": "Torsion",
+    "vstatics.simulation": "Motion",
+    "vstatics.synthesis": "Synthesis",
+}
+
+
+def pages() -> Iterator[Page]:
+    """A page for each public module, in reStructuredText."""
+    for module, title in MODULES.items():
+        heading = f"{title}: {module}"
+        lines = [heading, "=" * len(heading), ""]
+        lines += [f".. automodule:: {module}", "   :no-members:", ""]
+        for name in names(module):
+            value = getattr(import_module(module), name)
+            lines += [f".. {_directive(value)}:: {module}.{name}", ""]
+        yield Page("api", f"api/{module}", "\n".join(lines), ".rst")
+
+
+def names(module: str) -> list[str]:
+    """The public names of a module; one that `vstatics` has stands there.
+
+    >>> "solve" in names("vstatics"), "Scenario" in names("vstatics.simulation")
+    (True, False)
+    """
+    own = list(import_module(module).__all__)
+    if module == "vstatics":
+        return [name for name in own if name != "__version__"]
+    first = import_module("vstatics").__all__
+    return [name for name in own if name not in first]
+
+
+def _directive(value: object) -> str:
+    if inspect.isclass(value):
+        return "autoexception" if issubclass(value, Exception) else "autoclass"
+    return "autofunction" if callable(value) else "autodata"
