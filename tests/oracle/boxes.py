@@ -49,6 +49,8 @@ class Space(NamedTuple):
     """Of each gear, where they are not the same."""
     cells: int = 16
     """Along the ratio of each set."""
+    own_output: bool = False
+    shafts: int = 0
 
     @property
     def widths(self) -> tuple[float, ...]:
@@ -58,7 +60,8 @@ class Space(NamedTuple):
     @property
     def links(self) -> int:
         """Of the scheme."""
-        return self.sets + self.engaged + (not self.own_input) + bool(self.fixed)
+        others = self.own_input + self.own_output + self.shafts
+        return self.sets + self.engaged + 1 - others + bool(self.fixed)
 
 
 class Frame(NamedTuple):
@@ -71,11 +74,18 @@ class Frame(NamedTuple):
     """`HELD` if none is."""
     input: int
     output: int
+    shafts: int = 0
+
+    @property
+    def further(self) -> list[int]:
+        """Shafts of no set that are no ports."""
+        first = max(*self.code, self.input, self.output) + 1
+        return list(range(first, first + self.shafts))
 
     @property
     def moving(self) -> list[int]:
-        """Links that can turn, an input of its own among them."""
-        links = set(self.code) | {self.input}
+        """Links that can turn, those of no set among them."""
+        links = {*self.code, self.input, self.output, *self.further}
         return sorted(links - {self.held})
 
     @property
@@ -144,18 +154,20 @@ def names(
 ) -> Iterator[tuple[Frame, tuple[tuple[int, int], ...]]]:
     """The same box under all names that its sets can have."""
     own = triples(frame.code)
-    for order in permutations(range(len(own))):
+    for order, further in product(permutations(range(len(own))), permutations(frame.further)):
         new: dict[int, int] = {HELD: HELD}
         for at in order:
             for link in own[at]:
                 new.setdefault(link, len(new) - 1)
-        new.setdefault(frame.input, len(new) - 1)
+        for link in (frame.input, frame.output, *further):
+            new.setdefault(link, len(new) - 1)
         renamed = Frame(
             tuple(new[link] for at in order for link in own[at]),
             tuple(frame.meshed[at] for at in order),
             new[frame.held],
             new[frame.input],
             new[frame.output],
+            frame.shafts,
         )
         pairs = sorted(
             (new[a], HELD) if b == HELD else (min(new[a], new[b]), max(new[a], new[b]))
@@ -171,14 +183,15 @@ def frames(space: Space) -> Iterator[Frame]:
         for some in combinations(range(space.sets), space.meshed)
     ]
     for code in codes(space.sets, space.links):
-        if not is_sound(code) or not (space.fixed or hangs_together(code)):
+        in_parts = space.fixed and not space.shafts
+        if not is_sound(code) or not (in_parts or hangs_together(code)):
             continue
         links = range(space.links)
         held = [one for one in links if code.count(one) == space.fixed] if space.fixed else [HELD]
-        for meshed, still, input_, output in product(
-            flags, held, [space.links] if space.own_input else links, links
-        ):
-            frame = Frame(code, meshed, still, input_, output)
+        inputs = [space.links] if space.own_input else links
+        outputs = [space.links + space.own_input] if space.own_output else links
+        for meshed, still, input_, output in product(flags, held, inputs, outputs):
+            frame = Frame(code, meshed, still, input_, output, space.shafts)
             if len({still, input_, output}) == 3 and frame == min(names(frame, ()))[0]:
                 yield frame
 
@@ -193,7 +206,7 @@ def polynomials(frame: Frame, choices: npt.NDArray[np.intp]) -> Array:
     turning = np.zeros((max(frame.moving) + 2, size))  # a row for each link, the last for `HELD`
     for at, link in enumerate(frame.moving):
         turning[link, at] = 1
-    speed = {link: turning[link] for link in {HELD, *frame.code, frame.input}}
+    speed = {link: turning[link] for link in {HELD, *frame.code, *frame.moving}}
     corners = list(product((0, 1), repeat=len(own)))
     matrix = np.zeros((len(choices), len(corners), 2, size, size))
     for number, corner in enumerate(corners):
@@ -278,12 +291,16 @@ class Gear(NamedTuple):
     output_speed: Array
     cells: tuple[int, ...]
     """For each target those in which it can have it."""
+    needed: frozenset[int]
+    """Those of the elements that count as used."""
     formula: tuple[float, ...]
     """Its ratio at some ratios of the sets: the same for all that have one ratio anywhere."""
 
 
 Choice = tuple[tuple[Gear, ...], int]
 """Gears, one for each target, and the cells that are left."""
+Way = tuple[frozenset[int], frozenset[int], dict[int, Gear], int]
+"""Elements that are engaged, those that are in use, gears of targets, cells."""
 
 
 class Search:
@@ -322,9 +339,30 @@ class Search:
             )
             if any(cells):
                 formula = tuple(ratios[:, number].tolist())
-                yield Gear(
-                    frozenset(choices[number].tolist()), own[..., 0], own[..., 1], cells, formula
-                )
+                engaged = choices[number].tolist()
+                needed = self._carrying(engaged) if space.shafts else frozenset(engaged)
+                yield Gear(frozenset(engaged), own[..., 0], own[..., 1], cells, needed, formula)
+
+    def _carrying(self, engaged: Sequence[int]) -> frozenset[int]:
+        """The elements that carry torque: the balance of each link, with 1 at the input."""
+        frame, own = self.frame, triples(self.frame.code)
+        row = {link: at for at, link in enumerate(frame.moving)}
+        pairs = [(self.frame.possible[one], (1.0, -1.0)) for one in engaged]
+        columns: list[tuple[Sequence[int], Sequence[float]]] = [*pairs, ([frame.output], [1.0])]
+        for at, (links, sign) in enumerate(zip(own, self.signs, strict=True)):
+            k = sign * (2.1 + 0.3 * math.sqrt(at + 2))
+            columns.append((links, (1.0, k - 1, -k)))
+        balance = np.zeros((len(row), len(columns)))
+        for at, (on_links, torques) in enumerate(columns):
+            for link, torque in zip(on_links, torques, strict=True):
+                if link in row:
+                    balance[row[link], at] += torque
+        given = np.zeros(len(row))
+        given[row[frame.input]] = 1
+        found = np.linalg.solve(balance, given)
+        return frozenset(
+            one for one, torque in zip(engaged, found, strict=False) if abs(torque) > 1e-9
+        )
 
     def choices(self) -> Iterator[Choice]:
         """Gears for the targets that some cell allows, with these cells.
@@ -334,12 +372,12 @@ class Search:
         targets = range(len(self.space.targets))
         able = [[gear for gear in self.gears if gear.cells[n]] for n in targets]
         order = sorted(targets, key=lambda n: len(able[n]))
-        ways: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
+        ways: dict[object, Way] = {}
         everywhere = (1 << 8 * math.ceil(self.space.cells**self.space.sets / 8)) - 1
-        ways[()] = frozenset(), {}, everywhere
+        ways[()] = frozenset(), frozenset(), {}, everywhere
         for n in order:
-            after: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
-            for used, chosen, cells in ways.values():
+            after: dict[object, Way] = {}
+            for used, carrying, chosen, cells in ways.values():
                 for gear in able[n]:
                     left, both = cells & gear.cells[n], used | gear.engaged
                     if not left or len(both) > self.space.elements:
@@ -349,11 +387,17 @@ class Search:
                         more = chosen | {n: gear}
                         name = tuple(one.formula for one in more.values())
                         # two targets with one formula need two choices of elements
-                        after[both, name, frozenset(alike)] = both, more, left
+                        needed = carrying | gear.needed
+                        after[both, needed, name, frozenset(alike)] = both, needed, more, left
             ways = after
-        for used, chosen, cells in ways.values():
-            if len(used) == self.space.elements:
+        for used, carrying, chosen, cells in ways.values():
+            if len(carrying) == self.space.elements and self._are_full(used):
                 yield tuple(chosen[n] for n in targets), cells
+
+    def _are_full(self, elements: frozenset[int]) -> bool:
+        """Whether three elements or more are at each shaft."""
+        ends = [link for one in elements for link in self.frame.possible[one]]
+        return all(ends.count(shaft) >= 3 for shaft in self.frame.further)
 
     def fitted(self, gears: Sequence[Gear], cells: int) -> list[Minimum]:
         """Minima from the nearest centres of cells."""

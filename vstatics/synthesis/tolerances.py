@@ -56,6 +56,8 @@ LARGEST_ERROR_WEIGHT = 1e-3
 """By this part of its largest error a region comes later."""
 
 # whole boxes
+NO_LOAD = 1e-9
+"""An element whose torque is less than this part of the input's carries none."""
 SAME_FITTED_RATIO = 1e-6
 """Ratios of a gear that differ by less than this part are one: they are fitted."""
 EQUAL_FIGURES = 1e-7

@@ -11,6 +11,7 @@ from jsonschema import Draft202012Validator
 
 from tests.chance import seeded
 from tests.synthesis.boxes.hand_boxes import (
+    FORD_10R,
     SIMPSON,
     SIMPSON_SEARCH,
     ZF_6HP,
@@ -43,7 +44,9 @@ def renamed(box: FoundBox, seed: int) -> FoundBox:
     rng = seeded(seed)
     links = list(range(box.scheme.links))
     rng.shuffle(links)
-    new = {HELD: HELD, box.scheme.links: box.scheme.links} | dict(enumerate(links))
+    new = {HELD: HELD, box.input: box.input, box.output: box.output} | dict(enumerate(links))
+    shafts = [one for one in range(box.scheme.links, box.links) if one not in new]
+    new |= dict(zip(shafts, rng.sample(shafts, len(shafts)), strict=True))
     order = rng.sample(range(len(box.ratios)), len(box.ratios))
     which = rng.sample(range(len(box.elements)), len(box.elements))
     sets = [tuple(new[link] for link in one) for one in box.scheme.sets]
@@ -60,7 +63,14 @@ def renamed(box: FoundBox, seed: int) -> FoundBox:
     )
 
 
-@pytest.mark.parametrize("box", [ZF_8HP, SIMPSON, ZF_6HP])
+SHAFTS = SIMPSON._replace(  # an input and an output of its own, and two shafts more
+    output=5,
+    elements=((4, 6), (0, 6), (6, HELD), (6, 7), (7, 1), (7, 5), (4, 7)),
+    gears=((0, 1, 2, 4), (0, 3, 4, 5), (1, 2, 3, 5), (3, 4, 5, 6)),
+)
+
+
+@pytest.mark.parametrize("box", [ZF_8HP, SIMPSON, ZF_6HP, FORD_10R, SHAFTS])
 def test_a_box_in_other_words_is_the_same(box: FoundBox) -> None:
     least = least_box(box)
     assert least_box(least) == least

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.cases import RequiredUnless
+from vstatics.cli.frame.options import Option, gathered, refuse
 from vstatics.cli.frame.values import (
     each,
     named,
@@ -20,13 +21,19 @@ from vstatics.cli.frame.values import (
     wrong_use,
     wrong_value,
 )
+from vstatics.cli.synth.box_kept import free_parts, kept_box_search
 from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
+from vstatics.cli.synth.box_sequence import ends, gear_counts, wanted_sequence
 from vstatics.errors import plural, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search
+from vstatics.synthesis.boxes.box import (
+    EFFICIENCY,
+    BoxSearch,
+    WantedSequence,
+    check_box_search,
+)
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
-from vstatics.synthesis.boxes.figures.by_gear import check_weights
-from vstatics.synthesis.gears.case_of_scheme import names_of_mean
+from vstatics.synthesis.boxes.figures.by_gear import check_search_weights
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter
@@ -76,6 +83,8 @@ def _asked(
     figures: WantedFigures,
     order: BoxOrder,
     weights: Mapping[str, float],
+    keep: str | None,
+    free: Mapping[str, int],
 ) -> BoxAsked:
     """What the options ask for.
 
@@ -84,10 +93,14 @@ def _asked(
     UsageError
     """
     search = search._replace(**gears._asdict())
-    with wrong_use(("ratios", *BoxSearch._fields, *BoxOrder._fields, "weights")):
+    refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
+    if keep is not None:
+        search = kept_box_search(search, keep, free)
+    names = ("ratios", "gears", "spread", "steps", *BoxSearch._fields)
+    with wrong_use((*names, *BoxOrder._fields, "weights")):
         check_box_search(search)
         order.check()
-        check_weights(names_of_mean(search.targets), weights)
+        check_search_weights(search, weights)
     wanted = figures.of_boxes(search.elements)
     return BoxAsked(wanted.narrowed(search), efficiency, wanted, order, weights)
 
@@ -133,6 +146,29 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
+def _sequence(
+    gears_wanted: tuple[int, int] | None,
+    spread: tuple[float, float] | None,
+    steps: tuple[float, float] | None,
+    *,
+    falling: bool,
+) -> WantedSequence | None:
+    return wanted_sequence(gears_wanted, spread, steps, falling=falling)
+
+
+def _count_option(name: str, metavar: str, says: str) -> Option:
+    """A count that a search needs, unless it comes from a case."""
+    return click.option(
+        name,
+        type=int,
+        required=True,
+        cls=RequiredUnless,
+        unless="keep",
+        metavar=metavar,
+        help=says,
+    )
+
+
 _TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
 
 options = gathered(
@@ -141,17 +177,9 @@ options = gathered(
     gathered(
         "search",
         partial(BoxSearch, targets=()),
-        click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
-        click.option(
-            "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
-        ),
-        click.option(
-            "--engaged",
-            type=int,
-            required=True,
-            metavar="E",
-            help="So many of them are engaged in every gear.",
-        ),
+        _count_option("--sets", "N", "Planetary sets."),
+        _count_option("--elements", "M", "Brakes and clutches in all."),
+        _count_option("--engaged", "E", "So many of them are engaged in every gear."),
         gathered(
             "gears",
             wanted_gears,
@@ -160,6 +188,8 @@ options = gathered(
                 "targets",
                 multiple=True,
                 required=True,
+                cls=RequiredUnless,
+                unless="gears_wanted",
                 callback=value(each(wanted_ratio), "--ratios"),
                 metavar="I,...",
                 help="Of each gear a ratio or a range, below 0 backward: 5.8:6.2,1,-4:-2.5.",
@@ -173,6 +203,31 @@ options = gathered(
                 metavar="T,...",
                 help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2.",
             ),
+        ),
+        gathered(
+            "sequence",
+            _sequence,
+            click.option(
+                "--gears",
+                "gears_wanted",
+                is_eager=True,
+                callback=value(gear_counts, "--gears"),
+                metavar="A:B",
+                help="So many forward gears besides --ratios, whatever their ratios are.",
+            ),
+            click.option(
+                "--spread",
+                callback=value(ends, "--spread"),
+                metavar="LOW:HIGH",
+                help="Of --gears the first ratio over the last.",
+            ),
+            click.option(
+                "--steps",
+                callback=value(ends, "--steps"),
+                metavar="LOW:HIGH",
+                help="Of --gears each ratio over the next one.",
+            ),
+            click.option("--falling", is_flag=True, help="No step is larger than that below it."),
         ),
         click.option(
             "--bounds",
@@ -195,12 +250,38 @@ options = gathered(
             help="The input is a shaft that only clutches join to the sets.",
         ),
         click.option(
+            "--own-output",
+            is_flag=True,
+            help="The output is a shaft that only clutches join to the sets.",
+        ),
+        click.option(
+            "--shafts",
+            type=int,
+            default=0,
+            metavar="K",
+            help="So many further shafts no set has a member on; three elements or more join each.",
+        ),
+        click.option(
             "--fixed",
             type=int,
             default=0,
             metavar="K",
             help="So many members of sets are held for good.",
         ),
+    ),
+    click.option(
+        "--keep",
+        type=click.Path(),
+        is_eager=True,
+        metavar="CASE",
+        help="Boxes with the scheme, kinds of sets, ports and elements of a case.",
+    ),
+    click.option(
+        "--free",
+        multiple=True,
+        callback=value(free_parts, "--free"),
+        metavar="elements=N",
+        help="So many of its elements may be missing.",
     ),
     click.option(
         "--efficiency",

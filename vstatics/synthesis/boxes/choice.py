@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
+from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.synthesis.boxes.box import (
     EFFICIENCY,
@@ -23,6 +24,8 @@ from vstatics.synthesis.boxes.figures.measured import ALIKE, FIGURE_DECIMALS, Me
 from vstatics.synthesis.boxes.grouping import core_of, families, numbered, pareto, places
 from vstatics.synthesis.boxes.least_form import identity
 
+NO_RATIO = 1e9
+"""In place of a gear that a box has not. [-]"""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
 """The figures by which boxes stand in order."""
 
@@ -87,12 +90,12 @@ def ranked(
     figures = {name: np.array([box.figures.number(name) for box in chosen]) for name in FIGURES}
     own = {name: places(values) for name, values in figures.items()}
     errors = figures["error"]
-    within = errors <= max(search.widths) * (1 + SAME_RATIO)
+    within = errors <= max(search.widths, default=search.tolerance) * (1 + SAME_RATIO)
     usual = own | {"error": places(np.where(within, 0.0, errors))}
     keys = [own[name].tolist() for name in by.sort] + [usual[name].tolist() for name in ORDER]
     names = [identity(box.box) for box in chosen]
     rows = [row for *_, row in sorted(zip(*keys, names, range(len(chosen)), strict=True))]
-    family = families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
+    family = families(_ratios([chosen[row] for row in rows]))
     cores = numbered(
         (number, core_of(chosen[row].box)) for number, row in zip(family, rows, strict=True)
     )
@@ -120,6 +123,15 @@ def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     """By which one of several fits is taken; the ratios settle it, whoever came first."""
     error, loss = (round(one, FIGURE_DECIMALS) for one in box.figures[:2])
     return error, loss, box.box.ratios
+
+
+def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
+    """The ratios of all gears, (boxes, gears); where a box has fewer, what no gear has."""
+    most = max(len(box.gears) for box in boxes)
+    ratios = np.full((len(boxes), most), NO_RATIO)
+    for row, box in zip(ratios, boxes, strict=True):
+        row[: len(box.gears)] = [gear.ratio for gear in box.gears]
+    return ratios
 
 
 class BoxFilter(NamedTuple):

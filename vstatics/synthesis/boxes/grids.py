@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
@@ -127,11 +128,14 @@ def _of_families(boxes: Sequence[RankedBox]) -> Grid:
     members: dict[int, list[RankedBox]] = {}
     for box in boxes:
         members.setdefault(box.family, []).append(box)
+    longest = max(boxes, key=lambda box: len(box.found.gears))
+    names = [gear.name for gear in longest.found.gears]
     rows: list[Values] = []
     for family, own in members.items():
         first = own[0].found
+        ratios = {gear.name: gear.ratio for gear in first.gears}
         losses = [100 * box.found.figures.loss for box in own]
         ends = (exact(min(losses), 2), exact(max(losses), 2), 100 * first.figures.error)
-        rows.append((family, len(own), *ends, *(gear.ratio for gear in first.gears)))
+        rows.append((family, len(own), *ends, *(ratios.get(name, math.nan) for name in names)))
     columns = ("family", "boxes", "loss from [%]", "to [%]", "error [%]")
-    return grid_of("Families", [*columns, *(gear.name for gear in boxes[0].found.gears)], rows)
+    return grid_of("Families", [*columns, *names], rows)

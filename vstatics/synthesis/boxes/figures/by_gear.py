@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.gears.case_of_scheme import names_of_mean
 
 NOTHING_LESS = 1e-9
 """What is smaller, in terms of the input's, is rounding. [-]"""
@@ -127,3 +129,27 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
         problems = [Problem("E796", "read 0 for all gears, expected one above 0", ("weights",))]
     if problems:
         raise CaseError(problems)
+
+
+def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> None:
+    """Refuse weights that are of no gear of any box that may be found, or all 0 in one.
+
+    Raises
+    ------
+    CaseError
+        With ``weights`` as its path.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.boxes.box import WantedSequence
+    >>> search = BoxSearch(2, 4, 2, (), sequence=WantedSequence(3, 4, (1, 9), (1, 9)))
+    >>> check_search_weights(search, {"4": 2.0})
+    >>> check_search_weights(search, {"1": 0.0, "2": 0.0, "3": 0.0})
+    Traceback (most recent call last):
+    vstatics.errors.CaseError: weights: read 0 for all gears, expected one above 0 [E796]
+    """
+    wanted = search.sequence
+    fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
+    check_weights(names_of_mean([*search.targets, *[1.0] * most]), weights)
+    least = names_of_mean([*search.targets, *[1.0] * fewest])  # more gears have these, too
+    check_weights(least, {name: weights[name] for name in least if name in weights})

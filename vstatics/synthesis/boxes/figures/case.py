@@ -45,7 +45,7 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
     >>> [element.name for element in case.shift_elements]
     ['T-L2', 'F-L0-L1']
     """
-    links = [link for link in range(max(box.scheme.links, box.input + 1)) if link != box.held]
+    links = [link for link in range(box.links) if link != box.held]
     number = {link: place for place, link in enumerate(links, 1)} | {HELD: HOUSING}
     if box.held is not None:
         number[box.held] = HOUSING

@@ -13,7 +13,14 @@ from vstatics.model.transmission import Transmission
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.state import GearState, values_of
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.chosen_gears import Engaged, chosen_sets, equal_sets, is_single
+from vstatics.synthesis.boxes.chosen_gears import (
+    Engaged,
+    all_of,
+    chosen_sets,
+    equal_sets,
+    is_single,
+    set_ratios,
+)
 from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.boxes.figures.by_gear import (
     BoxGear,
@@ -36,6 +43,7 @@ from vstatics.synthesis.boxes.figures.shifting import beyond, one_way, reversing
 from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears, set_name
 from vstatics.synthesis.ratios.fitting import deviation
+from vstatics.synthesis.tolerances import NO_LOAD
 
 FIGURE_DECIMALS = 9
 """Figures that agree in so many decimals are equal."""
@@ -121,9 +129,12 @@ def measured(
     """
     least = least_box(box)
     targets = search.targets
+    if search.sequence is not None:  # further gears are as they are wanted
+        targets += tuple(set_ratios(least, least.gears[len(targets) :]).tolist())
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
-    sets = _chosen(least, targets, solved)
+    used_in = (lambda one: solved(one).carrying) if search.shafts else all_of
+    sets = _chosen(least, targets, solved, used_in)
     drawn = drawn_case(least, case)
     by_gear = with_drag(
         [
@@ -141,6 +152,9 @@ def measured(
         )
         for place, one, own in zip(order, sets, by_gear, strict=True)
     )
+    if search.sequence is not None:  # weights may be of gears that only other boxes have
+        there = {gear.name for gear in gears}
+        weights = {name: weight for name, weight in weights.items() if name in there}
     chosen = least._replace(
         gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
         error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign
@@ -157,6 +171,8 @@ class _SolvedGear(NamedTuple):
     loss: float
     torque: float
     """The largest one. [-]"""
+    carrying: int
+    """The engaged elements that carry torque, as bits."""
     values: Mapping[str, Any]
 
 
@@ -177,11 +193,12 @@ def _solved(case: Transmission) -> _Solved:
     def solved(engaged: Engaged) -> _SolvedGear:
         state = _state_of(case, engaged)
         found = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
-        efficiency = found["efficiency"]
+        efficiency, torques = found["efficiency"], found["torques"]
         return _SolvedGear(
             ratio=found["ratio"],
             loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # nothing comes through
-            torque=_largest(found["torques"][number] for number in engaged),
+            torque=_largest(torques[number] for number in engaged),
+            carrying=all_of(tuple(one for one in engaged if abs(torques[one]) > NO_LOAD)),
             values=found,
         )
 
@@ -229,7 +246,12 @@ def _circulating(case: Transmission, engaged: Engaged) -> float:
     return math.nan if flow is None else flow.circulating
 
 
-def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequence[Engaged]:
+def _chosen(
+    box: FoundBox,
+    targets: Sequence[float],
+    solved: _Solved,
+    used_in: Callable[[Engaged], int],
+) -> Sequence[Engaged]:
     """Of each gear, in their order, one of the sets of elements that give its ratio."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
@@ -241,7 +263,7 @@ def _chosen(box: FoundBox, targets: Sequence[float], solved: _Solved) -> Sequenc
         found = solved(engaged)
         return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
 
-    return chosen_sets(ranges, len(box.elements), cost)
+    return chosen_sets(ranges, len(box.elements), cost, used_in)
 
 
 def _figures(

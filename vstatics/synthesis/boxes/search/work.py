@@ -65,6 +65,8 @@ def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
     asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
+    if search.kept is not None:
+        asked["kept"] = {**search.kept._asdict(), "scheme": search.kept.scheme.code}
     named = {_OPTIONS.get(name, name): value for name, value in asked.items()}
     text = json.dumps([named, pieces, build()])
     return {
@@ -79,7 +81,9 @@ def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
 _OPTIONS = {
     "targets": "ratios",
     "own_input": "own-input",
+    "own_output": "own-output",
     "brake_counts": "brakes",
+    "sequence": "gears",
     "singly": "single",
 }
 """What is named otherwise where it is asked for."""
