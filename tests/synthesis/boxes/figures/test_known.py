@@ -17,6 +17,7 @@ BUILT = {
     "zf-8hp70": hand_boxes.ZF_8HP,
     "simpson": hand_boxes.SIMPSON,
     "zf-6hp26": hand_boxes.ZF_6HP,
+    "ford-10r80": hand_boxes.FORD_10R,
 }
 
 

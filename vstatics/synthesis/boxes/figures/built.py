@@ -56,7 +56,10 @@ def built_box(case: Transmission) -> FoundBox | None:
     for link in (link for one in sets for link in one.links):
         number.setdefault(link, len(number))
     scheme = SetScheme(tuple((number[a], number[h], number[b]) for (a, h, b), _ in sets))
-    number.setdefault(case.input, len(number))
+    joined_links = (link for one in case.shift_elements for link in one.links)
+    for link in (case.input, case.output, *joined_links):  # shafts without a member of a set
+        if link not in held and link != HOUSING:
+            number.setdefault(link, len(number))
     elements = _elements(case, number, held)
     is_shifted = any(gear.engaged for gear in case.gears)
     if not is_shifted or case.output not in number or None in elements.values():
