@@ -19,6 +19,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.report.html_page import PageFrame, about, choice, framed
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
+from vstatics.report.live.packed import packed
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as runs
@@ -29,6 +30,8 @@ _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
+_UNPACKED = frozenset({"change", "gears"})
+"""Sections that are there before a script has run."""
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -75,7 +78,8 @@ def live_page(material: Material) -> str:
         style=joined(_resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
-    return framed(title, about(material), parts, material.document, frame)
+    page = framed(title, about(material), parts, material.document, frame)
+    return packed(page, _UNPACKED)
 
 
 def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
