@@ -1,7 +1,8 @@
 """The page of a case that calculates by itself: sliders, and scripts that follow them.
 
 `core.js` is the calculation of a gear, `results.js` gives it numbers and makes rows of tables,
-`live.js` takes numbers from sliders and brings results to the page.
+`drawn.js` moves pictures, with a script for each kind that follows, `live.js` takes numbers from
+sliders and brings results to the page.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ _MARKS = re.compile(
 )
 _UNPACKED = frozenset({"change", "gears"})
 """Sections that are there before a script has run."""
+_SCRIPTS = ("results.js", "drawn.js", "lever.js", "flow.js", "live.js")
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -73,7 +75,7 @@ def live_page(material: Material) -> str:
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
-            *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
+            *(tag("script", _resource(name)) for name in _SCRIPTS),
         ),
         style=joined(_resource("live.css"), runs.STYLE if moves else ""),
     )
