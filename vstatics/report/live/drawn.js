@@ -70,7 +70,7 @@
   // All pictures of the page; `c` is the lowered case, `base` what it has where the sliders stood first.
   const pictures = (c, base) => {
     const names = c.gears.map(({ name }) => name);
-    const found = [...document.querySelectorAll("main figure")].map((figure) => {
+    const found = [...document.querySelectorAll("main figure")].filter((one) => !one.closest(".run-moves")).map((figure) => {
       const svg = figure.querySelector("svg"), block = figure.closest("div[data-gear]");
       const [, make] = Object.entries(kinds).find(([key]) => svg?.hasAttribute(`data-${key}`)) ?? [];
       const gear = block ? names.indexOf(block.dataset.gear) : -1, isStick = figure.closest("#overview") !== null;
