@@ -127,7 +127,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     without = ""
     if drawn is None:
         try:
-            drawn = pictures(results, asked)
+            drawn = pictures(results, asked, marked=has_marks)
         except CaseError as error:
             without, drawn = str(error), Pictures()
     told = []

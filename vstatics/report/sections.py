@@ -75,7 +75,9 @@ def sections(material: Material) -> Iterator[Part]:
             if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
         "vibration": (
-            shown_vibration(material.vibration, material.digits) if material.vibration else ()
+            shown_vibration(material.vibration, material.digits, has_marks=material.has_marks)
+            if material.vibration
+            else ()
         ),
         "largest": _largest(others),
         "shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),

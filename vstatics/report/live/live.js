@@ -1,7 +1,7 @@
 // A page that calculates: fields and sliders in, numbers with marks out.
 "use strict";
 (() => {
-  const { calculate, steps } = globalThis.transmission;
+  const { calculate, steps, pictures } = globalThis.transmission;
   const c = JSON.parse(document.getElementById("lowered").textContent), numbers = { ...c.numbers };
   const outside = document.getElementById("outside"), given = JSON.stringify(numbers);
   const known = { ...c.results, step: { rows: [], of: "step", unit: "", decimals: 3 } };
@@ -41,6 +41,7 @@
 
   const isSame = (a, b) => a === b || (a !== "" && b !== "" && Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)));
 
+  const draw = pictures(c, calculate(c, numbers));
   const show = () => {
     const told = calculate(c, numbers), asked = told.flatMap((one, n) => (one.outside ? [n] : []));
     steps(c, told).forEach((next, n) => Object.assign(told[n], next));
@@ -61,7 +62,9 @@
     outside.hidden = !asked.length;
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
-    document.body.toggleAttribute("data-moved", JSON.stringify(numbers) !== given);
+    const isMoved = JSON.stringify(numbers) !== given;
+    document.body.toggleAttribute("data-moved", isMoved);
+    draw(told, isMoved);
     dispatchEvent(new Event("numbers")); // the tools may show them in other units
   };
 

@@ -47,6 +47,29 @@ def marked(grid: Grid) -> Grid:
     return grid
 
 
+def marked_frequencies(grid: Grid) -> Grid:
+    """The natural frequencies of all gears with marks: ``frequencies``, by number of the mode.
+
+    Examples
+    --------
+    >>> from vstatics.tables.grid import Column, grid_of
+    >>> columns = ["gear", Column("rigid modes"), Column("1", over="mode")]
+    >>> [row] = marked_frequencies(grid_of("f [Hz]", columns, [("R", 1, 12.5)])).cells
+    >>> row[2].marks
+    {'result': 'frequencies', 'row': '1', 'gear': 'R', 'number': '12.5'}
+    """
+    rows = [
+        [
+            _marked(cell, "frequencies", row=column.heading, gear=row[0].text)
+            if column.over and cell.value is not None
+            else cell
+            for cell, column in zip(row, grid.columns, strict=True)
+        ]
+        for row in grid.cells
+    ]
+    return grid._replace(rows=rows)
+
+
 def marked_powers(grid: Grid, gear: str) -> Grid:
     """The table of powers of a gear with marks; rows are ``link ring``, ``mechanism P1.sun``.
 

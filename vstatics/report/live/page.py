@@ -1,7 +1,8 @@
 """The page of a case that calculates by itself: sliders, and scripts that follow them.
 
 `core.js` is the calculation of a gear, `results.js` gives it numbers and makes rows of tables,
-`live.js` takes numbers from sliders and brings results to the page.
+`drawn.js` moves pictures, with a script for each kind that follows, `live.js` takes numbers from
+sliders and brings results to the page.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.report.html_page import PageFrame, about, choice, framed
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
+from vstatics.report.live.packed import packed
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as runs
@@ -30,7 +32,9 @@ _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
-_LINES, _HUNDREDTHS = re.compile(r' d="[^"]*"'), re.compile(r"\d+\.\d\d+")
+_UNPACKED = frozenset({"change", "gears", "run"})
+"""Sections that are there before a script has run."""
+_SCRIPTS = ("results.js", "drawn.js", "lever.js", "flow.js", "live.js")
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -76,12 +80,13 @@ def live_page(material: Material) -> str:
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
-            *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
+            *(tag("script", _resource(name)) for name in _SCRIPTS),
         ),
         style=joined(toolbar.STYLE, _resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
-    return framed(title, about(material), parts, material.document, frame)
+    page = framed(title, about(material), parts, material.document, frame)
+    return packed(page, _UNPACKED)
 
 
 def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
@@ -100,20 +105,7 @@ def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
         ]
         return f' data-marks="{" ".join(map(str, [*places, number]))}"'
 
-    return Markup(_MARKS.sub(short, _coarser(shown)))
-
-
-def _coarser(shown: str) -> str:
-    """Lines of pictures to a tenth of a point, which is enough for a screen: they are long.
-
-    >>> _coarser('<path d="M103.56 0L18.02 7.1" /><td>103.56</td>')
-    '<path d="M103.6 0L18 7.1"/><td>103.56</td>'
-    """
-
-    def rounded(found: re.Match[str]) -> str:
-        return _HUNDREDTHS.sub(lambda one: f"{float(one[0]):.1f}".removesuffix(".0"), found[0])
-
-    return _LINES.sub(rounded, shown).replace('" />', '"/>')
+    return Markup(_MARKS.sub(short, shown))
 
 
 def live_fields(case: Transmission, numbers: Mapping[str, float]) -> Iterator[PageField]:

@@ -76,7 +76,7 @@ def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) ->
     >>> cases = [Transmission(2, [], [Mechanism(1, 2, 0, u)], [Gear()]) for u in (-2.5, -3.0)]
     >>> made = pair_page([paged(*one) for one in zip("AB", map(solve, cases), ["a", "b"])])
     >>> made.count('<td class="differs" data-value="-2.5" data-number="-2.5" data-result="ratio"')
-    1
+    2
     """
     first, second = both
     [verdict] = compare(second.material.results, first.material.results).cases
