@@ -17,7 +17,7 @@ from common import VSTATICS, options, print_table, spent
 
 from vstatics.jobs.workers import cores
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.boxes.figures import box_element_name
+from vstatics.synthesis.boxes.figures.case import box_element_name
 from vstatics.synthesis.boxes.least_form import least_box
 from vstatics.synthesis.structures.scheme import SetScheme
 

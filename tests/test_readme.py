@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import pytest
 
-from vstatics.synthesis.boxes.pieces import prepare
+from vstatics.synthesis.boxes.search.pieces import prepare
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]

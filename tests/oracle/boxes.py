@@ -6,20 +6,21 @@ each ratio. Its factors are whole numbers, read off determinants at ratios 0 and
 that is linear in each variable has its extremes in a cell at the cell's corners; so it is
 *proved*, not sampled, in which cells of the bounds a gear can be within the tolerance of a
 target. Gears are chosen one after another as long as some cell is left for all of them. What
-is left at the end is fitted by scipy's least squares from many starts in these cells.
+is left at the end is fitted by scipy's least squares from many starts in these cells; where that
+leaves a gear beyond its range, SLSQP makes the largest error least.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, permutations, product
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, minimize
 
 Array = npt.NDArray[np.float64]
 Code = tuple[int, ...]
@@ -44,13 +45,23 @@ class Space(NamedTuple):
     own_input: bool = False
     fixed: int = 0
     tolerance: float = 0.01
+    tolerances: tuple[float, ...] = ()
+    """Of each gear, where they are not the same."""
     cells: int = 16
     """Along the ratio of each set."""
+    own_output: bool = False
+    shafts: int = 0
+
+    @property
+    def widths(self) -> tuple[float, ...]:
+        """Of each gear."""
+        return self.tolerances or (self.tolerance,) * len(self.targets)
 
     @property
     def links(self) -> int:
         """Of the scheme."""
-        return self.sets + self.engaged + (not self.own_input) + bool(self.fixed)
+        others = self.own_input + self.own_output + self.shafts
+        return self.sets + self.engaged + 1 - others + bool(self.fixed)
 
 
 class Frame(NamedTuple):
@@ -63,11 +74,18 @@ class Frame(NamedTuple):
     """`HELD` if none is."""
     input: int
     output: int
+    shafts: int = 0
+
+    @property
+    def further(self) -> list[int]:
+        """Shafts of no set that are no ports."""
+        first = max(*self.code, self.input, self.output) + 1
+        return list(range(first, first + self.shafts))
 
     @property
     def moving(self) -> list[int]:
-        """Links that can turn, an input of its own among them."""
-        links = set(self.code) | {self.input}
+        """Links that can turn, those of no set among them."""
+        links = {*self.code, self.input, self.output, *self.further}
         return sorted(links - {self.held})
 
     @property
@@ -86,6 +104,8 @@ class Box(NamedTuple):
     """The least of the largest |ln(i/target)| of all its minima."""
     best: float
     """That of the minimum with the least sum of squares."""
+    farthest: float
+    """The least that the largest |ln(i/target)|/width can be, of all choices of gears."""
     ratios: tuple[float, ...]
     gears: tuple[tuple[tuple[int, int], ...], ...]
     """Links of the engaged elements for each target, in the names of `found_as`."""
@@ -134,18 +154,20 @@ def names(
 ) -> Iterator[tuple[Frame, tuple[tuple[int, int], ...]]]:
     """The same box under all names that its sets can have."""
     own = triples(frame.code)
-    for order in permutations(range(len(own))):
+    for order, further in product(permutations(range(len(own))), permutations(frame.further)):
         new: dict[int, int] = {HELD: HELD}
         for at in order:
             for link in own[at]:
                 new.setdefault(link, len(new) - 1)
-        new.setdefault(frame.input, len(new) - 1)
+        for link in (frame.input, frame.output, *further):
+            new.setdefault(link, len(new) - 1)
         renamed = Frame(
             tuple(new[link] for at in order for link in own[at]),
             tuple(frame.meshed[at] for at in order),
             new[frame.held],
             new[frame.input],
             new[frame.output],
+            frame.shafts,
         )
         pairs = sorted(
             (new[a], HELD) if b == HELD else (min(new[a], new[b]), max(new[a], new[b]))
@@ -161,14 +183,15 @@ def frames(space: Space) -> Iterator[Frame]:
         for some in combinations(range(space.sets), space.meshed)
     ]
     for code in codes(space.sets, space.links):
-        if not is_sound(code) or not (space.fixed or hangs_together(code)):
+        in_parts = space.fixed and not space.shafts
+        if not is_sound(code) or not (in_parts or hangs_together(code)):
             continue
         links = range(space.links)
         held = [one for one in links if code.count(one) == space.fixed] if space.fixed else [HELD]
-        for meshed, still, input_, output in product(
-            flags, held, [space.links] if space.own_input else links, links
-        ):
-            frame = Frame(code, meshed, still, input_, output)
+        inputs = [space.links] if space.own_input else links
+        outputs = [space.links + space.own_input] if space.own_output else links
+        for meshed, still, input_, output in product(flags, held, inputs, outputs):
+            frame = Frame(code, meshed, still, input_, output, space.shafts)
             if len({still, input_, output}) == 3 and frame == min(names(frame, ()))[0]:
                 yield frame
 
@@ -183,7 +206,7 @@ def polynomials(frame: Frame, choices: npt.NDArray[np.intp]) -> Array:
     turning = np.zeros((max(frame.moving) + 2, size))  # a row for each link, the last for `HELD`
     for at, link in enumerate(frame.moving):
         turning[link, at] = 1
-    speed = {link: turning[link] for link in {HELD, *frame.code, frame.input}}
+    speed = {link: turning[link] for link in {HELD, *frame.code, *frame.moving}}
     corners = list(product((0, 1), repeat=len(own)))
     matrix = np.zeros((len(choices), len(corners), 2, size, size))
     for number, corner in enumerate(corners):
@@ -268,12 +291,16 @@ class Gear(NamedTuple):
     output_speed: Array
     cells: tuple[int, ...]
     """For each target those in which it can have it."""
+    needed: frozenset[int]
+    """Those of the elements that count as used."""
     formula: tuple[float, ...]
     """Its ratio at some ratios of the sets: the same for all that have one ratio anywhere."""
 
 
 Choice = tuple[tuple[Gear, ...], int]
 """Gears, one for each target, and the cells that are left."""
+Way = tuple[frozenset[int], frozenset[int], dict[int, Gear], int]
+"""Elements that are engaged, those that are in use, gears of targets, cells."""
 
 
 class Search:
@@ -295,7 +322,8 @@ class Search:
         factors = factors.reshape(*whole.shape[1:], -1)
         speeds = valued(factors, [axis[[0, -1]] for axis in axes])
         corners = speeds.reshape(-1, *speeds.shape[-2:])
-        hope = np.array([_can(corners, one, space.tolerance) for one in space.targets])
+        wanted = list(zip(space.targets, space.widths, strict=True))
+        hope = np.array([_can(corners, *one) for one in wanted])
         hope &= factors.any(axis=tuple(range(space.sets))).all(axis=0)
         if not hope.any(axis=1).all():
             return
@@ -306,14 +334,35 @@ class Search:
             own = factors[..., number]
             fine = valued(own[..., 0], axes), valued(own[..., 1], axes)
             cells = tuple(
-                reached(fine, target, space.tolerance) if can else 0
-                for target, can in zip(space.targets, hope[:, number], strict=True)
+                reached(fine, *one) if can else 0
+                for one, can in zip(wanted, hope[:, number], strict=True)
             )
             if any(cells):
                 formula = tuple(ratios[:, number].tolist())
-                yield Gear(
-                    frozenset(choices[number].tolist()), own[..., 0], own[..., 1], cells, formula
-                )
+                engaged = choices[number].tolist()
+                needed = self._carrying(engaged) if space.shafts else frozenset(engaged)
+                yield Gear(frozenset(engaged), own[..., 0], own[..., 1], cells, needed, formula)
+
+    def _carrying(self, engaged: Sequence[int]) -> frozenset[int]:
+        """The elements that carry torque: the balance of each link, with 1 at the input."""
+        frame, own = self.frame, triples(self.frame.code)
+        row = {link: at for at, link in enumerate(frame.moving)}
+        pairs = [(self.frame.possible[one], (1.0, -1.0)) for one in engaged]
+        columns: list[tuple[Sequence[int], Sequence[float]]] = [*pairs, ([frame.output], [1.0])]
+        for at, (links, sign) in enumerate(zip(own, self.signs, strict=True)):
+            k = sign * (2.1 + 0.3 * math.sqrt(at + 2))
+            columns.append((links, (1.0, k - 1, -k)))
+        balance = np.zeros((len(row), len(columns)))
+        for at, (on_links, torques) in enumerate(columns):
+            for link, torque in zip(on_links, torques, strict=True):
+                if link in row:
+                    balance[row[link], at] += torque
+        given = np.zeros(len(row))
+        given[row[frame.input]] = 1
+        found = np.linalg.solve(balance, given)
+        return frozenset(
+            one for one, torque in zip(engaged, found, strict=False) if abs(torque) > 1e-9
+        )
 
     def choices(self) -> Iterator[Choice]:
         """Gears for the targets that some cell allows, with these cells.
@@ -323,12 +372,12 @@ class Search:
         targets = range(len(self.space.targets))
         able = [[gear for gear in self.gears if gear.cells[n]] for n in targets]
         order = sorted(targets, key=lambda n: len(able[n]))
-        ways: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
+        ways: dict[object, Way] = {}
         everywhere = (1 << 8 * math.ceil(self.space.cells**self.space.sets / 8)) - 1
-        ways[()] = frozenset(), {}, everywhere
+        ways[()] = frozenset(), frozenset(), {}, everywhere
         for n in order:
-            after: dict[object, tuple[frozenset[int], dict[int, Gear], int]] = {}
-            for used, chosen, cells in ways.values():
+            after: dict[object, Way] = {}
+            for used, carrying, chosen, cells in ways.values():
                 for gear in able[n]:
                     left, both = cells & gear.cells[n], used | gear.engaged
                     if not left or len(both) > self.space.elements:
@@ -338,20 +387,26 @@ class Search:
                         more = chosen | {n: gear}
                         name = tuple(one.formula for one in more.values())
                         # two targets with one formula need two choices of elements
-                        after[both, name, frozenset(alike)] = both, more, left
+                        needed = carrying | gear.needed
+                        after[both, needed, name, frozenset(alike)] = both, needed, more, left
             ways = after
-        for used, chosen, cells in ways.values():
-            if len(used) == self.space.elements:
+        for used, carrying, chosen, cells in ways.values():
+            if len(carrying) == self.space.elements and self._are_full(used):
                 yield tuple(chosen[n] for n in targets), cells
 
-    def fitted(self, gears: Sequence[Gear], cells: int) -> list[tuple[float, float, Array]]:
-        """Minima: the sum of squares, the largest error, the ratios."""
+    def _are_full(self, elements: frozenset[int]) -> bool:
+        """Whether three elements or more are at each shaft."""
+        ends = [link for one in elements for link in self.frame.possible[one]]
+        return all(ends.count(shaft) >= 3 for shaft in self.frame.further)
+
+    def fitted(self, gears: Sequence[Gear], cells: int) -> list[Minimum]:
+        """Minima from the nearest centres of cells."""
         count, sets = self.space.cells, self.space.sets
         bits = np.frombuffer(cells.to_bytes(math.ceil(count**sets / 8), "big"), np.uint8)
         places = np.argwhere(np.unpackbits(bits)[: count**sets].reshape((count,) * sets))
         middle = (self.logarithms[1:] + self.logarithms[:-1]) / 2
         centres = middle[places]
-        targets = np.array(self.space.targets)
+        targets, widths = np.array(self.space.targets), np.array(self.space.widths)
         factors = np.array([[one.input_speed.ravel(), one.output_speed.ravel()] for one in gears])
 
         def off(x: Array) -> Array:
@@ -360,28 +415,66 @@ class Search:
                 terms = np.multiply.outer(terms, np.array([1.0, sign * one])).ravel()
             speeds = factors @ terms
             with np.errstate(divide="ignore", invalid="ignore"):
-                gaps: Array = np.log(speeds[:, 0] / speeds[:, 1] / targets)
-            return np.where(np.isfinite(gaps), gaps, 1e3)
+                gaps: Array = np.log(speeds[:, 0] / speeds[:, 1] / targets) / widths
+            return np.where(np.isfinite(gaps), gaps, 1e5)
 
         squares = [float((off(x) ** 2).sum()) for x in centres]
         nearest = np.argsort(squares)[:STARTS]
         limits = (self.logarithms[0], self.logarithms[-1])
         minima = []
         for at in nearest:
-            if squares[at] >= 1e6:
+            if squares[at] >= 1e10:
                 continue
             found = least_squares(off, centres[at], bounds=limits, xtol=EPS, ftol=EPS, gtol=EPS)
             gaps = off(found.x)
             ratios = np.exp(found.x) * self.signs
-            minima.append((float(gaps @ gaps), float(abs(gaps).max()), ratios))
+            farthest = float(abs(gaps).max())
+            if farthest > 1 and gaps @ gaps <= 1.1 * len(gaps):
+                farthest = min(farthest, _least_farthest(off, found.x, limits))
+            size = float((abs(gaps) * widths).max())
+            minima.append(Minimum(float(gaps @ gaps), size, farthest, ratios))
         return minima
 
 
+class Minimum(NamedTuple):
+    """Of the sum of squares of ln(i/target)/width."""
+
+    squares: float
+    error: float
+    """The largest |ln(i/target)| there."""
+    farthest: float
+    """The largest |ln(i/target)|/width, as small as can be near it."""
+    ratios: Array
+
+
+def _least_farthest(
+    off: Callable[[Array], Array], start: Array, limits: tuple[float, float]
+) -> float:
+    """The least that the largest error near a point can be: it is one more variable."""
+
+    def farthest(x: Array) -> float:
+        return float(x[-1])
+
+    def room(x: Array) -> Array:
+        gaps = off(x[:-1])
+        return np.concatenate([x[-1] - gaps, x[-1] + gaps])
+
+    found = minimize(  # type: ignore[call-overload] # a tuple of bounds is one, too
+        farthest,
+        np.array([*start, abs(off(start)).max()]),
+        bounds=[*[limits] * len(start), (0.0, 1e6)],
+        constraints={"type": "ineq", "fun": room},
+        method="SLSQP",
+        options={"ftol": 1e-12, "maxiter": 500},
+    )
+    return float(abs(off(found.x[:-1])).max())
+
+
 def found_in(space: Space, frame: Frame) -> list[Box]:
-    """The boxes of a frame with an error of no more than 1.05 times the tolerance."""
+    """The boxes of a frame whose gears are no farther than 1.05 times their tolerances."""
     search = Search(space, frame)
     boxes: dict[object, Box] = {}
-    known: dict[object, list[tuple[float, float, Array]]] = {}
+    known: dict[object, list[Minimum]] = {}
     for gears, cells in search.choices():
         formulas = tuple(one.formula for one in gears)
         if formulas not in known:
@@ -389,17 +482,23 @@ def found_in(space: Space, frame: Frame) -> list[Box]:
         minima = known[formulas]
         if not minima:
             continue
-        best = min(minima, key=lambda one: one[0])[1]
-        _, error, ratios = min(minima, key=lambda one: one[1])
-        if error > 1.05 * space.tolerance:
+        best = min(minima, key=lambda one: one.squares).error
+        _, error, _, ratios = min(minima, key=lambda one: one.error)
+        farthest = min(one.farthest for one in minima)
+        if farthest > 1.05:
             continue
         used = frozenset().union(*(one.engaged for one in gears))
         elements = tuple(frame.possible[at] for at in sorted(used))
         name = min(names(frame, elements))
-        if name in boxes and boxes[name].error <= error:
-            continue
+        if name in boxes:
+            farthest = min(farthest, boxes[name].farthest)
+            boxes[name] = boxes[name]._replace(farthest=farthest)
+            if boxes[name].error <= error:
+                continue
         chosen = tuple(tuple(frame.possible[at] for at in sorted(one.engaged)) for one in gears)
-        boxes[name] = Box(*name, error, best, tuple(ratios.tolist()), chosen, (frame, elements))
+        boxes[name] = Box(
+            *name, error, best, farthest, tuple(ratios.tolist()), chosen, (frame, elements)
+        )
     return [boxes[name] for name in sorted(boxes)]  # type: ignore[type-var]
 
 

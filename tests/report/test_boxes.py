@@ -12,7 +12,7 @@ from tests.synthesis.boxes.listed_boxes import many, simpson
 from vstatics import CaseError
 from vstatics.report import boxes
 from vstatics.report.boxes import box_pages, boxes_page
-from vstatics.synthesis.boxes.listing import listing_of
+from vstatics.synthesis.boxes.reading import listing_of
 
 
 def page(document: dict[str, Any], digits: int | None = None) -> str:
@@ -42,6 +42,26 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     assert len(rows(html, "diagrams")) == 4  # gears
     assert html.count("<svg") == 2
     assert 'id="box-1"' in html
+
+
+def test_boxes_of_one_core_are_one_row_that_unfolds() -> None:
+    document = many(5)
+    for box, core in zip(document["boxes"], [1, 2, 1, 1, 3], strict=True):
+        box["core"] = core
+    html = page(document)
+    own = rows(html, "boxes")
+    assert [re.findall("box-([0-9]+)", row) for row in own] == [["1", "3", "4"], ["2"], ["5"]]
+    assert "<summary>2</summary>" in own[0]
+
+
+def test_a_box_unfolds_to_its_figures_by_gear() -> None:
+    html = page(simpson())
+    inner = html.partition("<summary>Torques, slips, speeds")[2].partition("</details>")[0]
+    listed = simpson()["boxes"][0]
+    assert html.count("<details>") == 1
+    for name, torque in listed["gears"]["R"]["torques"].items():
+        assert f'data-value="{torque!r}"'.replace('.0"', '"') in inner, name
+    assert "known as simpson" in words(html)
 
 
 @pytest.mark.slow

@@ -168,6 +168,9 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
         rim for rims in kind.planets.values() if len(used.intersection(rims)) > 1 for rim in rims
     }
     needed = [*wheels, *(rim for rim in kind.toothed if rim in used & several)]
+    if element.ratios:
+        yield from _ratios(element, path)
+        return
     yield from _teeth(element, needed, kind.toothed, path)
     for ring, sun in product(wheels, wheels):
         around, within = kind.wheels[ring], kind.wheels[sun]
@@ -176,6 +179,24 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
         if is_around and outer <= inner:
             message = f"read {outer:g}, expected more teeth than the {inner:g} of {sun}"
             yield Problem("E305", message, (*path, "teeth", ring))
+
+
+def _ratios(element: Element, path: Path) -> Iterator[Problem]:
+    """Ratios in place of teeth: of both suns, and what would need teeth is not there."""
+    place = (*path, "ratios")
+    beside = [key for key in ("teeth", "planet_masses", "stiffness") if getattr(element, key)]
+    if (
+        beside
+        or element.efficiency is None
+        or not {"small_sun", "large_sun", "ring"} <= {*element.members}
+    ):
+        message = "these stand in place of `teeth`, so masses of planets and a stiffness can't be"
+        expected = "expected `small_sun`, `large_sun`, `ring` and `efficiency`, that of each ratio"
+        yield Problem("E797", f"{message}; {expected}", place)
+    small, large = (element.ratios.get(sun, math.nan) for sun in ("small_sun", "large_sun"))
+    if not 1 < -large < small < LARGEST_WHEEL:
+        read = f"read {small:g} of the small sun and {large:g} of the large one"
+        yield Problem("E797", f"{read}, expected one above 1 and one below -1, the less far", place)
 
 
 def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:

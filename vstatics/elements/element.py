@@ -100,6 +100,8 @@ class Element:
         Beside the stiffness; a number is viscous. [N*m*s/rad]
     planet_masses : mapping of planet to PlanetMass
         Of each of the `planets`, for vibration.
+    ratios : mapping of sun to number
+        Of a Ravigneaux set whose teeth are not known yet: to the ring with the carrier held. [-]
     """
 
     name: str
@@ -116,6 +118,7 @@ class Element:
     stiffness: float | None = None
     damping: Damping | float = NO_DAMPING
     planet_masses: Mapping[str, PlanetMass] = field(default_factory=dict)
+    ratios: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Make a damping of a number."""

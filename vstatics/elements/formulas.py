@@ -142,7 +142,8 @@ class Formulas:
             if element.rims:
                 way = (*wheel_path(element, wheel), "teeth")
             path = ".".join(map(str, (element.name, *way)))
-            teeth = Quotient.of(self.number(path, wheel.teeth), wheel.teeth)
+            formula = wheel.teeth if element.ratios else self.number(path, wheel.teeth)
+            teeth = Quotient.of(formula, wheel.teeth)
             wheels.append(wheel._replace(teeth=teeth))  # type: ignore[arg-type] # counts like them
         planets: dict[str, Any] = {
             planet: {rim: self._rim(element, planet, rim, wheels) for rim in rims}

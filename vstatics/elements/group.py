@@ -7,6 +7,7 @@ opposite sign in an external mesh (Willis).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -148,8 +149,9 @@ def group_of(element: Element) -> PlanetGroup:
     kind = element.shape
     if not isinstance(kind, Planetary):
         raise TypeError(element.kind)
+    sizes = _proportions(element.ratios) if element.ratios else element.teeth
     wheels = [
-        CentralWheel(member, element.members[member], int(element.teeth[member]), *shape)
+        CentralWheel(member, element.members[member], int(sizes[member]), *shape)
         for member, shape in kind.wheels.items()
         if member in element.members
     ]
@@ -161,6 +163,17 @@ def group_of(element: Element) -> PlanetGroup:
     }
     meshes = [pair for pair in kind.meshes if used.issuperset(pair)]
     return PlanetGroup(carrier, wheels, planets, meshes)
+
+
+def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
+    """Numbers of teeth, as large as they may be, with just these ratios of suns to the ring.
+
+    >>> _proportions({"small_sun": 2.5, "large_sun": -2.0})
+    {'ring': 10, 'small_sun': 4, 'large_sun': 5}
+    """
+    exact = {sun: abs(Fraction(ratio)) for sun, ratio in ratios.items()}
+    ring = math.prod(ratio.numerator for ratio in exact.values())
+    return {"ring": ring} | {sun: int(ring / ratio) for sun, ratio in exact.items()}
 
 
 def _rim_teeth(element: Element, wheels: Sequence[CentralWheel], rim: str) -> Fraction | None:

@@ -90,7 +90,8 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
             names = " and ".join(train)
             message = f"{count} central wheel meshes with planet {names}, expected two or more"
             yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
-    if element.efficiency is not None and (max(counts) > 2 or len(counts) > 1):
+    is_single = bool(element.ratios)  # it is that of each ratio
+    if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
         message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
         yield Problem("E329", message, (*path, "efficiency"))
     if element.kind == GROUP:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
 
 from vstatics.elements.element import CentralWheel, Element, Losses, MeshEfficiency, PlanetMass
-from vstatics.elements.kinds import GROUP, KINDS, Kind, Simple
+from vstatics.elements.kinds import GROUP, KINDS, RAVIGNEAUX, Kind, Simple
 from vstatics.model.keys import EFFICIENCY
 from vstatics.model.parts import HOUSING, NO_DAMPING
 from vstatics.model.shape import (
@@ -88,6 +88,18 @@ _PLANET_MASS = ByKey(
     ),
     PlanetMass,
 )
+_RATIOS = KeyShape(
+    "ratios",
+    ByKey(
+        "Ratios of suns",
+        "Of each sun to the ring with the carrier held.",
+        (
+            KeyShape("small_sun", NUMBER, "Above 1.", required=True),
+            KeyShape("large_sun", NUMBER, "Below -1.", required=True),
+        ),
+    ),
+    "In place of teeth that are not known yet.",
+)
 _PLANETS = KeyShape("planets", COUNT, "Planets, or sets of meshed planets, around the axis.")
 
 
@@ -109,9 +121,11 @@ def _record(name: str, kind: Kind) -> ByKey:
         common = (_WORM, *ELASTIC) if name == "worm" else _COMMON
         common = (_PLANETS, *common, _planet(("planet",))) if name == "bevel" else common
         return ByKey(name, kind.description, (_KIND, *members, size, *common))
-    size = KeyShape("teeth", _toothed(kind, COUNT), "Of wheels and planets.", required=True)
+    has_ratios = name == RAVIGNEAUX
+    size = KeyShape("teeth", _toothed(kind, COUNT), "Of wheels and planets.", not has_ratios)
+    ratios = (_RATIOS,) * has_ratios
     last = _planet(tuple(kind.planets))
-    return ByKey(name, kind.description, (_KIND, *members, size, _PLANETS, *_COMMON, last))
+    return ByKey(name, kind.description, (_KIND, *members, size, *ratios, _PLANETS, *_COMMON, last))
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
@@ -208,6 +222,7 @@ def record_of(element: Element) -> dict[str, Any]:
         "kind": element.kind,
         **element.members,
         getattr(element.shape, "size", "teeth"): element.teeth,
+        "ratios": element.ratios,
         "planets": element.planets,
         "efficiency": element.efficiency,
         "mesh_efficiency": element.mesh_efficiency,
@@ -254,6 +269,7 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
         record.get("stiffness"),
         record.get("damping", NO_DAMPING),
         {"planet": masses} if isinstance(masses, PlanetMass) else masses,
+        record.get("ratios", {}),
     )
 
 

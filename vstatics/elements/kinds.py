@@ -176,4 +176,4 @@ KINDS: Mapping[str, Kind] = {
 }
 """Every kind by the name that a case gives it."""
 
-GROUP = "planet_group"
+GROUP, RAVIGNEAUX = "planet_group", "ravigneaux"

@@ -75,6 +75,20 @@ def flows(results: Results) -> list[GearFlow]:
     ]
 
 
+def shown_flow(state: GearState) -> PowerFlow | None:
+    """The power of a gear with losses, where it exists, else without; None where it has none.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])
+    >>> round(shown_flow(solve(case).gear(1)).lost, 9)
+    0.02
+    """
+    is_ok = all(one.has_power for one in state.statuses)
+    return _flow(state, lossy=is_ok) if is_ok or state.calculable else None
+
+
 def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
     status = next((one for one in state.statuses if not one.has_power), OK)
     ideal = _flow(state, lossy=False) if state.calculable else None

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, sign
-from vstatics.tables.html import Markup, tables, tag
+from vstatics.tables.html import Markup, table, tables, tag
 
 
 def box_link(box: ListedBox) -> Markup:
@@ -20,27 +21,55 @@ def box_link(box: ListedBox) -> Markup:
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
     """Boxes with their figures, in the order of the document, up to so many.
 
+    Those of one core have one row, that of the first of them, which unfolds.
+
     Parameters
     ----------
     drawn : collection of int
         The numbers of those with a diagram, to which the table links.
     """
-    numbers = ("family", "loss [%]", "torque", "planet speed", "slip", "error [%]")
+    cores: dict[int, list[ListedBox]] = {}
+    for box in listing.boxes[:most]:
+        cores.setdefault(box.core, []).append(box)
+    numbers = ("family", "loss [%]", "torque", "drag", "planet speed", "slip", "error [%]")
+    front = (*numbers, "brakes", "clutches")
     signs = (Column(one, is_sign=True) for one in ("Pareto", "single", "planar"))
-    front = ("box", *numbers, "brakes", "clutches")
+    names = ("locked otherwise", "known as")
     rows: list[Values] = [
         (
-            box_link(box) if box.number in drawn else f"box {box.number}",
+            *(_named(box, drawn), _variants(others, drawn), box.known or ""),
             box.family,
             100 * box.loss,
-            *(box.torque, box.planet_speed, box.slip, 100 * box.error),
+            *(box.torque, box.drag, box.planet_speed, box.slip, 100 * box.error),
             *(box.brakes, box.clutches),
             *map(_mark, (box.pareto, box.single, box.planar)),
             *(box.code, " ".join(box.elements)),
         )
-        for box in listing.boxes[:most]
+        for box, *others in cores.values()
     ]
-    return grid_of("Boxes in their order", [*front, *signs, "code", "elements"], rows)
+    headings: list[str | Column] = ["box", *names, *front, *signs, "code", "elements"]
+    return grid_of("Boxes in their order", headings, rows, optional=names)
+
+
+def _named(box: ListedBox, drawn: Collection[int]) -> str:
+    return box_link(box) if box.number in drawn else f"box {box.number}"
+
+
+def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
+    """Boxes of one core, folded: what makes them differ, and the most important figures."""
+    if not boxes:
+        return Cell("")
+    lines = [
+        tag(
+            "div",
+            _named(box, drawn),
+            f": {' '.join(list(box.elements)[box.brakes :])}, ",
+            f"loss {exact(100 * box.loss).text} %, torque {exact(box.torque).text}, ",
+            f"drag {exact(box.drag).text}",
+        )
+        for box in boxes
+    ]
+    return Cell(tag("details", tag("summary", str(len(boxes))), *lines))
 
 
 def family_grid(listing: BoxListing) -> Grid:
@@ -87,8 +116,8 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
 
 
 def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
-    """A box: its figures, its diagram, its gears and its sets side by side."""
-    title = f"Box {box.number}, family {box.family}"
+    """A box: its figures, its diagram, its gears and its sets side by side; the rest unfolds."""
+    title = f"Box {box.number}, family {box.family}, core {box.core}"
     yield tag("h3", title, id=f"box-{box.number}")
     yield line_of(_figures(box, digits))
     if svg is not None:
@@ -96,12 +125,56 @@ def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
     yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
+    more = (one.with_digits(digits) for one in (element_grid(box), set_grid(box)))
+    said = "Torques, slips, speeds, losses and drag by gear"
+    yield tag("details", tag("summary", said), line_of(_facts(box)), *map(table, more))
+
+
+def element_grid(box: ListedBox) -> Grid:
+    """Of each gear the torques of engaged elements and the slips of open ones."""
+    kinds = {"torque": "torques", "slip": "slips"}
+    columns = [Column(name, over=over) for over in kinds for name in box.elements]
+    rows: list[Values] = [
+        (name, *(_of(getattr(gear, of), one) for of in kinds.values() for one in box.elements))
+        for name, gear in box.gears.items()
+    ]
+    return grid_of("Torques of engaged elements, slips of open ones", ["gear", *columns], rows)
+
+
+def set_grid(box: ListedBox) -> Grid:
+    """Of each gear the speeds of carriers and planets, losses, power that goes round, drag."""
+    columns = [
+        Column(one, over=over) for over in ("carrier", "planets", "loss [%]") for one in box.ratios
+    ]
+    rows: list[Values] = []
+    for name, gear in box.gears.items():
+        speeds = [_of(own, one) for own in (gear.carriers, gear.planets) for one in box.ratios]
+        losses = [exact(100 * gear.losses.get(one, math.nan)) for one in box.ratios]
+        rows.append((name, *speeds, *losses, gear.circulating, gear.drag))
+    title = "Speeds and losses of sets, power that circulates, drag"
+    return grid_of(title, ["gear", *columns, "circulating", "drag"], rows)
+
+
+def _of(values: Mapping[str, float], name: str) -> Cell:
+    """A number; blank where there is none of the name."""
+    return exact(values[name]) if name in values else Cell("", math.nan, kind=float)
+
+
+def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
+    """What is told of the box as a whole besides."""
+    yield "skip shifts", str(box.skip_shifts)
+    yield "torque of both signs", ", ".join(box.reversing) or "none"
+    yield "may be one-way", ", ".join(box.one_way) or "none"
+    yield "ratios beyond", ", ".join(exact(one).text for one in box.beyond) or "none"
 
 
 def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
+    if box.known:
+        yield "known as", box.known
     named = {
         "mean loss [%]": 100 * box.loss,
         "largest torque": box.torque,
+        "mean drag": box.drag,
         "planet speed": box.planet_speed,
         "slip": box.slip,
     }
@@ -110,3 +183,5 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     marks = {"in the Pareto list": box.pareto, "single": box.single, "planar": box.planar}
     yield "it is", ", ".join(name for name, holds in marks.items() if holds) or "-"
     yield "scheme", box.code
+    for sets in box.ravigneaux.values():
+        yield "Ravigneaux", " and ".join(sets)

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.box import BoxSearch
     from vstatics.synthesis.boxes.choice import BoxFilter, find_boxes
-    from vstatics.synthesis.boxes.figures import box_is_planar
+    from vstatics.synthesis.boxes.figures.planar import box_is_planar
     from vstatics.synthesis.gears.case_of_scheme import scheme_case
     from vstatics.synthesis.gears.search import combinations
     from vstatics.synthesis.ratios.fitting import fit
@@ -61,7 +61,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from vstatics.synthesis.boxes.box import BoxSearch
     from vstatics.synthesis.boxes.choice import BoxFilter, find_boxes
-    from vstatics.synthesis.boxes.figures import box_is_planar
+    from vstatics.synthesis.boxes.figures.planar import box_is_planar
     from vstatics.synthesis.gears.case_of_scheme import scheme_case
     from vstatics.synthesis.gears.search import combinations
     from vstatics.synthesis.ratios.fitting import fit

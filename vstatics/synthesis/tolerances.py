@@ -56,6 +56,8 @@ LARGEST_ERROR_WEIGHT = 1e-3
 """By this part of its largest error a region comes later."""
 
 # whole boxes
+NO_LOAD = 1e-9
+"""An element whose torque is less than this part of the input's carries none."""
 SAME_FITTED_RATIO = 1e-6
 """Ratios of a gear that differ by less than this part are one: they are fitted."""
 EQUAL_FIGURES = 1e-7
@@ -74,6 +76,8 @@ TARGET_MARGIN = 1e-9
 """Targets are looked for that much further than the tolerance. [-]"""
 INDEPENDENT_RATIO = 1e-10
 """A quotient does not depend on a ratio if it is as equal at both its ends. [-]"""
+BEYOND_WIDTH = 1e-10
+"""Part of the width of a range by which a gear may be beyond it: that is found step by step. [-]"""
 LEAST_BOX_STEP = 1e-12
 """Of a logarithm: a shorter step changes nothing. [-]"""
 LEAST_GAIN = 1e-14

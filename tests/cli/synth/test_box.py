@@ -6,11 +6,13 @@ with two members clutched, whichever they are.
 
 from __future__ import annotations
 
+import csv
 import importlib.util
 import json
 import math
 import signal
 from pathlib import Path
+from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -19,9 +21,9 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
-from vstatics.synthesis.boxes import pieces
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.search import pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 ASKED = ("--sets", 1, "--elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
@@ -91,10 +93,41 @@ def test_boxes_are_told_once_and_in_order_whichever_piece_has_them() -> None:
     found = boxes()
     assert [tuple(box["elements"]) for box in found] == LEAST  # type: ignore[arg-type]
     assert [box["family"] for box in found] == [1, 1, 2]
-    assert found[0]["gears"] == {
-        "1": {"engaged": ["T-L2"], "ratio": 3.0, "target": 3.0},
-        "2": {"engaged": ["F-L0-L2"], "ratio": 1.0, "target": 1.0},
+    assert [box["core"] for box in found] == [1, 1, 2]
+    gears: Any = found[0]["gears"]
+    assert {name: (gear["engaged"], gear["ratio"]) for name, gear in gears.items()} == {
+        "1": (["T-L2"], 3.0),
+        "2": (["F-L0-L2"], 1.0),
     }
+
+
+def test_boxes_stand_by_a_figure_that_is_asked_for() -> None:
+    """The slips of the clutches that lock a set are 1, 1/3 and 2/3 of its input with p = 2."""
+    found = boxes("--sort", "slip,drag", "--weights", "2=3")
+    slips: list[Any] = [(box["slip"], box["drag"]) for box in found]
+    assert slips == sorted(slips)
+    by_gear: Any = found[0]["gears"]
+    drags = [by_gear[name]["drag"] for name in ("1", "2")]
+    assert found[0]["drag"] == pytest.approx((drags[0] + 3 * drags[1]) / 4)
+    best = boxes("--pareto", "slip")
+    assert [box["pareto"] for box in best] == [box["slip"] == slips[0][0] for box in best]
+
+
+def test_a_table_has_gears_in_columns() -> None:
+    vstatics("synth", "box", *ASKED, "-o", "found", "-q")
+    with Path("found/boxes.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    listed = json.loads(Path("found/boxes.json").read_text(encoding="utf-8"))["boxes"]
+    for row, box in zip(rows, listed, strict=True):
+        assert row["known"] == (box["known"] or "")
+        for name, gear in box["gears"].items():
+            assert float(row[f"ratio {name}"]) == gear["ratio"]
+            assert row[f"engaged {name}"].split() == gear["engaged"]
+            assert float(row[f"drag {name}"]) == gear["drag"]
+            for figure in ("torques", "slips", "carriers", "planets", "losses"):
+                pairs = (one.split("=") for one in row[f"{figure} {name}"].split())
+                expected = {key: pytest.approx(own, rel=1e-5) for key, own in gear[figure].items()}
+                assert {key: float(value) for key, value in pairs} == expected
 
 
 def test_text_has_the_pareto_list_and_families() -> None:
@@ -284,7 +317,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.search.work.MOST_FOUND", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err
@@ -308,13 +341,30 @@ Options = tuple[object, ...]
         (("--bounds", "1.4"), "--bounds: read 1.4:1.4"),
         (("--bounds", "a:b"), "--bounds: read `a:b`, expected LOW:HIGH, such as 1.4:5"),
         (("--bounds", "2:3,4:5"), "--bounds: read `2:3,4:5`, expected LOW:HIGH"),
-        (("--tolerance", "nan"), "--tolerance: read nan"),
+        (("--tolerance", "nan"), "--tolerance: read `nan`, expected a number"),
+        (("--tolerance", ".7"), "--tolerance: read `.7`, expected a number above 0, up to 0.5"),
+        (("--tolerance", ".1,.2"), "--tolerance: read `.2`, expected one number, and GEAR=T"),
+        (
+            ("--tolerance", "R=.1"),
+            "--tolerance: read `R`, but there is no such gear; expected 1 or",
+        ),
+        (("--ratios", "2:-3"), "--ratios: read `2:-3`, expected two different ratios of one sign"),
         (("--efficiency", 0), "--efficiency: read 0, expected a number above 0, up to 1"),
         (("--efficiency", "nan"), "--efficiency: read nan"),
         (("--meshed", 2), "--meshed: read 2, expected 0 to 1"),
         (("--brakes", 3), "--brakes: read `3`, expected a number from 0 to 2"),
         (("--brakes", 2, "--clutches", 1), "--clutches: read 1, but with 2 brakes these are not 2"),
         (("--limit", "torq=3"), "--limit: read `torq`, but there is no such figure; did you mean"),
+        (
+            ("--sort", "los"),
+            "--sort: read `los`, but there is no such figure; did you mean `loss`?",
+        ),
+        (
+            ("--pareto", "loss,x"),
+            "--pareto: read `x`, but there is no such figure; expected error,",
+        ),
+        (("--weights", "R=2"), "--weights: read `R`, but the gears of the mean are 1 and 2"),
+        (("--weights", "1=-2"), "--weights: 1: read -2, expected a number, 0 or above"),
         (("--limit", "torque=nan"), "--limit: torque: read `nan`, expected a number"),
         (("--limit", "torque"), "--limit: read 'torque', expected FIGURE=X"),
         (("--limit", "torque=3", "--limit", "torque=4"), "--limit: torque is given twice"),

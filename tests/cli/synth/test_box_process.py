@@ -18,7 +18,7 @@ from tests.commands import environment, process
 from tests.jobs.test_cluster import Cluster
 from tests.sweep.sweeps import names, wait_for
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.pieces import cut, found_in, prepare
+from vstatics.synthesis.boxes.search.pieces import cut, found_in, prepare
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 

@@ -23,8 +23,10 @@ from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import box_case, box_is_planar
-from vstatics.synthesis.boxes.listing import drawn_boxes, listing_of
+from vstatics.synthesis.boxes.figures.case import box_case
+from vstatics.synthesis.boxes.figures.planar import box_is_planar
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import listing_of
 
 
 def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -> Figure:
@@ -57,7 +59,7 @@ def test_a_held_link_and_meshed_planets_are_drawn() -> None:
         svg = written(figure, "svg", Style(), "box")
     assert list(wires(svg)).count("housing") == 1
     said = {text.get_text() for text in figure.texts}
-    assert {"P1", "P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
+    assert {"P1-P2", "P3", "T-L0", "T-L1", "F-L0-L5", "F-L1-L6", "F-L3-L5"} <= said
     assert {"L0", "L1", "L2", "L3", "L5", "L6"} <= said
 
 

@@ -48,6 +48,23 @@ ZF_6HP_SEARCH = BoxSearch(
     3, 5, 2, (4.171, 2.340, 1.521, 1.143, 0.867, 0.691, -3.403), meshed=1, fixed=1
 )
 
+FORD_10R = (
+    FoundBox(  # cases/ford-10r80.yaml: input, sun 1-2, rings 1, 2, 3, carrier 1, sun 4, output
+        SetScheme(((1, 5, 2), (1, 0, 3), (3, 5, 4), (6, 7, 5))),
+        None,
+        0,
+        7,
+        ((2, HELD), (1, HELD), (3, 8), (6, 8), (0, 6), (4, 8)),  # 8 is the intermediate shaft
+        (-95 / 45, -89 / 51, -119 / 73, -85 / 23),
+        _gears("ABCDEF", "ABDE ABCD ACDE ACDF ACEF ADEF CDEF BDEF BCEF BCDF ABDF"),
+        0.0,
+    )
+)
+FORD_10R_SEARCH = BoxSearch(
+    *(4, 6, 4, (4.696, 2.985, 2.146, 1.769, 1.520, 1.275, 1.0, 0.854, 0.689, 0.636, -4.866)),
+    shafts=1,
+)
+
 CROWDED = FoundBox(  # all that can be joined: a complete graph of five
     SetScheme(((0, 1, 2),)),
     None,

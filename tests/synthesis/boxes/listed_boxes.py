@@ -10,7 +10,7 @@ from typing import Any
 from tests.synthesis.boxes import hand_boxes
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
-from vstatics.synthesis.boxes.figures import measured
+from vstatics.synthesis.boxes.figures.measured import measured
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box
 from vstatics.tables.answer import plain_data
 
@@ -43,6 +43,7 @@ def many(count: int) -> dict[str, Any]:
     for number, box in enumerate(document["boxes"]):
         family, member = divmod(number, 3)
         box["family"] = family + 1
+        box["core"] = number + 1
         box["pareto"] = family % 5 == 0 and member == 0
         box["loss"] = 0.01 + 0.002 * (family % 7) + 0.0001 * family
         box["torque"] = 2.0 + 0.3 * (family % 11) + 0.01 * (member == 2)

@@ -2,8 +2,8 @@
 
 Links: a connected scheme of N sets that leaves two degrees of freedom or more has N + 2 to
 2 N + 1 (docs/synthesis.md, method); one with K held members, in parts or not, up to 3 N - K + 1,
-as no other members need share a link. Elements: brakes on all links but input and output, clutches
-between any two.
+as no other members need share a link. With shafts beside the sets these have fewer links, and so more elements are engaged. Elements:
+brakes on all links but input and output, clutches between any two.
 """
 
 from __future__ import annotations
@@ -67,6 +67,15 @@ def test_what_gearboxes_have_can_be_asked_for(given: dict[str, Any]) -> None:
         ({"engaged": 7, "fixed": 2}, "engaged: read 7, but 4 sets with held members leave 1 to 5"),
         ({**SIMPSON, "engaged": 1, "own_input": True}, "of its own leave 2 or 3 to be engaged"),
         ({"sets": 1, "fixed": 1, "engaged": 1}, "leaves none to be engaged"),
+        ({"shafts": -1}, "shafts: read -1, expected 0 to 10"),
+        (
+            {"sets": 2, "engaged": 2, "elements": 4, "shafts": 1, "own_output": True},
+            "2 sets with an output shaft of its own and 1 further shaft leave 3 or 4 to be",
+        ),
+        (
+            {**SIMPSON, "sets": 1, "engaged": 3, "shafts": 2},
+            "elements: read 4, expected 5 or more, so that 3 join each of 2 shafts",
+        ),
         ({"elements": 2}, "elements: read 2, expected 3, which are engaged, to 12"),
         (
             {"sets": 1, "engaged": 1, "elements": 5, "targets": (3.0, 1.0)},
@@ -103,5 +112,7 @@ def test_counts_of_elements() -> None:
     lepelletier = search(sets=3, engaged=2, fixed=1, targets=EIGHT[:6])
     assert lepelletier.links == 7
     assert elements_there(lepelletier) == (4, 15)
+    ten = search(elements=6, engaged=4, targets=(*EIGHT, 5.0), shafts=1)
+    assert (ten.links, elements_there(ten)) == (8, (7, 36))  # cases/ford-10r80.yaml
     assert elements_there(search(**SIMPSON, own_input=True)) == (3, 10)
     assert engaged_range(search(**SIMPSON, own_input=True)) == range(2, 4)

@@ -8,7 +8,7 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.transmission import Transmission
 from vstatics.readers import read
 from vstatics.synthesis.boxes.box import FoundBox
-from vstatics.synthesis.boxes.figures import box_case
+from vstatics.synthesis.boxes.figures.case import box_case
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.teeth.layout import teeth_layouts
 from vstatics.writers import deck

@@ -11,6 +11,7 @@ from jsonschema import Draft202012Validator
 
 from tests.chance import seeded
 from tests.synthesis.boxes.hand_boxes import (
+    FORD_10R,
     SIMPSON,
     SIMPSON_SEARCH,
     ZF_6HP,
@@ -21,10 +22,12 @@ from tests.synthesis.boxes.hand_boxes import (
 from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
-from vstatics.synthesis.boxes.box import HELD, LIMITED, FoundBox
-from vstatics.synthesis.boxes.choice import PARETO, BoxFilter, RankedBox, pareto, ranked
-from vstatics.synthesis.boxes.figures import MeasuredBox, measured
+from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.choice import BoxFilter, RankedBox, ranked
+from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
+from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box
 from vstatics.synthesis.structures.growth import FoundScheme
@@ -41,7 +44,9 @@ def renamed(box: FoundBox, seed: int) -> FoundBox:
     rng = seeded(seed)
     links = list(range(box.scheme.links))
     rng.shuffle(links)
-    new = {HELD: HELD, box.scheme.links: box.scheme.links} | dict(enumerate(links))
+    new = {HELD: HELD, box.input: box.input, box.output: box.output} | dict(enumerate(links))
+    shafts = [one for one in range(box.scheme.links, box.links) if one not in new]
+    new |= dict(zip(shafts, rng.sample(shafts, len(shafts)), strict=True))
     order = rng.sample(range(len(box.ratios)), len(box.ratios))
     which = rng.sample(range(len(box.elements)), len(box.elements))
     sets = [tuple(new[link] for link in one) for one in box.scheme.sets]
@@ -58,7 +63,14 @@ def renamed(box: FoundBox, seed: int) -> FoundBox:
     )
 
 
-@pytest.mark.parametrize("box", [ZF_8HP, SIMPSON, ZF_6HP])
+SHAFTS = SIMPSON._replace(  # an input and an output of its own, and two shafts more
+    output=5,
+    elements=((4, 6), (0, 6), (6, HELD), (6, 7), (7, 1), (7, 5), (4, 7)),
+    gears=((0, 1, 2, 4), (0, 3, 4, 5), (1, 2, 3, 5), (3, 4, 5, 6)),
+)
+
+
+@pytest.mark.parametrize("box", [ZF_8HP, SIMPSON, ZF_6HP, FORD_10R, SHAFTS])
 def test_a_box_in_other_words_is_the_same(box: FoundBox) -> None:
     least = least_box(box)
     assert least_box(least) == least
@@ -162,11 +174,8 @@ def test_pareto_list_is_that_of_all_pairs() -> None:
         (BoxFilter(single=True, planar=True, brakes=(2,), clutches=(1, 3)), True),
         (BoxFilter(brakes=(1, 3)), False),
         (BoxFilter(clutches=(2,)), False),
-        *((BoxFilter(limits={name: getattr(EIGHT.figures, name)}), True) for name in LIMITED),
-        *(
-            (BoxFilter(limits={name: getattr(EIGHT.figures, name) * 0.99}), False)
-            for name in LIMITED
-        ),
+        *((BoxFilter(limits={name: EIGHT.figures.number(name)}), True) for name in LIMITED),
+        *((BoxFilter(limits={name: EIGHT.figures.number(name) - 1e-3}), False) for name in LIMITED),
     ],
 )
 def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
@@ -203,7 +212,7 @@ def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
 
 
 def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
-    boxes = [RankedBox(EIGHT, 1, pareto=True), RankedBox(EIGHT, 1, pareto=False)]
+    boxes = [RankedBox(EIGHT, 1, 1, pareto=True), RankedBox(EIGHT, 1, 2, pareto=False)]
     counts, best, schemes, families = box_grids(7, boxes, 3)
     assert counts.texts == [
         ["searched", "7"],

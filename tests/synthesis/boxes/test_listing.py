@@ -10,8 +10,9 @@ import pytest
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import ReadError
-from vstatics.synthesis.boxes.figures import box_case
-from vstatics.synthesis.boxes.listing import drawn_boxes, is_listing, listing_of, read_document
+from vstatics.synthesis.boxes.figures.case import box_case
+from vstatics.synthesis.boxes.listing import drawn_boxes
+from vstatics.synthesis.boxes.reading import is_listing, listing_of, read_document
 
 
 def read(document: Any) -> Any:
@@ -27,6 +28,9 @@ def test_a_box_is_what_was_written() -> None:
     assert dict(box.ratios) == given["ratios"]
     assert box.gears["R"].target == hand_boxes.ZF_6HP_SEARCH.targets[-1]
     assert (box.brakes, box.clutches, box.loss) == (2, 3, given["loss"])
+    assert (box.known, dict(box.ravigneaux)) == ("zf-6hp26", {"P1-P2": ("P1", "P2")})
+    assert (box.core, box.drag, list(box.beyond)) == (1, given["drag"], given["beyond"])
+    assert dict(box.gears["1"].torques) == given["gears"]["1"]["torques"]
     assert [gear.name for gear in box.transmission().gears] == list(given["gears"])
 
 
@@ -47,6 +51,7 @@ def test_the_case_of_a_box_comes_back_with_all_its_numbers() -> None:
         (lambda one: one.update(family=1.5), "box 2.family: read float 1.5, expected a count"),
         (lambda one: one.update(single=1), "box 2.single: read int 1, expected true or false"),
         (lambda one: one["gears"]["1"].update(engaged="A"), "box 2.gears.1.engaged: read str 'A'"),
+        (lambda one: one.update(beyond=["a"]), "box 2.beyond: read list ['a'], expected a list of"),
         (lambda one: one.update(gears=[]), "box 2.gears: read list [], expected an object"),
         (lambda one: one["elements"].update(A=3), "box 2.elements.A: read int 3, expected a list"),
     ],

@@ -39,7 +39,9 @@ def _orbits(search: BoxSearch) -> int:
                 if search.fixed and (*first, *second).count(held) != search.fixed:
                     continue
                 moving = [link for link in range(links) if link != held]
-                for ports in product([links] if search.own_input else moving, moving):
+                inputs = [links] if search.own_input else moving
+                outputs = [links + search.own_input] if search.own_output else moving
+                for ports in product(inputs, outputs):
                     if ports[0] != ports[1]:
                         seen.add(_least((first, second), meshed, held, ports))
     return len(seen)
@@ -67,6 +69,9 @@ def _least(
         BoxSearch(2, 4, 1, (2.0,), fixed=1),
         BoxSearch(2, 4, 1, (2.0,), fixed=2),
         BoxSearch(2, 4, 2, (2.0,), fixed=1, own_input=True, meshed=1),
+        BoxSearch(2, 4, 2, (2.0,), own_output=True, meshed=1),
+        BoxSearch(2, 5, 3, (2.0,), own_input=True, own_output=True, fixed=1),
+        BoxSearch(2, 5, 2, (2.0,), shafts=1),
     ],
 )
 def test_choices_that_a_renaming_makes_equal_are_one(search: BoxSearch) -> None:

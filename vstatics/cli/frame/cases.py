@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import click
+from click.core import ParameterSource
 
 from vstatics import readers
 from vstatics.checking import located_messages
@@ -68,7 +69,7 @@ some_gears = click.option(
 )
 
 
-class _RequiredUnless(click.Option):
+class RequiredUnless(click.Option):
     """An option that a command can't do without, unless another one is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
@@ -78,7 +79,9 @@ class _RequiredUnless(click.Option):
     def value_is_missing(self, value: Any) -> bool:
         """Whether it is needed, and not given."""
         context = click.get_current_context()
-        return not context.params.get(self.unless) and super().value_is_missing(value)
+        is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
+        other = is_given and context.params.get(self.unless)
+        return not other and super().value_is_missing(value)
 
 
 def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
@@ -90,7 +93,7 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
         required=True,
         metavar="FILE",
         help=says,
-        cls=_RequiredUnless,
+        cls=RequiredUnless,
         unless=unless,
     )
 

@@ -27,7 +27,7 @@ class DocumentKind(NamedTuple):
 
 
 def _is_listing(data: bytes, _name: str) -> bool:
-    from vstatics.synthesis.boxes.listing import is_listing
+    from vstatics.synthesis.boxes.reading import is_listing
 
     return is_listing(data)
 

@@ -40,7 +40,7 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
         return None
     if not is_a("boxes", data, name):
         return None
-    from vstatics.synthesis.boxes.listing import read_document
+    from vstatics.synthesis.boxes.reading import read_document
 
     return read_document(data, name)
 
@@ -56,7 +56,7 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
         If the file has none, or can't be written.
     """
     from vstatics.pictures.boxes.picture import render_boxes
-    from vstatics.synthesis.boxes.listing import read_document
+    from vstatics.synthesis.boxes.reading import read_document
 
     if len(cases) > 1 or to.is_folder:
         raise click.UsageError("boxes: expected one document of found boxes, and a file for it")

@@ -113,7 +113,7 @@ class BoxSearchEstimate(NamedTuple):
 
 def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take."""
-    from vstatics.synthesis.boxes.pieces import box_estimate
+    from vstatics.synthesis.boxes.search.pieces import box_estimate
 
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)

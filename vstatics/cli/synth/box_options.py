@@ -9,22 +9,44 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.cli.frame.options import gathered
-from vstatics.cli.frame.values import each, named, pair, told, value, wrong_use, wrong_value
-from vstatics.errors import nearest, plural, quoted, spoken, typed_number
+from vstatics.cli.frame.cases import RequiredUnless
+from vstatics.cli.frame.options import Option, gathered, refuse
+from vstatics.cli.frame.values import (
+    each,
+    named,
+    pair,
+    separated,
+    told,
+    value,
+    wrong_use,
+    wrong_value,
+)
+from vstatics.cli.synth.box_kept import free_parts, kept_box_search
+from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
+from vstatics.cli.synth.box_sequence import ends, gear_counts, wanted_sequence
+from vstatics.errors import plural, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import EFFICIENCY, LIMITED, BoxSearch, check_box_search
+from vstatics.synthesis.boxes.box import (
+    EFFICIENCY,
+    BoxSearch,
+    WantedSequence,
+    check_box_search,
+)
+from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
+from vstatics.synthesis.boxes.figures.by_gear import check_search_weights
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter
 
 
 class BoxAsked(NamedTuple):
-    """A search, and which of the found boxes are told."""
+    """A search, and which of the found boxes are told in which order."""
 
     search: BoxSearch
     efficiency: float
     wanted: BoxFilter
+    order: BoxOrder
+    weights: Mapping[str, float]
 
 
 class WantedFigures(NamedTuple):
@@ -54,17 +76,38 @@ class WantedFigures(NamedTuple):
         return BoxFilter(self.single, self.planar, brakes, clutches, self.limits)
 
 
-def _asked(search: BoxSearch, efficiency: float, figures: WantedFigures) -> BoxAsked:
+def _asked(
+    search: BoxSearch,
+    gears: WantedGears,
+    efficiency: float,
+    figures: WantedFigures,
+    order: BoxOrder,
+    weights: Mapping[str, float],
+    keep: str | None,
+    free: Mapping[str, int],
+) -> BoxAsked:
     """What the options ask for.
 
     Raises
     ------
     UsageError
     """
-    with wrong_use(("ratios", *BoxSearch._fields)):
+    search = search._replace(**gears._asdict())
+    refuse((free and keep is None, "--free says what of --keep CASE may be missing: expected it"))
+    if keep is not None:
+        search = kept_box_search(search, keep, free)
+    names = ("ratios", "gears", "spread", "steps", *BoxSearch._fields)
+    with wrong_use((*names, *BoxOrder._fields, "weights")):
         check_box_search(search)
+        order.check()
+        check_search_weights(search, weights)
     wanted = figures.of_boxes(search.elements)
-    return BoxAsked(wanted.narrowed(search), efficiency, wanted)
+    return BoxAsked(wanted.narrowed(search), efficiency, wanted, order, weights)
+
+
+def _names(texts: Sequence[str]) -> tuple[str, ...]:
+    """Names of figures, each once."""
+    return tuple(dict.fromkeys(separated(texts)))
 
 
 def _efficiency(given: float) -> float:
@@ -78,8 +121,7 @@ def _limits(texts: Sequence[str]) -> dict[str, float]:
     found = named("FIGURE=X", number)(texts)
     for name, most in found.items():
         if name not in LIMITED:
-            hint = nearest(name, LIMITED) or f"; expected {spoken(LIMITED, 'or')}"
-            raise ValueError(f"read {quoted(name)}, but there is no such figure{hint}")
+            raise ValueError(no_figure(name, LIMITED))
         if math.isnan(most):
             raise ValueError(f"{name}: read {most}, expected a number")
     return found
@@ -104,31 +146,88 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
+def _sequence(
+    gears_wanted: tuple[int, int] | None,
+    spread: tuple[float, float] | None,
+    steps: tuple[float, float] | None,
+    *,
+    falling: bool,
+) -> WantedSequence | None:
+    return wanted_sequence(gears_wanted, spread, steps, falling=falling)
+
+
+def _count_option(name: str, metavar: str, says: str) -> Option:
+    """A count that a search needs, unless it comes from a case."""
+    return click.option(
+        name,
+        type=int,
+        required=True,
+        cls=RequiredUnless,
+        unless="keep",
+        metavar=metavar,
+        help=says,
+    )
+
+
+_TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
+
 options = gathered(
     "asked",
     _asked,
     gathered(
         "search",
-        BoxSearch,
-        click.option("--sets", type=int, required=True, metavar="N", help="Planetary sets."),
-        click.option(
-            "--elements", type=int, required=True, metavar="M", help="Brakes and clutches in all."
+        partial(BoxSearch, targets=()),
+        _count_option("--sets", "N", "Planetary sets."),
+        _count_option("--elements", "M", "Brakes and clutches in all."),
+        _count_option("--engaged", "E", "So many of them are engaged in every gear."),
+        gathered(
+            "gears",
+            wanted_gears,
+            click.option(
+                "--ratios",
+                "targets",
+                multiple=True,
+                required=True,
+                cls=RequiredUnless,
+                unless="gears_wanted",
+                callback=value(each(wanted_ratio), "--ratios"),
+                metavar="I,...",
+                help="Of each gear a ratio or a range, below 0 backward: 5.8:6.2,1,-4:-2.5.",
+            ),
+            click.option(
+                "--tolerance",
+                multiple=True,
+                default=[str(_TOLERANCE)],
+                show_default=str(_TOLERANCE),
+                callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
+                metavar="T,...",
+                help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2.",
+            ),
         ),
-        click.option(
-            "--engaged",
-            type=int,
-            required=True,
-            metavar="E",
-            help="So many of them are engaged in every gear.",
-        ),
-        click.option(
-            "--ratios",
-            "targets",
-            multiple=True,
-            required=True,
-            callback=value(each(number), "--ratios"),
-            metavar="I,...",
-            help="The ratio of each gear, those backward below 0; may be given several times.",
+        gathered(
+            "sequence",
+            _sequence,
+            click.option(
+                "--gears",
+                "gears_wanted",
+                is_eager=True,
+                callback=value(gear_counts, "--gears"),
+                metavar="A:B",
+                help="So many forward gears besides --ratios, whatever their ratios are.",
+            ),
+            click.option(
+                "--spread",
+                callback=value(ends, "--spread"),
+                metavar="LOW:HIGH",
+                help="Of --gears the first ratio over the last.",
+            ),
+            click.option(
+                "--steps",
+                callback=value(ends, "--steps"),
+                metavar="LOW:HIGH",
+                help="Of --gears each ratio over the next one.",
+            ),
+            click.option("--falling", is_flag=True, help="No step is larger than that below it."),
         ),
         click.option(
             "--bounds",
@@ -151,20 +250,38 @@ options = gathered(
             help="The input is a shaft that only clutches join to the sets.",
         ),
         click.option(
+            "--own-output",
+            is_flag=True,
+            help="The output is a shaft that only clutches join to the sets.",
+        ),
+        click.option(
+            "--shafts",
+            type=int,
+            default=0,
+            metavar="K",
+            help="So many further shafts no set has a member on; three elements or more join each.",
+        ),
+        click.option(
             "--fixed",
             type=int,
             default=0,
             metavar="K",
             help="So many members of sets are held for good.",
         ),
-        click.option(
-            "--tolerance",
-            type=float,
-            default=BoxSearch._field_defaults["tolerance"],
-            show_default=True,
-            metavar="T",
-            help="A box is found where all |ln(i/wanted)| can be no more.",
-        ),
+    ),
+    click.option(
+        "--keep",
+        type=click.Path(),
+        is_eager=True,
+        metavar="CASE",
+        help="Boxes with the scheme, kinds of sets, ports and elements of a case.",
+    ),
+    click.option(
+        "--free",
+        multiple=True,
+        callback=value(free_parts, "--free"),
+        metavar="elements=N",
+        help="So many of its elements may be missing.",
     ),
     click.option(
         "--efficiency",
@@ -190,6 +307,32 @@ options = gathered(
             metavar="FIGURE=X,...",
             help=f"No larger {spoken(LIMITED, 'or')}, such as loss=.05,torque=4.",
         ),
+    ),
+    gathered(
+        "order",
+        BoxOrder,
+        click.option(
+            "--sort",
+            multiple=True,
+            callback=value(_names, "--sort"),
+            metavar="FIGURE,...",
+            help="Those with less of it stand first.",
+        ),
+        click.option(
+            "--pareto",
+            multiple=True,
+            default=PARETO,
+            callback=value(_names, "--pareto"),
+            metavar="FIGURE,...",
+            help=f"The figures of the Pareto list: {spoken(PARETO, 'and')} when not given.",
+        ),
+    ),
+    click.option(
+        "--weights",
+        multiple=True,
+        callback=value(named("GEAR=WEIGHT", number), "--weights"),
+        metavar="GEAR=WEIGHT,...",
+        help="Of forward gears in the mean of the drag, such as 1=3; else 1.",
     ),
 )
 """The options of a search and its filters; the command gets `asked`."""

@@ -20,10 +20,10 @@ from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
 from vstatics.numerics.compiled import CACHE_TROUBLE
-from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.choice import family_count, ranked
-from vstatics.synthesis.boxes.figures import MeasuredBox
-from vstatics.synthesis.boxes.work import (
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox
+from vstatics.synthesis.boxes.search import pieces as box_pieces
+from vstatics.synthesis.boxes.search.work import (
     MOST_MEASURED,
     BoxWork,
     SearchedPieces,
@@ -48,7 +48,7 @@ class BoxRun(NamedTuple):
     @property
     def work(self) -> BoxWork:
         """What workers need to know."""
-        return BoxWork(self.asked.search, self.asked.efficiency)
+        return BoxWork(self.asked.search, self.asked.efficiency, self.asked.weights)
 
     def workers(self, items: int) -> Workers:
         """Who does so many pieces."""
@@ -75,8 +75,9 @@ def carry_out(run: BoxRun) -> int:
     if found.with_ratios:
         files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
     else:
-        within = f"within {run.asked.search.tolerance:g} of these ratios"
-        files.say(f"no box is found: none of {found.searched} comes {within}")
+        search = run.asked.search
+        within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
+        files.say(f"no box is found: none of {found.searched} comes within {within}")
     return FAILED
 
 
@@ -152,7 +153,7 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
         for _, some in called.each(measure, portions(boxes)):
             measured += some
             advance(len(some))
-    chosen = ranked(asked.search, measured, asked.wanted)
+    chosen = ranked(asked.search, measured, asked.wanted, asked.order)
     return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
 
 

@@ -83,7 +83,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
 
 def _subject(element: Element) -> Subject | None:
     """What there is to ask about the teeth of an element; nothing of belts, worms, bevel pairs."""
-    if not _whole(element):
+    if not _whole(element) or element.ratios:
         return None
     if isinstance(element.shape, Planetary):
         return OfPlanets(element)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -11,25 +11,23 @@ import numpy as np
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.synthesis.boxes.box import (
     EFFICIENCY,
-    BoxFigures,
     BoxSearch,
     FoundBox,
     check_box_search,
 )
-from vstatics.synthesis.boxes.figures import FIGURE_DECIMALS, MeasuredBox, measured
+from vstatics.synthesis.boxes.figures.by_box import FIGURES, USUAL, BoxOrder
+from vstatics.synthesis.boxes.figures.measured import ALIKE, FIGURE_DECIMALS, MeasuredBox, measured
+from vstatics.synthesis.boxes.grouping import core_of, families, numbered, pareto, places
 from vstatics.synthesis.boxes.least_form import identity
-from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
-NUMBERS = BoxFigures._fields.index("single")
-"""So many figures are numbers."""
+NO_RATIO = 1e9
+"""In place of a gear that a box has not. [-]"""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
 """The figures by which boxes stand in order."""
-PARETO = ("loss", "planet_speed", "torque", "clutches")
-"""The figures of the Pareto list."""
 
 
 class RankedBox(NamedTuple):
@@ -38,17 +36,23 @@ class RankedBox(NamedTuple):
     found: MeasuredBox
     family: int
     """A number from 1; boxes of one family have equal ratios in all gears."""
+    core: int
+    """A number from 1; boxes of one core differ, in one family, by their clutches alone."""
     pareto: bool
-    """Whether no other is better in one of `PARETO` and not worse in the others."""
+    """Whether no other is better in one figure of the Pareto list and not worse in the others."""
 
 
 def ranked(
-    search: BoxSearch, boxes: Iterable[MeasuredBox], wanted: BoxFilter
+    search: BoxSearch,
+    boxes: Iterable[MeasuredBox],
+    wanted: BoxFilter,
+    by: BoxOrder = USUAL,
 ) -> tuple[RankedBox, ...]:
     """The boxes that are wanted, each once, in their order.
 
-    Errors within the tolerance count as equal. Then by mean loss, largest torque, number of
-    clutches, planet speed and code. Families are numbered as they come.
+    First by the figures that are asked for, then as usual: errors within the tolerance count as
+    equal, then by mean loss, largest torque, number of clutches, planet speed and code. Families
+    and cores are numbered as they come.
 
     Parameters
     ----------
@@ -56,11 +60,18 @@ def ranked(
     boxes : iterable of MeasuredBox
         In any order.
     wanted : BoxFilter
+    by : BoxOrder
+        As usual when not given.
+
+    Raises
+    ------
+    CaseError
+        If a figure is none.
 
     Examples
     --------
     >>> from vstatics.synthesis.boxes.box import HELD, FoundBox
-    >>> from vstatics.synthesis.boxes.figures import measured
+    >>> from vstatics.synthesis.boxes.figures.measured import measured
     >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> scheme, search = SetScheme.of_code("0-1-2"), BoxSearch(1, 2, 1, (3.0, 1.0))
     >>> boxes = [
@@ -68,26 +79,29 @@ def ranked(
     ...     for clutch in [(1, 2), (0, 2), (0, 1)]
     ... ]
     >>> found = ranked(search, [measured(search, box, 0.98) for box in boxes], BoxFilter())
-    >>> [(one.found.box.elements[1], one.family, one.pareto) for one in found]
-    [((0, 1), 1, True), ((0, 2), 1, True), ((1, 2), 1, True)]
+    >>> [(one.found.box.elements[1], one.family, one.core, one.pareto) for one in found]
+    [((0, 1), 1, 1, True), ((0, 2), 1, 1, True), ((1, 2), 1, 1, True)]
     """
+    by.check()
     there = (box for box in boxes if box.figures.error < math.inf)
     chosen = list(_each_once(box for box in there if wanted.lets(box)))
     if not chosen:
         return ()
-    sizes = np.array([box.figures[:NUMBERS] for box in chosen], np.float64)
-    within = sizes[:, 0] <= search.tolerance * (1 + SAME_RATIO)
-    sizes[within, 0] = 0.0
-    places = dict(zip(BoxFigures._fields, map(_places, sizes.T), strict=False))
-    keys = (places[name].tolist() for name in ORDER)
+    figures = {name: np.array([box.figures.number(name) for box in chosen]) for name in FIGURES}
+    own = {name: places(values) for name, values in figures.items()}
+    errors = figures["error"]
+    within = errors <= max(search.widths, default=search.tolerance) * (1 + SAME_RATIO)
+    usual = own | {"error": places(np.where(within, 0.0, errors))}
+    keys = [own[name].tolist() for name in by.sort] + [usual[name].tolist() for name in ORDER]
     names = [identity(box.box) for box in chosen]
-    order = sorted(zip(*keys, names, range(len(chosen)), strict=True))
-    rows = [row for *_, row in order]
-    families = _families(np.array([[gear.ratio for gear in chosen[row].gears] for row in rows]))
-    best = pareto(np.array([places[name] for name in PARETO]).T[rows])
+    rows = [row for *_, row in sorted(zip(*keys, names, range(len(chosen)), strict=True))]
+    family = families(_ratios([chosen[row] for row in rows]))
+    cores = numbered(
+        (number, core_of(chosen[row].box)) for number, row in zip(family, rows, strict=True)
+    )
+    best = pareto(np.array([own[name] for name in by.pareto]).T[rows]).tolist()
     return tuple(
-        RankedBox(chosen[row], family, is_best)
-        for row, family, is_best in zip(rows, families, best.tolist(), strict=True)
+        RankedBox(chosen[row], *one) for row, *one in zip(rows, family, cores, best, strict=True)
     )
 
 
@@ -111,67 +125,13 @@ def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     return error, loss, box.box.ratios
 
 
-def _places(values: Floats) -> Integers:
-    """The place of each value among those that differ; one that does not exist is 0."""
-    known = np.nan_to_num(values)
-    order = np.argsort(known, kind="stable")
-    gaps = np.diff(known[order]) > EQUAL_FIGURES * (1 + np.abs(known[order][:-1]))
-    places = np.empty(len(values), np.int64)
-    places[order] = np.concatenate([[0], np.cumsum(gaps)])
-    return places
-
-
-def _families(ratios: Floats) -> list[int]:
-    """The family of each row of ratios, (boxes, gears), numbered as they come."""
-    groups = [np.arange(len(ratios))]
-    sizes = np.log(np.abs(ratios))
-    before = 0
-    while len(groups) > before:  # a box that goes may have filled a gap between others
-        before = len(groups)
-        for gear in sizes.T:
-            groups = [part for group in groups for part in _parted(group, gear)]
-    family = np.empty(len(ratios), np.intp)
-    for number, group in enumerate(sorted(groups, key=min), 1):
-        family[group] = number
-    return family.tolist()
-
-
-def _parted(group: Any, sizes: Floats) -> list[Any]:
-    """A group of boxes, parted where the sizes of a gear have a gap."""
-    if len(group) == 1:
-        return [group]
-    ordered = group[np.argsort(sizes[group], kind="stable")]
-    gaps = np.flatnonzero(np.diff(sizes[ordered]) > SAME_FITTED_RATIO) + 1
-    return np.split(ordered, gaps)
-
-
-def pareto(figures: Floats | Integers) -> Booleans:
-    """Which rows no other row is better than in one column, and not worse in any.
-
-    Parameters
-    ----------
-    figures : ndarray, shape (boxes, figures)
-        The less the better.
-
-    Returns
-    -------
-    ndarray, shape (boxes,)
-
-    Examples
-    --------
-    >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
-    array([ True,  True, False,  True,  True])
-    """
-    rows, which = np.unique(figures, axis=0, return_inverse=True)  # the less stand first
-    is_best = np.zeros(len(rows), np.bool_)
-    front = np.empty_like(rows)
-    size = 0
-    for number, own in enumerate(rows):  # whoever is better than a row stands before it
-        if not (front[:size] <= own).all(axis=1).any():
-            is_best[number] = True
-            front[size] = own
-            size += 1
-    return np.asarray(is_best[which.reshape(-1)])
+def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
+    """The ratios of all gears, (boxes, gears); where a box has fewer, what no gear has."""
+    most = max(len(box.gears) for box in boxes)
+    ratios = np.full((len(boxes), most), NO_RATIO)
+    for row, box in zip(ratios, boxes, strict=True):
+        row[: len(box.gears)] = [gear.ratio for gear in box.gears]
+    return ratios
 
 
 class BoxFilter(NamedTuple):
@@ -233,7 +193,7 @@ class BoxFilter(NamedTuple):
             self.before(found.box)
             and figures.single >= self.single
             and figures.planar >= self.planar
-            and not any(getattr(figures, name) > most for name, most in self.limits.items())
+            and not any(figures.number(name) > most for name, most in self.limits.items())
         )
 
 
@@ -252,7 +212,11 @@ class BoxList(NamedTuple):
 
 
 def find_boxes(
-    search: BoxSearch, efficiency: float = EFFICIENCY, wanted: BoxFilter = ALL
+    search: BoxSearch,
+    efficiency: float = EFFICIENCY,
+    wanted: BoxFilter = ALL,
+    by: BoxOrder = USUAL,
+    weights: Mapping[str, float] = ALIKE,
 ) -> BoxList:
     """Find all gearboxes whose gears have wanted ratios, in this process.
 
@@ -263,6 +227,10 @@ def find_boxes(
         Of each set with its carrier held, above 0 and up to 1. [-]
     wanted : BoxFilter
         All boxes when not given.
+    by : BoxOrder
+        By which figures they stand in order.
+    weights : mapping of str to float
+        Of forward gears in the mean of the drag, 1 of those that have none. [-]
 
     Raises
     ------
@@ -278,17 +246,19 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.pieces import cut, found_in  # compiles
+    from vstatics.synthesis.boxes.search.pieces import cut, found_in  # compiles
 
     low, high = search.bounds
-    search = search._replace(targets=tuple(search.targets), bounds=(low, high))
+    search = search._replace(
+        targets=tuple(search.targets), bounds=(low, high), tolerances=tuple(search.tolerances)
+    )
     check_box_search(search)
     if not 0 < efficiency <= 1:
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
         raise CaseError("E802", message, ("efficiency",))
     search = wanted.narrowed(search)
     pieces = [found_in(search, piece) for piece in range(cut(search))]
-    boxes = (measured(search, box, efficiency) for piece in pieces for box in piece.boxes)
+    boxes = (measured(search, box, efficiency, weights) for piece in pieces for box in piece.boxes)
     searched = sum(piece.searched for piece in pieces)
     given_up = sum(piece.given_up for piece in pieces)
-    return BoxList(searched, ranked(search, boxes, wanted), given_up)
+    return BoxList(searched, ranked(search, boxes, wanted, by), given_up)

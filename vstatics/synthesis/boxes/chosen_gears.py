@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -60,7 +60,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     ndarray, shape (sets,)
         NaN where there is none, or where some link may turn besides. [-]
     """
-    links = max(box.scheme.links, box.input + 1)
+    links = box.links
     held = [] if box.held is None else [box.held]
     rows = np.zeros((len(box.ratios) + len(held), links))
     for row, (sun, carrier, ring), ratio in zip(rows, box.scheme.sets, box.ratios, strict=False):
@@ -85,6 +85,15 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 
 
+def all_of(numbers: Engaged) -> int:
+    """Elements as bits.
+
+    >>> bin(all_of((0, 3)))
+    '0b1001'
+    """
+    return sum(1 << number for number in numbers)
+
+
 Way = tuple[tuple[float, ...], tuple[Engaged, ...]]
 """What some gears cost, and the set of each."""
 
@@ -93,12 +102,13 @@ def chosen_sets(
     ranges: Sequence[Sequence[Sequence[Engaged]]],
     elements: int,
     cost: Callable[[Engaged], tuple[float, float]],
+    used_in: Callable[[Engaged], int] = all_of,
 ) -> tuple[Engaged, ...]:
     """One set for each gear, so that few elements change between neighbours.
 
     First the number of shifts with more than one element that goes is least, then that of all
-    elements that go, then the sum of the costs. Each element is engaged in some gear, if that
-    can be.
+    elements that go, then the sum of the costs. Each element is used in some gear, if that can
+    be.
 
     Parameters
     ----------
@@ -108,6 +118,8 @@ def chosen_sets(
         Their number.
     cost : callable
         What each set costs, the more important first.
+    used_in : callable
+        The elements of a set that count as used, as bits; all of them when not given.
 
     Returns
     -------
@@ -129,17 +141,13 @@ def chosen_sets(
                 gone = len(set(last) - set(one))
                 added = (float(gone > 1), float(gone), *cost(one))
                 total = tuple(a + b for a, b in zip(before, added, strict=True))
-                _keep(after, (one, used | _bits(one)), (total, (*way, one)))
+                _keep(after, (one, used | used_in(one)), (total, (*way, one)))
             if not sets:  # another range begins: nothing goes
                 _keep(after, ((), used), (before, way))
         ways = after
-    everything = _bits(tuple(range(elements)))
+    everything = all_of(tuple(range(elements)))
     most = max((used for _, used in ways), key=lambda used: (used == everything, used.bit_count()))
     return min(way for (_, used), way in ways.items() if used == most)[1]
-
-
-def _bits(numbers: Engaged) -> int:
-    return sum(1 << number for number in numbers)
 
 
 def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: Way) -> None:
@@ -148,7 +156,7 @@ def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: W
         ways[key] = way
 
 
-def is_single(gears: Sequence[Engaged]) -> bool:
+def is_single(gears: Sequence[Collection[object]]) -> bool:
     """Whether one element changes between neighbours.
 
     >>> is_single([(0, 1), (1, 2), (2, 3)]), is_single([(0, 1), (2, 3)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import permutations, product
 from typing import Any, NamedTuple
 
 from vstatics.synthesis.boxes.box import HELD, FoundBox
@@ -10,7 +11,7 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """Some sets in a new order, with the new numbers of their links."""
+    """Some sets in a new order, with the new numbers of links."""
 
     order: tuple[int, ...]
     links: dict[int, int]
@@ -19,8 +20,9 @@ class _Renaming(NamedTuple):
 def least_box(box: FoundBox) -> FoundBox:
     """The box with its sets and links renamed so that its code is the least one.
 
-    Of the renamings with this code, that with the least input, then output, held link, meshed
-    sets, elements. So code and ports are those of `schemes`, where no set is meshed.
+    Of the renamings with this code, and of shafts without a member of a set, that with the least
+    input, then output, held link, meshed sets, elements. So code and ports are those of
+    `schemes`, where no set is meshed.
 
     Parameters
     ----------
@@ -36,8 +38,21 @@ def least_box(box: FoundBox) -> FoundBox:
     >>> least.elements, least.gears
     (((1, -1), (0, 2)), ((0,), (1,)))
     """
-    found = (_renamed(box, one) for one in _least_codes(box.scheme.sets))
-    return min(found, key=lambda one: (identity(one), one.ratios, one.gears))  # some are symmetric
+    return min(least_forms(box), key=lambda one: (one.ratios, one.gears))
+
+
+def least_forms(box: FoundBox) -> list[FoundBox]:
+    """The box in all forms of the least identity; there are several where it is symmetric.
+
+    >>> box = FoundBox(SetScheme.of_code("0-1-2-0-1-3"), None, 0, 1, ((2, HELD), (3, HELD)),
+    ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
+    >>> [one.ratios for one in least_forms(box)]
+    [(-2.0, -3.0), (-3.0, -2.0)]
+    """
+    choices = product(_least_codes(box.scheme.sets), _shafts(box))
+    found = [_renamed(box, one._replace(links=one.links | own)) for one, own in choices]
+    least = min(map(identity, found))
+    return [one for one in found if identity(one) == least]
 
 
 def identity(box: FoundBox) -> tuple[Any, ...]:
@@ -74,6 +89,15 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
     yield from least
 
 
+def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
+    """New numbers of the links without a member of a set: ports of their own keep theirs."""
+    own = range(box.scheme.links, box.links)
+    kept = {link: link for link in own if link in (box.input, box.output)}
+    others = [link for link in own if link not in kept]
+    for one in permutations(others):
+        yield kept | dict(zip(others, one, strict=True))
+
+
 def _numbers(links: dict[int, int], one: tuple[int, int, int]) -> tuple[int, ...]:
     """The new numbers of the links of a set, those that are new in turn."""
     fresh = iter(range(len(links), len(links) + len(one)))
@@ -81,10 +105,9 @@ def _numbers(links: dict[int, int], one: tuple[int, int, int]) -> tuple[int, ...
 
 
 def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
-    """The box in other words; an input shaft of its own keeps its number."""
+    """The box in other words."""
     order, links = renaming
-    own = box.scheme.links
-    new = links | {own: own, HELD: HELD}
+    new = links | {HELD: HELD}
     if box.held is not None:  # a clutch to what is held is a brake
         new |= {box.held: HELD}
     elements = []  # the links of each in order; what is held stands last

@@ -48,6 +48,10 @@ def box_schemes(search: BoxSearch) -> Iterator[BoxScheme]:
     >>> len(found), sum(len(one.ports) for one in found)  # tree schemes, facts by Burnside
     (6, 90)
     """
+    if search.kept is not None:
+        kept = search.kept
+        yield BoxScheme(kept.scheme, kept.meshed, kept.held, ((kept.input, kept.output),))
+        return
     for codes, found in _classes(search):
         starts = np.searchsorted(found.which, np.arange(len(codes) + 1))
         for row, code in enumerate(codes.reshape(len(codes), -1, MEMBERS).tolist()):
@@ -64,7 +68,7 @@ def _classes(search: BoxSearch) -> Iterator[tuple[Codes, Symmetries]]:
         for batch in batches(asked):
             assert batch.symmetries is not None  # noqa: S101 - they are classes
             yield batch.codes, batch.symmetries
-    if search.fixed:
+    if search.may_be_in_parts:
         for parts in _in_parts(search.sets, links):
             yield _least(parts)
 
@@ -135,7 +139,7 @@ def _chosen(
                 continue
             still = [links for links in kept if held is None or links[held] == held]
             if len(still) == 1:  # most schemes have no symmetry, and the same choices
-                ports = _all_ports(scheme.links, held, search.own_input)
+                ports = _all_ports(scheme.links, held, search.input, search.output)
             else:
                 ports = tuple(_ports(search, scheme, held, still))
             if ports:
@@ -153,20 +157,23 @@ def _held(search: BoxSearch, scheme: SetScheme) -> Iterator[int | None]:
 
 
 @cache
-def _all_ports(links: int, held: int | None, own_input: bool) -> tuple[Ports, ...]:  # noqa: FBT001
-    """Inputs and outputs; a shaft of its own has the number after the links of the sets."""
+def _all_ports(
+    links: int, held: int | None, own_input: int | None, own_output: int | None
+) -> tuple[Ports, ...]:
+    """Inputs and outputs: any moving link, or the shaft of its own."""
     moving = [link for link in range(links) if link != held]
-    inputs = [links] if own_input else moving
-    return tuple((first, last) for first in inputs for last in moving if first != last)
+    inputs, outputs = (moving if own is None else [own] for own in (own_input, own_output))
+    return tuple((first, last) for first in inputs for last in outputs if first != last)
 
 
 def _ports(
     search: BoxSearch, scheme: SetScheme, held: int | None, renamings: list[list[int]]
 ) -> Iterator[Ports]:
     """The least of the choices that renamings make equal."""
-    for first, last in _all_ports(scheme.links, held, search.own_input):
-        images = ((one[first] if first < len(one) else first, one[last]) for one in renamings)
-        if min(images) == (first, last):
+    own = range(scheme.links, scheme.links + 2)
+    for first, last in _all_ports(scheme.links, held, search.input, search.output):
+        images = ([*one, *own] for one in renamings)
+        if min((one[first], one[last]) for one in images) == (first, last):
             yield first, last
 
 
@@ -181,7 +188,7 @@ class SpeedBases(NamedTuple):
     factors: Floats
     """By which minors of `speeds` become polynomials of the ratios, shape (points,)."""
     moving: tuple[int, ...]
-    """The link of the scheme that each row of speeds is of; one more for an input shaft."""
+    """The link that each row of speeds is of, those without a member of a set last."""
 
 
 def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
@@ -198,7 +205,7 @@ def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
     >>> bases.ratios[:2].ravel().tolist(), bases.speeds.shape, bases.moving
     ([-1.4, -5.0], (3, 3, 2), (0, 1, 2))
     """
-    links = range(one.scheme.links + search.own_input)
+    links = range(search.moving + bool(search.fixed))
     moving = tuple(link for link in links if link != one.held)
     ratios = _points(search.bounds, one.meshed)
     rows = np.zeros((len(ratios), search.sets, len(links)))

@@ -157,6 +157,16 @@ def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
     return tuple(name for _, name in sorted(zip(in_order(ratios), names, strict=True)))
 
 
+def names_of_mean(ratios: Sequence[float]) -> list[str]:
+    """The names of the gears of which a mean is made: those forward, or all if there are none.
+
+    >>> names_of_mean([1, -2.5, 3.2]), names_of_mean([-2, -4])
+    (['1', '2'], ['R1', 'R2'])
+    """
+    forward = sum(ratio > 0 for ratio in ratios)
+    return gear_names(forward, 0) if forward else gear_names(0, len(ratios))
+
+
 def gear_names(forward: int, backward: int) -> list[str]:
     """Names of gears from the slowest, those forward and then those backward.
 

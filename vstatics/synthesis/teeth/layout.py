@@ -72,7 +72,7 @@ class TeethLayout:
     @cached_property
     def own_teeth(self) -> dict[int, int]:
         """By wheel: how many it has in the case, where the case tells them."""
-        if not self.is_drawn:
+        if not self.is_drawn or self.element.ratios:
             return {}
         given: list[Fraction | float | None]
         if self.planets:

@@ -185,7 +185,8 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
     planets = solution.planets.get(layout.name, element.planets)
     if not element.rims:
         kept = {name: teeth.get(name, count) for name, count in element.teeth.items()}
-        return replace(element, teeth={**kept, **teeth}, planets=planets)
+        made = replace(element, teeth={**kept, **teeth}, planets=planets, ratios={})
+        return replace(made, efficiency=None) if element.ratios else made  # that of each ratio
     rims = {planet: {rim: teeth[rim] for rim in own} for planet, own in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)

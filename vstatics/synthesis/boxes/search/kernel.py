@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.elements import PortGears, element_sets, find_ratios
-from vstatics.synthesis.boxes.engaged import Combinations, GearSpeeds, number_of
-from vstatics.synthesis.boxes.joining import SetRoom
-from vstatics.synthesis.boxes.ranges import divide, reached
-from vstatics.synthesis.boxes.set_ratios import Asked
-from vstatics.synthesis.boxes.solving import CellRoom, solved
+from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, find_ratios
+from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
+from vstatics.synthesis.boxes.search.joining import SetRoom
+from vstatics.synthesis.boxes.search.ranges import divide, reached
+from vstatics.synthesis.boxes.search.sequences import SequenceRoom, sequence_found
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 
@@ -21,8 +22,11 @@ class Room(NamedTuple):
 
     sets: SetRoom
     cells: CellRoom
+    sequences: SequenceRoom
+    lengths: Integers
+    """So many gears there are beside those of the targets, shape (most,)."""
     gears: Integers
-    """The combination of places of each target, shape (most, targets)."""
+    """The combination of places of each gear, shape (most, gears)."""
     logs: Floats
     """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
     errors: Floats
@@ -62,20 +66,45 @@ def boxes_of_ports(
         these were given up.
     """
     _find_ratios_of_ports(gears.speeds, port, asked, room)
-    _find_useful(table, gears.way, port, room.kinds)
+    _find_useful(table, gears, port, room.kinds)
     count = element_sets(table, port, room.sets)
     sets = room.sets.found
     found = given_up = 0
     for number in range(count):
         different = _different(table, port, sets[number], room)
-        error = solved(table, room.parts[:different], asked, room.cells)
-        if error < math.inf:
-            room.errors[found] = error
+        reach = room.sets.reach[:different]
+        if solved(room.parts[:different], reach, asked, room.cells) < math.inf:
+            room.errors[found] = room.cells.best[1]
             put(room.cells.best_gears, room.gears[found])
             put(sets[number], sets[found])
             put(room.cells.best_logs, room.logs[found])
             found += 1
         given_up += room.cells.given_up[0]
+    return found, count, given_up
+
+
+@compiled
+def sequences_of_ports(
+    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
+) -> tuple[int, int, int]:
+    """All boxes with a sequence of gears, as `boxes_of_ports` has those of targets alone."""
+    _find_ratios_of_ports(gears.speeds, port, asked, room)
+    _find_useful(table, gears, port, room.kinds)
+    count = element_sets(table, port, room.sets)
+    sets = room.sets.found
+    found = given_up = 0
+    for number in range(count):
+        different = _different(table, port, sets[number], room)
+        put(room.cells.ratio_of, room.sequences.ratio_of)
+        put(room.cells.chains.used, room.sequences.used)
+        length, is_open = sequence_found(room.parts[:different], asked, room.sequences)
+        if length > 0:
+            room.lengths[found] = length
+            put(room.sequences.best_gears, room.gears[found])
+            put(sets[number], sets[found])
+            put(room.sequences.best_logs, room.logs[found])
+            found += 1
+        given_up += length == 0 and is_open
     return found, count, given_up
 
 
@@ -107,8 +136,9 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: R
 
 
 @compiled
-def _find_useful(table: Combinations, way: Integers, port: PortGears, kinds: Integers) -> None:
+def _find_useful(table: Combinations, gears: GearSpeeds, port: PortGears, kinds: Integers) -> None:
     """The ratio of each combination of elements that there are; those that have one."""
+    way = gears.way
     count = 0
     for which in range(len(way)):
         there = table.masks[which] & ~port.elements == 0
@@ -116,8 +146,40 @@ def _find_useful(table: Combinations, way: Integers, port: PortGears, kinds: Int
         if port.ratio_of[which] >= 0:
             port.useful[count] = which
             count += 1
+            port.loaded[which] = table.masks[which]
+            if len(port.shafts):
+                port.loaded[which] = _loaded(table, gears, port, which)
     if count < len(way):
         port.useful[count] = -1
+
+
+@compiled
+def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
+    """The elements of a combination that carry torque in its gear, as bits.
+
+    One that carries none can go, and input and output keep their ratio: with the input held in
+    its place, the output stands.
+    """
+    corners = gears.speeds.shape[2] - 1
+    found = 0
+    for place in range(table.members.shape[1]):
+        number = 0
+        after = 1  # the place of the next member, the brake of the input among them
+        brake = port.input
+        for other in range(table.members.shape[1]):
+            member = table.members[which, other]
+            if other != place:
+                if 0 <= brake < member:
+                    number += table.ranks[brake, after]
+                    after += 1
+                    brake = -1
+                number += table.ranks[member, after]
+                after += 1
+        if brake >= 0:
+            number += table.ranks[brake, after]
+        if abs(gears.speeds[gears.way[number], port.output, corners]) > NO_BOX_SPEED:
+            found |= 1 << table.members[which, place]
+    return found
 
 
 @compiled
@@ -129,8 +191,13 @@ def _different(table: Combinations, port: PortGears, elements: Integers, room: R
         for half in range(2):
             put(room.ratios[room.sets.ratios[number], half], room.parts[number, half])
     for subset in range(len(table.places)):
-        ratio = port.ratio_of[number_of(table, elements, subset)]
+        which = number_of(table, elements, subset)
+        ratio = port.ratio_of[which]
         room.cells.ratio_of[subset] = -1
+        room.cells.chains.used[subset] = 0
+        for place in table.places[subset]:
+            if (port.loaded[which] >> elements[place]) & 1:
+                room.cells.chains.used[subset] |= 1 << place
         for number in range(count):
             if room.sets.ratios[number] == ratio:
                 room.cells.ratio_of[subset] = number

@@ -10,9 +10,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Integers
-from vstatics.synthesis.boxes.elements import PortGears, element_sets
-from vstatics.synthesis.boxes.engaged import combinations_table
-from vstatics.synthesis.boxes.joining import set_room
+from vstatics.synthesis.boxes.search.elements import PortGears, element_sets
+from vstatics.synthesis.boxes.search.engaged import combinations_table
+from vstatics.synthesis.boxes.search.joining import set_room
 
 BRAKES = 4
 """The first elements of a table with so many links."""
@@ -26,6 +26,8 @@ def is_wanted(
     usable = [one for one in combinations(chosen, engaged) if port.ratio_of[numbers[one]] >= 0]
     ratios = sorted({int(port.ratio_of[numbers[one]]) for one in usable})
     if {element for one in usable for element in one} != {*chosen}:
+        return False
+    if sum((port.kept >> element) & 1 for element in chosen) < port.least_kept:
         return False
     if not (port.brakes >> sum(element < BRAKES for element in chosen)) & 1:
         return False
@@ -55,6 +57,7 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
         useful = np.full(count, -1)
         useful[: usable.sum()] = np.flatnonzero(usable)
         brakes = int(random.choice([0b11111, 0b110, 0b10]))
+        kept, least_kept = int(random.integers(1 << len(table.ends))), int(random.integers(3))
         there = ((1 << len(table.ends)) - 1) & ~(1 << missing)
         port = PortGears(
             0,
@@ -65,6 +68,10 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
             useful,
             brakes,
             np.zeros((0, 2), np.int64),
+            table.masks,
+            np.zeros(0, np.int64),
+            kept,
+            least_kept,
         )
         room = set_room(table, targets, 2000)
         rows = room.found[: element_sets(table, port, room)].tolist()

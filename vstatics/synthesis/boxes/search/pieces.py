@@ -11,21 +11,25 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.elements import PortGears
-from vstatics.synthesis.boxes.engaged import (
+from vstatics.numerics.arrays import Integers
+from vstatics.synthesis.boxes.box import HELD, LARGEST_RATIO, BoxSearch, FoundBox
+from vstatics.synthesis.boxes.chosen_gears import set_ratios
+from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
+from vstatics.synthesis.boxes.search.elements import PortGears
+from vstatics.synthesis.boxes.search.engaged import (
     Combinations,
     GearSpeeds,
     combinations_table,
     gear_speeds,
 )
-from vstatics.synthesis.boxes.joining import set_room
-from vstatics.synthesis.boxes.kernel import Room, boxes_of_ports
-from vstatics.synthesis.boxes.ranges import lines
-from vstatics.synthesis.boxes.schemes import BoxScheme, SpeedBases, box_schemes, speed_bases
-from vstatics.synthesis.boxes.set_ratios import Asked
-from vstatics.synthesis.boxes.shifts import neighbours
-from vstatics.synthesis.boxes.solving import cell_room
+from vstatics.synthesis.boxes.search.joining import set_room
+from vstatics.synthesis.boxes.search.kernel import Room, boxes_of_ports, sequences_of_ports
+from vstatics.synthesis.boxes.search.ranges import lines
+from vstatics.synthesis.boxes.search.sequences import Sequence, sequence_room
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.shifts import neighbours
+from vstatics.synthesis.boxes.search.solving import cell_room
+from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED, TARGET_MARGIN
 
 PORTS_AT_ONCE = 100
@@ -121,7 +125,9 @@ class _PortSearch:
         counts = search.brake_counts
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
-        self.shifts = neighbours(search.targets if search.singly else ())
+        self.shifts = _shifts(search)
+        self.shafts = _at_shafts(search, self.table)
+        self.kept = _kept(search, self.bases, self.table)
         self.searched = self.given_up = 0
 
     def boxes(self, first: int, last: int) -> list[FoundBox]:
@@ -129,15 +135,33 @@ class _PortSearch:
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())
-        there = [number for number, (one, other) in ends if other >= 0 or one not in ports]
-        self.searched += math.comb(len(there), search.elements)
+        there = {number for number, (one, other) in ends if other >= 0 or one not in ports}
+        there |= self.kept
+        least_kept = 0 if search.kept is None else len(self.kept) - search.kept.free
+        for kept in range(max(least_kept, 0), min(len(self.kept), search.elements) + 1):
+            others = math.comb(len(there - self.kept), search.elements - kept)
+            self.searched += math.comb(len(self.kept), kept) * others
         bits, count = sum(1 << number for number in there), len(table.members)
-        ratio_of, reach, useful = np.zeros((3, count), np.int64)
-        port = PortGears(*ports, bits, ratio_of, reach, useful, self.brakes, self.shifts)
+        ratio_of, reach, useful, loaded = np.zeros((4, count), np.int64)
+        kept_bits = sum(1 << number for number in self.kept)
+        port = PortGears(
+            *ports,
+            bits,
+            ratio_of,
+            reach,
+            useful,
+            self.brakes,
+            self.shifts,
+            loaded,
+            self.shafts,
+            kept_bits,
+            least_kept,
+        )
         most = FIRST_ELEMENT_SETS
         while True:
             room = _room(search, most, get_ident())
-            found, count, given_up = boxes_of_ports(table, self.gears, port, _asked(search), room)
+            within = boxes_of_ports if search.sequence is None else sequences_of_ports
+            found, count, given_up = within(table, self.gears, port, _asked(search), room)
             if count >= 0:
                 self.given_up += int(given_up)
                 return [self._box(room, row, first, last) for row in range(found)]
@@ -152,16 +176,42 @@ class _PortSearch:
             (moving[one], moving[other] if other >= 0 else HELD)
             for one, other in self.table.ends[numbers].tolist()
         )
-        return FoundBox(
+        count = len(self.search.targets) + int(room.lengths[row])
+        gears = room.gears[row, :count].tolist()
+        found = FoundBox(
             self.scheme.scheme,
             self.scheme.held,
             first,
             last,
             elements,
             tuple((signs * np.exp(room.logs[row])).tolist()),
-            tuple(tuple(self.table.places[one].tolist()) for one in room.gears[row].tolist()),
+            tuple(tuple(self.table.places[one].tolist()) for one in gears),
             float(room.errors[row]),
         )
+        if self.search.sequence is None:
+            return found
+        ratios = set_ratios(found, found.gears).tolist()
+        errors = map(deviation, ratios, self.search.targets)
+        return found._replace(error=max(errors, default=0.0))
+
+
+def _at_shafts(search: BoxSearch, table: Combinations) -> Integers:
+    """The elements at each shaft that is no port and of no set, as bits; they are the last."""
+    shafts = range(search.moving - search.shafts, search.moving)
+    found = [
+        sum(1 << number for number, ends in enumerate(table.ends.tolist()) if shaft in ends)
+        for shaft in shafts
+    ]
+    return np.array(found, np.int64)
+
+
+def _kept(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:
+    """The numbers of the elements of which most are to be kept."""
+    if search.kept is None:
+        return set()
+    row = {link: place for place, link in enumerate(bases.moving)} | {HELD: HELD}
+    numbers = {(one, other): number for number, (one, other) in enumerate(table.ends.tolist())}
+    return {numbers[row[one], row[other]] for one, other in search.kept.elements}
 
 
 def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
@@ -191,21 +241,42 @@ _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
 def _asked(search: BoxSearch) -> Asked:
     """What is asked, as arrays."""
     targets = np.array(search.targets, dtype=float)
-    factor = math.exp(search.tolerance + TARGET_MARGIN)
-    ends = np.sort([targets / factor, targets * factor], axis=0)
-    return Asked(targets, ends[0], ends[1], search.tolerance, *search.bounds)
+    widths = np.array(search.widths)
+    factors = np.exp(widths + TARGET_MARGIN)
+    ends = np.sort([targets / factors, targets * factors], axis=0)
+    if search.sequence is not None:  # one target more in which all forward ratios are
+        ends = np.append(ends, [[1 / LARGEST_RATIO], [LARGEST_RATIO]], axis=1)
+    return Asked(targets, ends[0], ends[1], widths, *search.bounds)
+
+
+def _sequence(search: BoxSearch) -> Sequence:
+    """The gears besides the targets, in logarithms."""
+    wanted = search.sequence
+    if wanted is None:
+        return Sequence(0, 0, 0.0, 0.0, 0.0, 0.0, falling=False)
+    low, high = map(math.log, wanted.spread)
+    least, most = map(math.log, wanted.steps)
+    return Sequence(wanted.least, wanted.most, low, high, least, most, wanted.falling)
+
+
+def _shifts(search: BoxSearch) -> Integers:
+    """The targets between which one element is to change."""
+    in_turn = search.singly and search.sequence is None
+    return neighbours(search.targets if in_turn else ())
 
 
 @lru_cache(maxsize=32)
 def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
-    table = combinations_table(search.shafts, search.engaged, search.elements)
+    table = combinations_table(search.moving, search.engaged, search.elements)
     asked = _asked(search)
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
-        cells=cell_room(table, asked, sets),
-        gears=np.zeros((most, targets), np.int64),
+        cells=cell_room(table, asked, sets, _shifts(search)),
+        sequences=sequence_room(table, asked, _sequence(search), sets),
+        lengths=np.zeros(most, np.int64),
+        gears=np.zeros((most, targets + _sequence(search).most), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),

@@ -77,7 +77,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 @compiled
 def all_used(
-    table: Combinations, ratio_of: Integers, chosen: Integers, came: Integers, gears: Integers
+    ratio_of: Integers, used: Integers, chosen: Integers, came: Integers, gears: Integers
 ) -> bool:
     """Whether gears of the chosen ratios can be such that all elements are used.
 
@@ -85,9 +85,10 @@ def all_used(
 
     Parameters
     ----------
-    table : Combinations
     ratio_of : array, shape (combinations of a set,)
         The ratio of each, below 0 of none.
+    used : array, shape (combinations of a set,)
+        The places of elements that each uses, as bits.
     chosen : array, shape (targets,)
         The ratio of each target.
     came : array, shape (targets + 1, 2**size)
@@ -103,9 +104,7 @@ def all_used(
             if came[target, state] >= 0:
                 for subset in range(subsets):
                     if ratio_of[subset] == chosen[target]:
-                        after = state
-                        for place in range(table.places.shape[1]):
-                            after |= 1 << table.places[subset, place]
+                        after = state | used[subset]
                         if came[target + 1, after] < 0:
                             came[target + 1, after] = state * subsets + subset
     if came[count, every] < 0:

@@ -7,9 +7,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from vstatics.numerics.arrays import Floats
-from vstatics.synthesis.boxes.matching import match_room, matched
-from vstatics.synthesis.boxes.ranges import divide, lines, reached
-from vstatics.synthesis.boxes.set_ratios import Asked, fit_room, fitted
+from vstatics.synthesis.boxes.search.matching import match_room, matched
+from vstatics.synthesis.boxes.search.ranges import divide, lines, reached
+from vstatics.synthesis.boxes.search.set_ratios import Asked, fit_room, fitted
 
 CORNERS = (np.arange(8)[:, None] >> np.arange(3)) & 1
 
@@ -70,10 +70,10 @@ def test_a_fit_is_that_of_scipy(number: int) -> None:
     random = np.random.default_rng(number)
     parts = random.uniform(0.5, 2, (5, 2, 8))
     targets = random.uniform(0.7, 1.5, 5)
-    asked = Asked(targets, targets, targets, 1.0, 1.5, 4.0)
+    asked = Asked(targets, targets, targets, np.ones(5), 1.5, 4.0)
     room = fit_room(5, 3)
     room.logs[:] = np.log(2.5)
-    total = fitted(parts, np.arange(5), asked, room)
+    total = fitted(parts, np.arange(5), asked, 0.0, room)
 
     def errors(logs: Floats) -> Floats:
         own = weights((np.exp(logs)[None] - 1.5) / 2.5)[0]

@@ -11,10 +11,11 @@ from typing import NamedTuple
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.joining import SetRoom, choose, join
-from vstatics.synthesis.boxes.matching import matched
-from vstatics.synthesis.boxes.shifts import shifts_singly
+from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
+from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
+from vstatics.synthesis.boxes.search.joining import SetRoom, choose, join
+from vstatics.synthesis.boxes.search.matching import matched
+from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
 
 class PortGears(NamedTuple):
@@ -34,6 +35,15 @@ class PortGears(NamedTuple):
     """How many brakes a set may have, as bits."""
     shifts: Integers
     """Targets that are neighbours, between which one element is to change, shape (shifts, 2)."""
+    loaded: Integers
+    """The elements of each combination that are in use in its gear, as bits: all of them, or
+    those that carry torque; shape (combinations,)."""
+    shafts: Integers
+    """The elements at each shaft that is no port and of no set, as bits, shape (shafts,)."""
+    kept: int
+    """Elements of which a set is to have some, as bits."""
+    least_kept: int
+    """So many of them."""
 
 
 @compiled
@@ -97,7 +107,7 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
     for which in port.useful:
         if which < 0:
             break
-        targets = port.reach[port.ratio_of[which]]
+        targets = port.reach[port.ratio_of[which]] & ((1 << len(room.lengths)) - 1)
         target = 0
         while targets:
             if targets & 1:
@@ -108,7 +118,10 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
                     room.rows[table.rests[which, place], target] |= 1 << member
             targets >>= 1
             target += 1
-    return bool(room.lengths.min() > 0)
+    is_empty = False
+    for length in room.lengths:
+        is_empty |= length == 0
+    return not is_empty
 
 
 @compiled
@@ -127,12 +140,31 @@ def _find_members(room: SetRoom, depth: int) -> int:
 
 @compiled
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
-    """Whether so many chosen elements can be of a set with a number of brakes that is wanted."""
-    brakes = 0
+    """Whether so many chosen elements can be of a set with a number of brakes that is wanted.
+
+    And whether the others are enough for the shafts, and for what is to be kept.
+    """
+    brakes = chosen = 0
     for place in range(members):
         brakes += table.ends[room.chosen[place], 1] < 0
+        chosen |= 1 << room.chosen[place]
     others = len(room.chosen) - members
+    if _count(port.kept & chosen) + others < port.least_kept:
+        return False
+    for shaft in port.shafts:
+        if _count(shaft & chosen) + others < SHAFT_ELEMENTS:
+            return False
     return bool((port.brakes >> brakes) & ((2 << others) - 1))
+
+
+@compiled
+def _count(bits: int) -> int:
+    """How many bits there are."""
+    count = 0
+    while bits:
+        bits &= bits - 1
+        count += 1
+    return count
 
 
 @compiled
@@ -143,14 +175,14 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
         ratio = port.ratio_of[number_of(table, room.chosen, subset)]
         if ratio >= 0:
             held |= port.reach[ratio]
-    return held
+    return held & ((1 << len(room.lengths)) - 1)
 
 
 @compiled
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
     """The different ratios of the chosen elements and what they reach; how many.
 
-    `held` takes the elements that have them.
+    `held` takes the elements that are in use with one of them.
     """
     count = used = 0
     room.held[0] += 1
@@ -160,7 +192,7 @@ def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
         room.targets[subset] = 0
         if ratio >= 0:
             room.targets[subset] = port.reach[ratio]
-            used |= table.masks[which]
+            used |= port.loaded[which]
             if room.seen[ratio] != room.held[0]:
                 room.seen[ratio] = room.held[0]
                 room.ratios[count] = ratio

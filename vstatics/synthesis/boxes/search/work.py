@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
 from itertools import islice
 from typing import Any, NamedTuple
@@ -12,10 +12,10 @@ from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
-from vstatics.synthesis.boxes import pieces as box_pieces
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
-from vstatics.synthesis.boxes.figures import MeasuredBox, measured
-from vstatics.synthesis.boxes.pieces import FoundPiece
+from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
+from vstatics.synthesis.boxes.search import pieces as box_pieces
+from vstatics.synthesis.boxes.search.pieces import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 MOST_FOUND = 1_000_000
@@ -33,6 +33,8 @@ class BoxWork(NamedTuple):
 
     search: BoxSearch
     efficiency: float
+    weights: Mapping[str, float] = ALIKE
+    """Of gears in the mean of the drag."""
 
     def describe(self, item: object) -> str:
         """A piece, boxes that are measured, or files of one with a name, in words."""
@@ -48,7 +50,7 @@ def find(work: BoxWork, piece: int) -> FoundPiece:
 
 def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
     """The figures of some boxes."""
-    return [measured(work.search, box, work.efficiency) for box in boxes]
+    return [measured(work.search, box, work.efficiency, work.weights) for box in boxes]
 
 
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
@@ -61,7 +63,10 @@ def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
     """What a search is, for its directory of pieces and for whoever looks into that."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
+    asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
+    if search.kept is not None:
+        asked["kept"] = {**search.kept._asdict(), "scheme": search.kept.scheme.code}
     named = {_OPTIONS.get(name, name): value for name, value in asked.items()}
     text = json.dumps([named, pieces, build()])
     return {
@@ -76,7 +81,9 @@ def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
 _OPTIONS = {
     "targets": "ratios",
     "own_input": "own-input",
+    "own_output": "own-output",
     "brake_counts": "brakes",
+    "sequence": "gears",
     "singly": "single",
 }
 """What is named otherwise where it is asked for."""

@@ -9,8 +9,8 @@ import numpy as np
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled
-from vstatics.synthesis.boxes.engaged import Combinations
-from vstatics.synthesis.boxes.joining import SetRoom
+from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.joining import SetRoom
 
 
 def neighbours(targets: Sequence[float]) -> Integers:

@@ -2,8 +2,8 @@
 
 Numerators and denominators of the gears are known at the corners of the bounds; between them
 they are linear in each ratio, so these are their values and their slopes everywhere. Least
-squares of ln(i/target) by Levenberg and Marquardt, on the logarithms of the ratios; what is
-at a bound and wants to go on stays there.
+squares of ln(i/target)/width by Levenberg and Marquardt, on the logarithms of the ratios, with
+all gears within their widths; what is at a bound and wants to go on stays there.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.tolerances import (
+    BEYOND_WIDTH,
     FIRST_DAMPING,
     LEAST_BOX_DAMPING,
     LEAST_BOX_STEP,
@@ -27,6 +28,13 @@ from vstatics.synthesis.tolerances import (
 MOST_BOX_STEPS = 60
 GIVEN_UP = 1e8
 """No step is tried with more damping. [-]"""
+PULL = 1e4
+"""How much the square of what is beyond a width counts, against that of an error. [-]"""
+MOST_TURNS = 40
+"""So often what is beyond its width is pulled back by more."""
+FIRST_TURNS = 3
+LESS_BEYOND = 0.9
+"""After the first turns less must be beyond each time; it never will be where this is not so."""
 
 
 class Asked(NamedTuple):
@@ -37,8 +45,8 @@ class Asked(NamedTuple):
     least: Floats
     """Between which a target is met, shape (targets,). [-]"""
     most: Floats
-    tolerance: float
-    """Largest |ln(i/target)|. [-]"""
+    widths: Floats
+    """The largest |ln(i/target)| of each, shape (targets,). [-]"""
     low: float
     """Bounds of ring teeth/sun teeth. [-]"""
     high: float
@@ -50,13 +58,18 @@ class FitRoom(NamedTuple):
     logs: Floats
     """Logarithms of ring teeth/sun teeth: where it begins and ends, shape (sets,). [-]"""
     errors: Floats
-    """ln(i/target) in the end, shape (targets,). [-]"""
+    """ln(i/target)/width in the end, shape (targets,). [-]"""
     jacobian: Floats
     """Their derivatives by the logarithms, shape (targets, sets)."""
     tried: Floats
     """The next logarithms, shape (sets,)."""
     trial: Floats
     """Errors there, shape (targets,)."""
+    pulls: Floats
+    """By how much more than it is beyond its width an error is pulled back, shape (targets,)."""
+    forces: Floats
+    """See `_weigh_errors`, shape (targets,)."""
+    weights: Floats
     own: Floats
     """How the corners weigh, shape (corners,); their sum is 1."""
     slopes: Floats
@@ -73,6 +86,9 @@ def fit_room(targets: int, sets: int) -> FitRoom:
         jacobian=np.zeros((targets, sets)),
         tried=np.zeros(sets),
         trial=np.zeros(targets),
+        pulls=np.zeros(targets),
+        forces=np.zeros(targets),
+        weights=np.zeros(targets),
         own=np.zeros(2**sets),
         slopes=np.zeros((sets, 2**sets)),
         system=np.zeros((sets, sets + 1)),
@@ -80,8 +96,11 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 
 @compiled
-def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """The least sum of squares of ln(i/target) near a point; infinity where there is none.
+def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
+    """The least sum of squares near a point that leaves all gears within their widths.
+
+    What is beyond its width is pulled back by more and more, as augmented Lagrangians do. A sum
+    of squares that is greater than the number of gears has one beyond wherever it is.
 
     Parameters
     ----------
@@ -93,13 +112,85 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     room : FitRoom
         `logs` tell where to begin, and where it ended.
 
+    Returns
+    -------
+    float
+        Infinity where there is none.
+
+    Examples
+    --------
+    Of 1 + p and 1 + 2 p, to be 4 and 8 within such widths, the first is at an end of its range:
+
+    >>> targets, widths = np.array([4.0, 8.0]), np.array([0.11, 0.02])
+    >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]], [[3.8, 11.0], [1.0, 1.0]]])
+    >>> room = fit_room(2, 1)
+    >>> asked = Asked(targets, targets, targets, widths, 1.4, 5.0)
+    >>> bool(fitted_within(parts, np.array([0, 1]), asked, room) < 2)
+    True
+    >>> round(4 * math.exp(0.11), 9) == round(1 + math.exp(room.logs[0]), 9)
+    True
+    """
+    count = len(asked.targets)
+    room.pulls[:] = 0.0
+    total = fitted(parts, chosen, asked, 0.0, room)
+    beyond = farthest(room.errors) - 1.0
+    if total == math.inf or beyond <= 0:
+        return total
+    if total > count:
+        return math.inf
+    for turn in range(MOST_TURNS):
+        if fitted(parts, chosen, asked, PULL, room) == math.inf:
+            return math.inf
+        before = beyond
+        beyond = farthest(room.errors) - 1.0
+        if beyond <= BEYOND_WIDTH:
+            return _squares(room.errors)
+        if turn > FIRST_TURNS and beyond > LESS_BEYOND * before:
+            return math.inf
+        for target in range(count):
+            pull = abs(room.errors[target]) - 1.0 + room.pulls[target]
+            room.pulls[target] = max(pull, 0.0)
+    return math.inf
+
+
+@compiled
+def farthest(errors: Floats) -> float:
+    """The size of the largest."""
+    found = 0.0
+    for error in errors:
+        found = max(found, abs(error))
+    return found
+
+
+@compiled
+def _squares(errors: Floats) -> float:
+    """Their sum of squares."""
+    found = 0.0
+    for error in errors:
+        found += error**2
+    return found
+
+
+@compiled
+def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room: FitRoom) -> float:
+    """The least sum of squares of ln(i/target)/width near a point; infinity where there is none.
+
+    With a stiffness so much of the squares of what is beyond a width, and its pull, is added.
+
+    Parameters
+    ----------
+    parts, chosen, asked, room
+        Of `fitted_within`.
+    stiffness : float
+
     Examples
     --------
     >>> four = np.array([4.0])  # i = 1 + p shall be 4
     >>> room = fit_room(1, 1)
     >>> room.logs[0] = np.log(2.0)
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]]])
-    >>> bool(fitted(parts, np.array([0]), Asked(four, four, four, 0.01, 1.4, 5.0), room) < 1e-20)
+    >>> asked = Asked(four, four, four, np.ones(1), 1.4, 5.0)
+    >>> bool(fitted(parts, np.array([0]), asked, 0.0, room) < 1e-20)
     True
     >>> round(float(np.exp(room.logs[0])), 9)
     3.0
@@ -110,10 +201,11 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
     best = _errors(parts, chosen, asked, room, room.errors)
     if best == math.inf:
         return best
-    _slopes(parts, chosen, room)
+    best += _pull(room.errors, stiffness, room)
+    _slopes(parts, chosen, asked, room)
     damping = FIRST_DAMPING
     for _ in range(MOST_BOX_STEPS):
-        _step(room, least, most, damping)
+        _step(room, least, most, stiffness, damping)
         step = 0.0
         for number in range(sets):
             wanted = min(max(room.logs[number] + room.tried[number], least), most)
@@ -123,6 +215,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
             return best
         _weigh(room.tried, asked, room)
         value = _errors(parts, chosen, asked, room, room.trial)
+        value += _pull(room.trial, stiffness, room)
         if value > best:
             damping *= 10
             if damping > GIVEN_UP:
@@ -135,8 +228,18 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> floa
         if is_last:
             return best
         damping = max(damping * 0.1, LEAST_BOX_DAMPING)
-        _slopes(parts, chosen, room)
+        _slopes(parts, chosen, asked, room)
     return best
+
+
+@compiled
+def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
+    """What is added to the sum of squares for what is beyond its width."""
+    total = 0.0
+    if stiffness > 0:
+        for target in range(len(errors)):
+            total += max(abs(errors[target]) - 1.0 + room.pulls[target], 0.0) ** 2
+    return stiffness * total
 
 
 @compiled
@@ -172,32 +275,33 @@ def _weighed(part: Floats, weights: Floats) -> tuple[float, float]:
 
 @compiled
 def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats) -> float:
-    """ln(i/target) of every gear; the sum of squares, or infinity where one has another sign."""
+    """ln(i/target)/width of every gear; the sum of squares, infinity with another sign of one."""
     total = 0.0
     for target in range(len(asked.targets)):
         above, below = _weighed(parts[chosen[target]], room.own)
         quotient = above / (below * asked.targets[target])
         if not 0 < quotient < math.inf:
             return math.inf
-        found[target] = math.log(quotient)
+        found[target] = math.log(quotient) / asked.widths[target]
         total += found[target] ** 2
     return total
 
 
 @compiled
-def _slopes(parts: Floats, chosen: Integers, room: FitRoom) -> None:
-    """Derivatives of ln(i) of every gear by the logarithms of the ratios of sets."""
+def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> None:
+    """Derivatives of ln(i)/width of every gear by the logarithms of the ratios of sets."""
     for target in range(len(chosen)):
         part = parts[chosen[target]]
         above, below = _weighed(part, room.own)
         for number in range(room.slopes.shape[0]):
             over, under = _weighed(part, room.slopes[number])
-            room.jacobian[target, number] = over / above - under / below
+            room.jacobian[target, number] = (over / above - under / below) / asked.widths[target]
 
 
 @compiled
-def _step(room: FitRoom, least: float, most: float, damping: float) -> None:
+def _step(room: FitRoom, least: float, most: float, stiffness: float, damping: float) -> None:
     """The step of damped normal equations into `tried`, of what is not held by a bound."""
+    _weigh_errors(room, stiffness)
     _find_system(room, least, most, damping)
     system, step = room.system, room.tried
     sets = len(step)
@@ -214,6 +318,19 @@ def _step(room: FitRoom, least: float, most: float, damping: float) -> None:
 
 
 @compiled
+def _weigh_errors(room: FitRoom, stiffness: float) -> None:
+    """Half the derivatives of the sum of squares by the errors, the first and the second."""
+    for target in range(len(room.errors)):
+        error = room.errors[target]
+        beyond = abs(error) - 1.0 + room.pulls[target]
+        is_pulled = stiffness > 0 and beyond > 0
+        room.weights[target] = 1.0 + stiffness if is_pulled else 1.0
+        room.forces[target] = error
+        if is_pulled:
+            room.forces[target] += stiffness * math.copysign(beyond, error)
+
+
+@compiled
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
     """The damped normal equations; what a bound holds stays where it is."""
     count, sets = room.jacobian.shape
@@ -221,7 +338,7 @@ def _find_system(room: FitRoom, least: float, most: float, damping: float) -> No
     for row in range(sets):
         slope = 0.0
         for target in range(count):
-            slope += room.jacobian[target, row] * room.errors[target]
+            slope += room.jacobian[target, row] * room.forces[target]
         held_low = room.logs[row] <= least and slope > 0
         held_high = room.logs[row] >= most and slope < 0
         moves[row] = 0.0 if held_low or held_high else 1.0
@@ -230,7 +347,8 @@ def _find_system(room: FitRoom, least: float, most: float, damping: float) -> No
         for column in range(sets):
             total = 0.0
             for target in range(count):
-                total += room.jacobian[target, row] * room.jacobian[target, column]
+                both = room.jacobian[target, row] * room.jacobian[target, column]
+                total += room.weights[target] * both
             system[row, column] = total * moves[row] * moves[column]
         system[row, row] *= 1 + damping
         system[row, row] += LEAST_DIAGONAL if moves[row] else 1.0

@@ -13,8 +13,8 @@ import numpy as np
 
 from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled
-from vstatics.synthesis.boxes.engaged import Combinations
-from vstatics.synthesis.boxes.matching import MatchRoom, match_room
+from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
 """All targets are reached, or there is room for one element only."""

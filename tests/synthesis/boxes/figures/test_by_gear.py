@@ -1,0 +1,183 @@
+"""Figures of gears and boxes against the case that a box is written as, solved by itself."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations as pairs_of
+
+import pytest
+
+from tests.synthesis.boxes.figures.random_boxes import RandomBox, numbered_box, random_boxes
+from vstatics import CaseError, solve
+from vstatics.flow.power import flows
+from vstatics.model.transmission import ShiftElement, Transmission
+from vstatics.synthesis import combinations
+from vstatics.synthesis.boxes.box import FoundBox
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
+from vstatics.synthesis.boxes.grouping import core_of
+from vstatics.synthesis.boxes.least_form import identity, least_box
+
+BOXES = [*random_boxes(40, seed=32)]
+
+
+def near(expected: float) -> object:
+    return pytest.approx(expected, rel=1e-9, abs=2e-9, nan_ok=True)
+
+
+@pytest.mark.parametrize("one", BOXES, ids=numbered_box)
+def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
+    found = one.measured()
+    case = found.case
+    results = solve(case)
+    names = [element.name for element in case.shift_elements]
+    devices = case.own_devices
+    turning = [planet.name for device in devices for planet in device.planets]
+    names_of_planets = [name.removesuffix(".planet") for name in turning]
+    for row, (gear, own, flow) in enumerate(
+        zip(found.gears, case.gears, flows(results), strict=True)
+    ):
+        figures = gear.figures
+        engaged = {names[number - 1] for number in own.engaged}
+        assert {*figures.torques} == {*gear.engaged} == engaged
+        assert {*figures.slips} == {*names} - engaged
+        for place, name in enumerate(names):
+            solved, table = (
+                (results.torques, figures.torques)
+                if name in engaged
+                else (results.slip_speeds, figures.slips)
+            )
+            assert table[name] == near(solved[row][place])
+        lost = dict(zip([one.name for one in devices], results.losses[row], strict=True))
+        planets = dict(zip(names_of_planets, results.planet_speeds[row], strict=True))
+        speeds = dict(zip(case.link_names, results.speeds[row], strict=True))
+        for name, (_, carrier, _) in zip(found.ratios, found.box.scheme.sets, strict=True):
+            whole = next((pair for pair in found.ravigneaux if name in found.ravigneaux[pair]), "")
+            assert figures.carriers[name] == near(speeds.get(f"L{carrier}", 0.0))
+            if not whole:
+                assert figures.planets[name] == near(planets[name])
+                assert figures.losses[name] == near(lost[name])
+            elif name == found.ravigneaux[whole][0]:
+                assert figures.planets[name] == near(planets[f"{whole}.long"])
+                both = found.ravigneaux[whole]
+                assert sum(figures.losses[one] for one in both) == near(lost[whole])
+        assert math.fsum(figures.losses.values()) == near(1 - results.efficiency[row])
+        assert flow.shown is not None
+        assert figures.circulating == near(flow.shown.circulating)
+
+
+@pytest.mark.parametrize("one", BOXES, ids=numbered_box)
+def test_drag_is_the_slip_power_of_capacities(one: RandomBox) -> None:
+    forward = [gear for gear in one.measured().gears if gear.target > 0]
+    gears = one.measured().gears
+    drags = {}
+    for gear in gears:
+        drags[gear.name] = sum(
+            abs(slip) * max(abs(other.figures.torques.get(name, 0.0)) for other in gears)
+            for name, slip in gear.figures.slips.items()
+        )
+        assert gear.figures.drag == near(drags[gear.name])
+    of_mean = [gear.name for gear in forward or gears]
+    first = of_mean[0]
+    weighted = measured(one.search, one.box, 0.97, {first: 3.0}).figures.drag
+    total = sum(drags[name] for name in of_mean) + 2 * drags[first]
+    assert weighted == near(total / (len(of_mean) + 2))
+
+
+@pytest.mark.parametrize("one", BOXES, ids=numbered_box)
+def test_ratios_beyond_are_the_other_combinations_of_one_motion(one: RandomBox) -> None:
+    found = one.measured()
+    told = [gear.ratio for gear in found.gears]
+    others: list[float] = []
+    for own in combinations(found.case, engaged=[one.search.engaged]):
+        if own.kind in ("gear", "direct") and not own.free:
+            assert own.ratio is not None
+            if all(abs(own.ratio / ratio - 1) > 1e-6 for ratio in [*told, *others]):
+                others.append(own.ratio)
+    expected = sorted(others, key=lambda ratio: (ratio < 0, -abs(ratio)))
+    assert found.figures.beyond == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("one", BOXES, ids=numbered_box)
+def test_shifts_that_skip_gears_and_elements_that_reverse(one: RandomBox) -> None:
+    found = one.measured()
+    sets = [set(gear.engaged) for gear in found.gears if gear.target > 0]
+    skipped = [
+        (one, other)
+        for one, other in pairs_of(range(len(sets)), 2)
+        if other > one + 1 and len(sets[one] - sets[other]) == len(sets[other] - sets[one]) == 1
+    ]
+    assert found.figures.skip_shifts == len(skipped)
+    signs: dict[str, set[bool]] = {name: set() for name in found.elements}
+    for gear in found.gears:
+        for name, torque in gear.figures.torques.items():
+            if torque:
+                signs[name].add(torque > 0)
+    assert {*found.figures.reversing} == {name for name, own in signs.items() if len(own) == 2}
+
+
+@pytest.mark.parametrize("one", BOXES, ids=numbered_box)
+def test_a_one_way_clutch_does_what_its_brake_did(one: RandomBox) -> None:
+    """A freewheel in place of the brake, either way round, leaves the gears as they are, or not.
+
+    Without losses: near direct drive these may turn the torque of a brake.
+    """
+    found = measured(one.search, one.box, 1.0)
+    ratios = [gear.ratio for gear in found.gears]
+    for name in (name for name in found.elements if name.startswith("T-")):
+        torques = [gear.figures.torques[name] for gear in found.gears if name in gear.engaged]
+        if not torques or not all(torques):  # nothing tells which way it is to hold
+            assert name not in found.figures.one_way
+            continue
+        same = [
+            solve(case).ratio.tolist() == pytest.approx(ratios, rel=1e-9, nan_ok=False)
+            for case in _with_freewheels(found, name)
+        ]
+        assert any(same) == (name in found.figures.one_way)
+
+
+def _with_freewheels(found: MeasuredBox, name: str) -> list[Transmission]:
+    """The case of a box with a freewheel for a brake, for each way in which it may hold."""
+    case = found.case
+    place = [element.name for element in case.shift_elements].index(name)
+    gears = [
+        gear._replace(engaged=tuple(number for number in gear.engaged if number != place + 1))
+        for gear in case.gears
+    ]
+    link = case.shift_elements[place].first
+    made = []
+    for links in ((link, 0), (0, link)):
+        elements = [*case.shift_elements]
+        elements[place] = ShiftElement(*links, name, "freewheel")
+        made.append(case.replace(shift_elements=elements, gears=gears))
+    return made
+
+
+def test_weights_are_of_gears_of_the_mean() -> None:
+    one = BOXES[0]
+    for weights, said in [
+        ({"9": 1.0}, "read `9`, but the gears of the mean are"),
+        ({"1": -1.0}, "1: read -1, expected a number, 0 or above"),
+        (dict.fromkeys((gear.name for gear in one.measured().gears), 0.0), "read"),
+    ]:
+        with pytest.raises(CaseError, match=said):
+            measured(one.search, one.box, 0.97, weights)
+
+
+@pytest.mark.parametrize("one", BOXES[:20], ids=numbered_box)
+def test_one_core_has_one_form_without_its_clutches(one: RandomBox) -> None:
+    """Each element is put between other links, and may change how the rest is named then."""
+    box = one.box
+    others = [
+        box._replace(elements=(*box.elements[:place], other, *box.elements[place + 1 :]))
+        for place, own in enumerate(box.elements)
+        for other in ((box.output, box.input), (box.scheme.sets[0][0], -1))
+        if own[1] != other[1] and other not in box.elements
+    ]
+    for other in others:
+        is_one = _without_clutches(box) == _without_clutches(other)
+        assert (core_of(least_box(box)) == core_of(least_box(other))) == is_one
+
+
+def _without_clutches(box: FoundBox) -> object:
+    """The identity of a box with its brakes alone."""
+    return identity(least_box(box._replace(elements=tuple(box.brakes), gears=())))

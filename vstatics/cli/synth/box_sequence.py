@@ -1,0 +1,59 @@
+"""Gears of a box whose ratios are not told, as they are typed: how many, their spread and steps."""
+
+from __future__ import annotations
+
+from vstatics.cli.frame.options import refuse
+from vstatics.cli.frame.values import pair
+from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
+
+ANY = (1.0, LARGEST_RATIO**2)
+"""Of a spread or a step of which nothing is said. [-]"""
+
+
+def ends(text: str | None) -> tuple[float, float] | None:
+    """Two numbers with a colon between.
+
+    >>> ends("1.2:1.8"), ends(None)
+    ((1.2, 1.8), None)
+    """
+    return None if text is None else pair(text, "1.2:1.8")
+
+
+def gear_counts(text: str | None) -> tuple[int, int] | None:
+    """The fewest and the most gears; one number is both.
+
+    >>> gear_counts("6:8"), gear_counts("6")
+    ((6, 8), (6, 6))
+    """
+    if text is None:
+        return None
+    parts = text.split(":")
+    if len(parts) > 2 or not all(part.strip().isdecimal() for part in parts):
+        raise ValueError("expected how many, such as 6:8")
+    return int(parts[0]), int(parts[-1])
+
+
+def wanted_sequence(
+    gears: tuple[int, int] | None,
+    spread: tuple[float, float] | None,
+    steps: tuple[float, float] | None,
+    *,
+    falling: bool,
+) -> WantedSequence | None:
+    """What is asked of the gears besides --ratios.
+
+    Raises
+    ------
+    UsageError
+
+    Examples
+    --------
+    >>> wanted_sequence((6, 8), (5.0, 7.0), None, falling=True).steps
+    (1.0, 1000000.0)
+    """
+    said = spread is not None or steps is not None or falling
+    alone = "--spread, --steps, --falling say what --gears have: expected --gears A:B"
+    refuse((said and gears is None, alone))
+    if gears is None:
+        return None
+    return WantedSequence(*gears, spread or ANY, steps or ANY, falling)

@@ -1,0 +1,298 @@
+"""A found box with its figures, by gear and as a whole, as the solver has them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from typing import Any, NamedTuple, cast
+
+from vstatics.flow.power import shown_flow
+from vstatics.model.parts import Gear
+from vstatics.model.transmission import Transmission
+from vstatics.statics.freewheels import find_state
+from vstatics.statics.state import GearState, values_of
+from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
+from vstatics.synthesis.boxes.chosen_gears import (
+    Engaged,
+    all_of,
+    chosen_sets,
+    equal_sets,
+    is_single,
+    set_ratios,
+)
+from vstatics.synthesis.boxes.figures.by_box import BoxFigures
+from vstatics.synthesis.boxes.figures.by_gear import (
+    BoxGear,
+    GearFigures,
+    mean_drag,
+    with_drag,
+    without_noise,
+)
+from vstatics.synthesis.boxes.figures.case import (
+    box_case,
+    box_element_name,
+    drawn_case,
+    element_links,
+    planet_ratio,
+    ravigneaux_sets,
+)
+from vstatics.synthesis.boxes.figures.known import known_name
+from vstatics.synthesis.boxes.figures.planar import box_is_planar
+from vstatics.synthesis.boxes.figures.shifting import beyond, one_way, reversing, skip_shifts
+from vstatics.synthesis.boxes.least_form import least_box
+from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears, set_name
+from vstatics.synthesis.ratios.fitting import deviation
+from vstatics.synthesis.tolerances import NO_LOAD
+
+FIGURE_DECIMALS = 9
+"""Figures that agree in so many decimals are equal."""
+ALIKE: Mapping[str, float] = {}
+"""Weights of gears that count alike."""
+
+
+class MeasuredBox(NamedTuple):
+    """A found box, in the form of `least_box`, with its figures."""
+
+    box: FoundBox
+    targets: tuple[float, ...]
+    efficiency: float
+    """Of each set with its carrier held. [-]"""
+    gears: tuple[BoxGear, ...]
+    """By descending ratio, those backward last."""
+    figures: BoxFigures
+
+    @property
+    def elements(self) -> dict[str, tuple[str, str]]:
+        """By the name of each shift element the links that it joins."""
+        return {box_element_name(one): element_links(one) for one in self.box.elements}
+
+    @property
+    def ratios(self) -> dict[str, float]:
+        """By the name of each set its internal ratio [-]."""
+        return {set_name(number): ratio for number, ratio in enumerate(self.box.ratios, 1)}
+
+    @property
+    def known(self) -> str | None:
+        """The name of the shipped case that it is, whatever its numbers of teeth are."""
+        return known_name(self.box)
+
+    @property
+    def ravigneaux(self) -> dict[str, tuple[str, str]]:
+        """By name the two sets that are one Ravigneaux set."""
+        return ravigneaux_sets(self.box)
+
+    @property
+    def case(self) -> Transmission:
+        """The box as a case, made when it is asked for."""
+        return drawn_case(self.box, box_case(self.box, self.targets, self.efficiency))
+
+
+def measured(
+    search: BoxSearch, box: FoundBox, efficiency: float, weights: Mapping[str, float] = ALIKE
+) -> MeasuredBox:
+    """A found box with its figures, as the solver has them.
+
+    Where several sets of elements give the ratio of a gear, those are taken with which one element
+    changes between neighbours, then those with the least loss.
+
+    Parameters
+    ----------
+    search : BoxSearch
+    box : FoundBox
+    efficiency : float
+        Of each set with its carrier held, above 0 and up to 1. [-]
+    weights : mapping of str to float
+        Of forward gears in the mean of the drag, 1 of those that have none. [-]
+
+    Raises
+    ------
+    CaseError
+        If a weight is of no such gear, or none is above 0.
+
+    Examples
+    --------
+    >>> from vstatics.synthesis.boxes.box import HELD
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
+    >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
+    ...                ((1,), (0,)), 0.0)
+    >>> found = measured(BoxSearch(1, 2, 1, (1.0, 3.02)), box, 0.98)
+    >>> for gear in found.gears:
+    ...     print(gear[:4], gear.figures.torques, gear.figures.slips, gear.figures.drag)
+    ('1', ('T-L2',), 3.0, 3.02) {'T-L2': -2.0} {'F-L0-L1': 0.6666666666666667} 0.6666666666666667
+    ('2', ('F-L0-L1',), 1.0, 1.0) {'F-L0-L1': 1.0} {'T-L2': 1.0} 2.0
+    >>> figures = found.figures
+    >>> round(figures.error, 6), round(figures.loss, 6), round(figures.planet_speed, 6)
+    (0.006645, 0.006667, 1.333333)
+    >>> figures.slip, figures.torque, figures.single, figures.planar, figures.one_way
+    (1.0, 2.0, True, True, ('T-L2',))
+    """
+    least = least_box(box)
+    targets = search.targets
+    if search.sequence is not None:  # further gears are as they are wanted
+        targets += tuple(set_ratios(least, least.gears[len(targets) :]).tolist())
+    case = box_case(least, targets, efficiency)
+    solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
+    used_in = (lambda one: solved(one).carrying) if search.shafts else all_of
+    sets = _chosen(least, targets, solved, used_in)
+    drawn = drawn_case(least, case)
+    by_gear = with_drag(
+        [
+            _of_gear(least, case, one, solved(one))._replace(circulating=_circulating(drawn, one))
+            for one in sets
+        ]
+    )
+    gears = tuple(
+        BoxGear(
+            names[place],
+            tuple(box_element_name(least.elements[number]) for number in one),
+            solved(one).ratio,
+            targets[place],
+            own,
+        )
+        for place, one, own in zip(order, sets, by_gear, strict=True)
+    )
+    if search.sequence is not None:  # weights may be of gears that only other boxes have
+        there = {gear.name for gear in gears}
+        weights = {name: weight for name, weight in weights.items() if name in there}
+    chosen = least._replace(
+        gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
+        error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign
+    )
+    losses = [solved(one).loss for one in sets]
+    figures = _figures(chosen, gears, losses, weights, planar=box_is_planar(case))
+    return MeasuredBox(chosen, targets, efficiency, gears, figures)
+
+
+class _SolvedGear(NamedTuple):
+    """What the solver has of a gear."""
+
+    ratio: float
+    loss: float
+    torque: float
+    """The largest one. [-]"""
+    carrying: int
+    """The engaged elements that carry torque, as bits."""
+    values: Mapping[str, Any]
+
+
+def _state_of(case: Transmission, engaged: Engaged) -> GearState:
+    """The gear of a case that engages some elements, numbers from 0."""
+    ratios = [one.ratio for one in case.mechanisms]
+    efficiencies = [one.efficiency for one in case.mechanisms]
+    return find_state(case, Gear([number + 1 for number in engaged]), ratios, efficiencies)
+
+
+_Solved = Callable[[Engaged], _SolvedGear]
+
+
+def _solved(case: Transmission) -> _Solved:
+    """What the solver has of a gear of a case by its engaged elements, each calculated once."""
+
+    @cache
+    def solved(engaged: Engaged) -> _SolvedGear:
+        state = _state_of(case, engaged)
+        found = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
+        efficiency, torques = found["efficiency"], found["torques"]
+        return _SolvedGear(
+            ratio=found["ratio"],
+            loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # nothing comes through
+            torque=_largest(torques[number] for number in engaged),
+            carrying=all_of(tuple(one for one in engaged if abs(torques[one]) > NO_LOAD)),
+            values=found,
+        )
+
+    return solved
+
+
+def _largest(numbers: Iterable[float]) -> float:
+    """The largest one without its sign; NaN where there is none."""
+    return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
+
+
+def _of_gear(
+    box: FoundBox, case: Transmission, engaged: Engaged, solved: _SolvedGear
+) -> GearFigures:
+    """The figures of a gear, but for its drag, which needs those of the others, and circulation."""
+    values = solved.values
+    held = range(len(box.elements))
+    is_open = [number for number in held if number not in engaged]
+    sets = [set_name(number) for number in range(1, len(box.ratios) + 1)]
+    speeds = [0.0, *values["speeds"]]  # of the housing first
+    carriers = [speeds[one.third] for one in case.mechanisms]
+    planets = [
+        (speeds[one.first] - speeds[one.third]) / planet_ratio(one.ratio) for one in case.mechanisms
+    ]
+
+    def of(numbers: Iterable[int], name: str) -> dict[str, float]:
+        chosen = [*numbers]
+        names = (box_element_name(box.elements[number]) for number in chosen)
+        return without_noise(names, (values[name][number] for number in chosen))
+
+    return GearFigures(
+        torques=of(engaged, "torques"),
+        slips=of(is_open, "slip_speeds"),
+        carriers=without_noise(sets, carriers),
+        planets=without_noise(sets, planets),
+        losses=without_noise(sets, values["losses"]),
+        circulating=math.nan,
+        drag=math.nan,
+    )
+
+
+def _circulating(case: Transmission, engaged: Engaged) -> float:
+    """Power that goes round in a gear, as far as it is not within one set."""
+    flow = shown_flow(_state_of(case, engaged))
+    return math.nan if flow is None else flow.circulating
+
+
+def _chosen(
+    box: FoundBox,
+    targets: Sequence[float],
+    solved: _Solved,
+    used_in: Callable[[Engaged], int],
+) -> Sequence[Engaged]:
+    """Of each gear, in their order, one of the sets of elements that give its ratio."""
+    order, choices = in_order(targets), equal_sets(box)
+    ranges = [
+        [choices[index] for index in order if (targets[index] > 0) == forward]
+        for forward in (True, False)
+    ]
+
+    def cost(engaged: Engaged) -> tuple[float, float]:
+        found = solved(engaged)
+        return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
+
+    return chosen_sets(ranges, len(box.elements), cost, used_in)
+
+
+def _figures(
+    box: FoundBox,
+    gears: Sequence[BoxGear],
+    losses: Sequence[float],
+    weights: Mapping[str, float],
+    *,
+    planar: bool,
+) -> BoxFigures:
+    """The figures of a box with the sets of elements that are chosen for its gears in order."""
+    forward = sum(gear.target > 0 for gear in gears)
+    of_mean = gears[:forward] or gears
+    by_gear = [gear.figures for gear in gears]
+    lost = losses[: len(of_mean)]
+    sets = [gear.engaged for gear in gears]
+    return BoxFigures(
+        error=box.error,
+        loss=math.fsum(lost) / len(lost),
+        planet_speed=_largest(speed for one in by_gear for speed in one.planets.values()),
+        slip=_largest(slip for one in by_gear for slip in one.slips.values()),
+        torque=_largest(torque for one in by_gear for torque in one.torques.values()),
+        brakes=len(box.brakes),
+        clutches=len(box.clutches),
+        drag=mean_drag({gear.name: gear.figures.drag for gear in of_mean}, weights),
+        skip_shifts=skip_shifts(sets[:forward]),
+        reversing=reversing(by_gear),
+        one_way=one_way(by_gear, [box_element_name(one) for one in box.brakes]),
+        beyond=beyond(box, [gear.ratio for gear in gears]),
+        single=is_single(sets[:forward]) and is_single(sets[forward:]),
+        planar=planar,
+    )

@@ -1,0 +1,232 @@
+"""The ratios of sets with which a set of elements has all gears, compiled.
+
+Bounds are made less by all targets, cell by cell, and halved; a target with several ratios is
+given to one of them, or not to that one. Where each has one of its own, the ratios of the sets
+are fitted, from the middle of the cell.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.compiled import compiled, put
+from vstatics.synthesis.boxes.search.cells import (
+    RatioCells,
+    cells_room,
+    double,
+    halve,
+    is_left,
+    longest,
+    spread_in,
+)
+from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room, chained
+from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
+from vstatics.synthesis.boxes.search.set_ratios import (
+    Asked,
+    FitRoom,
+    fit_room,
+    fitted_within,
+)
+
+SPREADS = np.array([0.5, 0.2, 0.06])
+"""A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
+below each of the others; what has not been found then is not there. [-]"""
+MOST_CELLS = 200_000
+"""With more cells a set of elements is given up."""
+EACH, NONE = -1, -2
+"""Each target has one ratio of its own; some target has none."""
+MORE_FITS = 50
+"""So many fits are made when there is a solution already: another may be better."""
+
+
+class CellRoom(NamedTuple):
+    """Room for cells and fits."""
+
+    cells: RatioCells
+    match: MatchRoom
+    """A ratio for each target."""
+    chains: ChainRoom
+    """The combination of elements for each target."""
+    ratio_of: Integers
+    """The ratio of each combination of a set, below 0 of none, shape (combinations of a set,)."""
+    least: Floats
+    """Between which a target is met, in a better way than that which is known, shape (targets,)."""
+    most: Floats
+    given_up: Booleans
+    """Whether something was left that might have been a solution, shape (1,)."""
+    fit: FitRoom
+    best_logs: Floats
+    """Logarithms of the best fit, shape (sets,). [-]"""
+    best_gears: Integers
+    """Its combination of elements for each target, shape (targets,)."""
+    best: Floats
+    """Its sum of squares of ln(i/target)/width, infinity where there is none; its largest
+    |ln(i/target)|. [-]"""
+
+
+def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) -> CellRoom:
+    """Room for the ratios of a set of elements; shifts are those of `neighbours`."""
+    ratios, targets = len(table.places), len(asked.targets)
+    return CellRoom(
+        cells=cells_room(ratios, asked, sets),
+        match=match_room(targets),
+        chains=chain_room(table, targets, shifts),
+        ratio_of=np.zeros(ratios, np.int64),
+        least=np.zeros(targets),
+        most=np.zeros(targets),
+        given_up=np.zeros(1, np.bool_),
+        fit=fit_room(targets, sets),
+        best_logs=np.zeros(sets),
+        best_gears=np.zeros(targets, np.int64),
+        best=np.zeros(2),
+    )
+
+
+@compiled
+def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> float:
+    """The least sum of squares of ln(i/target)/width with all targets met; infinity if none has.
+
+    Parameters
+    ----------
+    parts : array, shape (ratios, 2, corners)
+        Numerators and denominators of different ratios at the corners of the bounds.
+    reach : array, shape (ratios,)
+        Targets that each of them reaches, as bits.
+    asked : Asked
+    room : CellRoom
+        `ratio_of` tells whose ratios they are; `best_logs` and `best_gears` take the fit,
+        `given_up` whether there may be one although none was found.
+    """
+    cells = room.cells
+    _begin(reach, asked, room)
+    better = Asked(asked.targets, room.least, room.most, asked.widths, asked.low, asked.high)
+    looked = fits = 0
+    top = 1
+    while top > 0 and looked < MOST_CELLS and fits < MORE_FITS:
+        top -= 1
+        looked += 1
+        target = NONE
+        if is_left(parts, better, cells, top):
+            target = _open_target(len(parts), room, top)
+        if target == NONE:
+            continue
+        number = longest(cells, top)
+        spread = 0.0 if number < 0 else spread_in(cells, top)
+        if target == EACH:
+            is_due = _is_due(spread, cells, top)
+            is_met = is_due and _fit(parts, asked, room, top)
+            fits += is_due and room.best[0] < math.inf
+            if is_met or number < 0 or cells.stages[top] == len(SPREADS):
+                continue
+        if target != EACH and spread <= SPREADS[0]:
+            _give(target, cells, top)
+        else:
+            halve(cells, top, number)
+        top += 2
+    room.given_up[0] = top > 0 and room.best[0] == math.inf
+    return float(room.best[0])
+
+
+@compiled
+def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
+    """The bounds are the first cell."""
+    room.best[:] = math.inf
+    put(asked.least, room.least)
+    put(asked.most, room.most)
+    cells = room.cells
+    cells.reach[0] = 0
+    put(reach, cells.reach[0])
+    cells.low[0] = asked.low
+    cells.high[0] = asked.high
+    cells.stages[0] = 0
+    cells.known[0] = False
+
+
+@compiled
+def _open_target(ratios: int, room: CellRoom, top: int) -> int:
+    """The target with the least choice of ratios, of those with several; `EACH` if there is none.
+
+    The ratio of each other is chosen. `NONE` where not each target can have a ratio of its own, or
+    those chosen no elements as wanted.
+    """
+    found, least = EACH, ratios + 1
+    reach, chosen = room.cells.reach[top], room.match.chosen
+    for target in range(len(chosen)):
+        count = 0
+        for ratio in range(ratios):
+            if (reach[ratio] >> target) & 1:
+                count += 1
+                chosen[target] = ratio
+        if count == 0:
+            return NONE
+        if 1 < count < least:
+            found, least = target, count
+    if found == EACH:
+        return EACH if _has_elements(room, top) else NONE
+    return found if matched(reach, ratios, room.match) else NONE
+
+
+@compiled
+def _give(target: int, cells: RatioCells, top: int) -> None:
+    """Two cells of one: in that on top the first ratio has the target, in the other it has not."""
+    double(cells, top)
+    bit = 1 << target
+    is_given = False
+    for ratio in range(cells.reach.shape[1]):
+        if cells.reach[top, ratio] & bit:
+            if is_given:
+                cells.reach[top + 1, ratio] ^= bit
+            else:
+                cells.reach[top, ratio] ^= bit
+                cells.reach[top + 1, ratio] = bit
+                is_given = True
+
+
+@compiled
+def _has_elements(room: CellRoom, top: int) -> bool:
+    """Whether the chosen gears can have elements as wanted."""
+    if not room.cells.known[top]:
+        if not chained(room.ratio_of, room.match.chosen, room.chains):
+            return False
+        room.cells.known[top] = True
+    return True
+
+
+@compiled
+def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
+    """Whether a fit is to be tried in a cell; it is noted that it was."""
+    stage = before = cells.stages[top]
+    while stage < len(SPREADS) and spread <= SPREADS[stage]:
+        stage += 1
+    cells.stages[top] = stage
+    return bool(stage > before)
+
+
+@compiled
+def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
+    """Fit the chosen ratios; whether all targets are met. The best is noted."""
+    cells, chosen = room.cells, room.match.chosen
+    for number in range(cells.low.shape[1]):
+        room.fit.logs[number] = 0.5 * math.log(cells.low[top, number] * cells.high[top, number])
+    total = fitted_within(parts, chosen, asked, room.fit)
+    if total < room.best[0]:
+        room.best[0] = total
+        room.best[1] = 0.0
+        for target in range(len(chosen)):
+            size = abs(room.fit.errors[target]) * asked.widths[target]
+            room.best[1] = max(room.best[1], size)
+        put(room.fit.logs, room.best_logs)
+        chained(room.ratio_of, chosen, room.chains)
+        put(room.chains.gears, room.best_gears)
+        nearer = min(math.sqrt(total), 1.0)
+        for target in range(len(chosen)):  # what is better is within
+            part = math.exp(nearer * asked.widths[target])
+            one, other = asked.targets[target] / part, asked.targets[target] * part
+            room.least[target] = max(asked.least[target], min(one, other))
+            room.most[target] = min(asked.most[target], max(one, other))
+    return total < math.inf
