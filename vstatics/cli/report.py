@@ -25,7 +25,7 @@ from vstatics.statics.results import Results
 @arguments.argument
 @arguments.required_output(
     "Write to this file, whole or not at all: a case, or two that are compared; several cases to "
-    "this directory; - is standard output. Not needed with --watch.",
+    "this directory; - is standard output.",
     unless="watch",
 )
 @click.option(

@@ -76,6 +76,12 @@ class RequiredUnless(click.Option):
         super().__init__(*names, **named)
         self.unless = unless
 
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        """As click has it, with what makes it needless."""
+        said = super().get_help_record(ctx)
+        other = next((one.opts[-1] for one in ctx.command.params if one.name == self.unless), "")
+        return said and (said[0], said[1].replace("[required]", f"[required without {other}]"))
+
     def value_is_missing(self, value: Any) -> bool:
         """Whether it is needed, and not given."""
         context = click.get_current_context()
