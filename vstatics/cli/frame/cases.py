@@ -80,7 +80,9 @@ class RequiredUnless(click.Option):
         """As click has it, with what makes it needless."""
         said = super().get_help_record(ctx)
         other = next((one.opts[-1] for one in ctx.command.params if one.name == self.unless), "")
-        return said and (said[0], said[1].replace("[required]", f"[required without {other}]"))
+        if said is None or not other:
+            return said
+        return said[0], said[1].replace("[required]", f"[required without {other}]")
 
     def value_is_missing(self, value: Any) -> bool:
         """Whether it is needed, and not given."""

@@ -200,7 +200,8 @@ options = gathered(
                 default=[str(_TOLERANCE)],
                 callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
                 metavar="T,...",
-                help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2.  [default: .01]",
+                help="A box is found where all |ln(i/wanted)| can be no more: .01,1=.04,R=.2. "
+                " [default: .01]",
             ),
         ),
         gathered(
