@@ -7,9 +7,10 @@
   // Where the links of a lever are: the third link at 0, the second at 1; by the ratios of its mechanisms.
   const positions = (lever, c, ratios) => {
     const nodes = Object.values(lever.nodes), known = new Map();
-    for (const { link, position } of nodes) if (position === 0 || position === 1) known.set(link, position);
     const third = nodes.find(({ position }) => position === 0)?.link;
     const own = lever.devices.flatMap((device) => c.devices[device].mechanisms).filter((n) => c.mechanisms[n].links[2] === third);
+    const isFirst = (link) => own.some((n) => c.mechanisms[n].links[0] === link) && !own.some((n) => c.mechanisms[n].links[1] === link);
+    for (const { link, position } of nodes) if (position === 0 || (position === 1 && !isFirst(link))) known.set(link, position); // a first link is there by its ratio
     for (let round = 0; round < own.length; round += 1) {
       for (const n of own) {
         const [one, other] = c.mechanisms[n].links;
@@ -39,6 +40,16 @@
     const size = Math.abs(length), head = Math.min(HEAD, Math.max(size, 3)), way = Math.sign(length) || 1;
     const [start, end] = length > 0 ? [x - size, x] : [x, x - size], neck = end - way * head;
     return [`M${start} ${y}L${neck} ${y}`, `M${end} ${y}L${neck} ${y - 3}L${neck} ${y + 3}z`];
+  };
+
+  const inTurn = (text, pairs) => { // two points of one place may part
+    let from = 0;
+    for (const [old, now] of pairs) {
+      const at = text.indexOf(` ${old}`, from) + 1;
+      if (at) text = text.slice(0, at) + now + text.slice(at + old.length);
+      from = at + now.length;
+    }
+    return text;
   };
 
   drawn.kinds.lever = (svg, c, base) => {
@@ -101,7 +112,10 @@
         else if (of === "torque number") text(element, number(torque));
         else if (of === "speed number") text(element, Math.abs(value.speed) === 0 ? "0" : number(value.speed));
         else if (of === "said") titled(element, [[number(given.speed), number(value.speed)], [number(given.torque), number(torque)]]);
-        else if (of === "name") titled(element, Object.keys(one.nodes).map((n) => [number(one.nodes[n].position), number(now.own[n].position)]));
+        else if (of === "name") {
+          const places = Object.keys(one.nodes).map((n) => [number(one.nodes[n].position), number(now.own[n].position)]);
+          for (const title of element.querySelectorAll("title")) own.text(title, inTurn(own.first(title), places));
+        }
         else if (of === "pair") text(element, renumber(own.first(element.querySelector("text")), [[number(pairRatio(one, base)), number(pairRatio(one, told))]]));
         else if (of === "carried") {
           const torques = names.map((name) => [base, told].map((each) => number(each[gear].first_torques[c.results.WFRI.rows.indexOf(name)])));
