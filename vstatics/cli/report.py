@@ -9,6 +9,7 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.formats import TextStyle
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
@@ -17,6 +18,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import each, named, separated, value
 from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
+from vstatics.texts import Language, speaking
 
 
 @click.command()
@@ -61,6 +63,7 @@ from vstatics.statics.results import Results
     "follows by itself.",
 )
 @formats.digits
+@arguments.language("the words of the page, but not of names and messages")
 @arguments.settings
 def report(
     cases: tuple[str, ...],
@@ -72,6 +75,7 @@ def report(
     stamp: dict[str, str],
     live: bool,
     digits: int | None,
+    lang: Language,
     settings: CaseOptions,
 ) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
@@ -128,9 +132,11 @@ def report(
         asked_of_cases = sections or gears or prints_all or live
         own = "--sections, --gears, --all, --live: found boxes have a page of their own"
         refuse((asked_of_cases, own))
-        return report_boxes(*found, cases[0], output, digits, stamp)
+        with speaking(lang):
+            return report_boxes(*found, cases[0], output, digits, stamp)
     # a page with sliders has no further pictures for print, which would not follow them
     asked = AskedPage(sections, gears, prints_all or live, stamp)
+    to = to._replace(style=TextStyle(lang))
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked, live=live)
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases

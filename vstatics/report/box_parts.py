@@ -10,11 +10,12 @@ from vstatics.report.parts import figure
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, sign
 from vstatics.tables.html import Markup, tables, tag
+from vstatics.texts import heading, tr
 
 
 def box_link(box: ListedBox) -> Markup:
     """A link to the diagram of a box."""
-    return tag("a", f"box {box.number}", href=f"#box-{box.number}")
+    return tag("a", tr("box {number}", number=box.number), href=f"#box-{box.number}")
 
 
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
@@ -30,7 +31,7 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
     front = ("box", *numbers, "brakes", "clutches")
     rows: list[Values] = [
         (
-            box_link(box) if box.number in drawn else f"box {box.number}",
+            box_link(box) if box.number in drawn else tr("box {number}", number=box.number),
             box.family,
             100 * box.loss,
             *(box.torque, box.planet_speed, box.slip, 100 * box.error),
@@ -50,7 +51,8 @@ def family_grid(listing: BoxListing) -> Grid:
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
         own = {name: gear.ratio for name, gear in boxes[0].gears.items()}
         rows.append((family, len(boxes), _numbers(boxes), *map(own.get, names)))
-    headings = ["family", "boxes", "its boxes", *names]
+    columns = (Column(one, is_name=True) for one in names)
+    headings: list[str | Column] = ["family", "boxes", "its boxes", *columns]
     return grid_of("Families: boxes with equal ratios in all gears", headings, rows)
 
 
@@ -67,7 +69,7 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
 
 def gear_grid(box: ListedBox) -> Grid:
     """Which elements are engaged in each gear, what its ratio is and should be."""
-    signs = (Column(name, is_sign=True) for name in box.elements)
+    signs = (Column(name, is_sign=True, is_name=True) for name in box.elements)
     rows: list[Values] = [
         (
             name,
@@ -88,11 +90,11 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
 
 def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
     """A box: its figures, its diagram, its gears and its sets side by side."""
-    title = f"Box {box.number}, family {box.family}"
+    title = tr("Box {number}, family {family}", number=box.number, family=box.family)
     yield tag("h3", title, id=f"box-{box.number}")
     yield line_of(_figures(box, digits))
     if svg is not None:
-        name = f"Stick diagram of box {box.number}"
+        name = tr("Stick diagram of box {number}", number=box.number)
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
     yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
@@ -106,7 +108,7 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
         "slip": box.slip,
     }
     for name, value in named.items():
-        yield name, exact(value, digits=digits).text
+        yield heading(name), exact(value, digits=digits).text
     marks = {"in the Pareto list": box.pareto, "single": box.single, "planar": box.planar}
-    yield "it is", ", ".join(name for name, holds in marks.items() if holds) or "-"
-    yield "scheme", box.code
+    yield tr("it is"), ", ".join(tr(name) for name, holds in marks.items() if holds) or "-"
+    yield tr("scheme"), box.code

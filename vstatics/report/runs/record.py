@@ -21,6 +21,7 @@ from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.motion import Event, Motion
 from vstatics.statics.results import Results
 from vstatics.tables.names import written
+from vstatics.texts import tr
 
 MOST_NUMBERS = 25_000
 """Of all columns together: with as many a page has 270 kilobytes more."""
@@ -161,11 +162,12 @@ def _event(event: Event) -> dict[str, Any]:
 def _panel(
     panel: MotionPanel, motion: Motion, numbers: Mapping[str, int], columns: _RunColumns
 ) -> dict[str, Any]:
-    what, _, unit = panel.english.rpartition(", ")
+    said = tr(panel.text)
+    what, _, unit = said.rpartition(", ")
     lines = [told for line in panel.lines for told in _lines(panel, line, motion, numbers, columns)]
     return {
         "kind": panel.kind.replace("_", "-"),
-        "title": what or panel.english,
+        "title": what or said,
         "unit": unit if what else "",
         "per": panel.unit,
         "lines": lines,
