@@ -65,7 +65,7 @@ def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
     from vstatics.report.page_pictures import Pictures
 
-    monkeypatch.setattr("vstatics.report.material.pictures", lambda *_: Pictures())
+    monkeypatch.setattr("vstatics.report.material.pictures", lambda *_, **__: Pictures())
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tests.commands import vstatics
+from vstatics.tables.html import VOID
 from vstatics.tables.numbers import typeset
 
 NASTY = "<script>alert(1)</script>"
@@ -55,7 +56,7 @@ class Page(HTMLParser):
         assert len({name for name, _ in attrs}) == len(attrs)
         element = Element(tag, dict(attrs), [], [one.tag for one in self.open])
         self.elements.append(element)
-        if tag != "meta":
+        if tag not in VOID:
             self.open.append(element)
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:

@@ -15,6 +15,7 @@ from urllib.parse import quote
 
 import pytest
 
+from tests.accessibility import serious_faults
 from tests.commands import CASES
 from tests.report.pages import NASTY_CASE, report, write
 
@@ -255,17 +256,8 @@ def test_no_serious_fault_of_accessibility(
     browser: Any, reports: dict[str, Path], case: str, scheme: str
 ) -> None:
     """By the rules of axe-core."""
-    axe = pytest.importorskip("axe_core_python")
-    rules = Path(axe.__file__).with_name("axe.min.js").read_text(encoding="utf-8")
     page = Opened(browser, reports[case], color_scheme=scheme)
-    page.window.evaluate(rules)
-    found = page.window.evaluate("axe.run({ resultTypes: ['violations'] })")["violations"]
-    serious = {
-        one["id"]: [node["html"][:200] for node in one["nodes"]][:3]
-        for one in found
-        if one["impact"] in ("serious", "critical")
-    }
-    assert not serious
+    assert not serious_faults(page.window)
     page.context.close()
 
 

@@ -36,8 +36,10 @@ class NoStudio:
         """Its name, for names that begin so."""
         return f"<p>{name}</p>" if texts and name.startswith("flow:") else None
 
-    def close(self) -> None:
+    def stop(self) -> None:
         """There is nothing to end."""
+
+    close = stop
 
 
 class HttpReply(NamedTuple):

@@ -81,6 +81,13 @@ def test_a_page_of_others_can_save_nothing(served: ServedCase, origin: str) -> N
     assert answer.status == 403
 
 
+@pytest.mark.parametrize("site", ["cross-site", "same-site", "none"])
+def test_what_a_browser_sends_for_others_saves_nothing(served: ServedCase, site: str) -> None:
+    """Also where it tells no origin."""
+    assert served.save({"P1.ratio": -3}, **{"Sec-Fetch-Site": site}).status == 403
+    assert served.save({}, **{"Sec-Fetch-Site": "same-origin"}).status == 200
+
+
 @pytest.mark.parametrize(
     "path",
     [

@@ -7,11 +7,9 @@ from __future__ import annotations
 
 import re
 import shutil
-import signal
-import subprocess
-import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,110 +17,9 @@ import pytest
 
 from tests.commands import CASES
 from tests.serve.served import BOX
+from tests.serve.windows import Program, Window
 
 pytestmark = pytest.mark.slow
-SECONDS = 30
-"""So long something may take."""
-
-
-started: list[Program] = []
-
-
-@pytest.fixture(autouse=True)
-def _ended() -> Iterator[None]:
-    """No program outlives its test."""
-    yield
-    while started:
-        if (left := started.pop()).process.poll() is None:
-            left.end()
-
-
-class Program:
-    """`vstatics serve`, as a process of its own."""
-
-    def __init__(self, file: Path, *words: str) -> None:
-        self.file = file
-        command = [sys.executable, "-m", "vstatics", *(words or ["serve"]), str(file)]
-        self.process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
-        assert self.process.stdout is not None
-        started.append(self)
-        self.address = self.process.stdout.readline().strip()
-
-    def end(self) -> tuple[int, str]:
-        """End it by Ctrl-C: its status, and what it said."""
-        self.process.send_signal(signal.SIGINT)
-        _, said = self.process.communicate(timeout=20)
-        return self.process.returncode, said
-
-
-class Window:
-    """A window with the page."""
-
-    def __init__(self, browser: Any, program: Program) -> None:
-        self.context = browser.new_context()
-        self.page = self.context.new_page()
-        self.errors: list[str] = []
-        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.page.goto(program.address)
-        self.page.wait_for_selector("html[data-ready]")
-
-    def until(self, says: str) -> None:
-        """Wait for something that is so in the page, whose policy lets nobody else wait there."""
-        end = time.monotonic() + SECONDS
-        while not self.page.evaluate(f"Boolean({says})"):
-            assert time.monotonic() < end, says
-            self.page.wait_for_timeout(5)
-
-    def state(self, wanted: str) -> None:
-        """Wait until the page is in a state."""
-        self.until(f"document.body.dataset.state === '{wanted}'")
-
-    def ratio(self, gear: str = "low") -> float:
-        """That of a gear, with all digits."""
-        cell = self.page.locator(f'[data-result="ratio"][data-gear="{gear}"]').first
-        return float(cell.get_attribute("data-number"))
-
-    def has_ratio(self, wanted: float, gear: str = "low") -> None:
-        """Wait until a gear has a ratio."""
-        cell = f'[data-result="ratio"][data-gear="{gear}"]'
-        number = f"document.querySelector('{cell}').dataset.number"
-        self.until(f"Math.abs(Number({number}) - {wanted}) < 1e-9")
-
-    def type(self, path: str, value: str) -> None:
-        """Type a number into a field."""
-        self.page.fill(f'input.field[data-path="{path}"]', value)
-
-    def field(self, path: str) -> str:
-        """What stands in a field."""
-        return str(self.page.input_value(f'input.field[data-path="{path}"]'))
-
-    def shows(self, *names: str) -> set[str]:
-        """Which of the parts of the panel are in sight."""
-        names = names or ("save", "revert", "undo", "errors", "conflict", "outside")
-        return {one for one in names if self.page.is_visible(f"#{one}")}
-
-
-@pytest.fixture
-def program(tmp_path: Path) -> Program:
-    file = tmp_path / "box.yaml"
-    file.write_text(BOX, encoding="utf-8")
-    return Program(file)
-
-
-@pytest.fixture
-def window(browser: Any, program: Program) -> Iterator[Callable[[], Window]]:
-    opened: list[Window] = []
-
-    def new() -> Window:
-        opened.append(Window(browser, program))
-        return opened[-1]
-
-    yield new
-    for one in opened:
-        assert not one.errors
-        one.context.close()
 
 
 def test_what_is_edited_is_seen_saved_and_undone(
@@ -197,12 +94,11 @@ def test_a_file_that_is_saved_is_shown_without_losing_the_place(
     here.page.click('.chooser a[data-choose="direct"]')
     here.page.evaluate("document.getElementById('tables').scrollIntoView()")
     here.page.wait_for_timeout(300)
-    before = here.page.evaluate("document.getElementById('tables').getBoundingClientRect().top")
+    before = here.top("tables")
     program.file.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
     here.has_ratio(3)
     here.page.wait_for_timeout(300)
-    after = here.page.evaluate("document.getElementById('tables').getBoundingClientRect().top")
-    assert abs(after - before) < 40
+    assert abs(here.top("tables") - before) < 40
     assert here.page.evaluate("location.hash") == "#gear=direct"
     assert here.page.get_attribute(".chooser [aria-current]", "data-choose") == "direct"
     assert float(here.field("P1.ratio")) == -2
@@ -281,6 +177,50 @@ def test_a_page_whose_program_has_ended_says_so(
     assert here.page.is_visible(".when-gone")
 
 
+@pytest.mark.parametrize("seconds", [0, 0.1, 0.3, 0.5])
+def test_ctrl_c_ends_it_without_a_word_also_while_processes_start(
+    program: Program, seconds: float
+) -> None:
+    time.sleep(seconds)
+    assert program.end() == (0, "")
+
+
+def test_sections_come_and_go_with_a_number_without_a_new_page(
+    browser: Any, tmp_path: Path
+) -> None:
+    """A split of other speeds has no shifts whose work could be told: that section leaves."""
+    file = tmp_path / "power-split.yaml"
+    shutil.copy(CASES / file.name, file)
+    running = Program(file)
+    here = Window(browser, running)
+    before = here.sections()
+    here.page.evaluate("window.same = true")
+    here.page.evaluate("document.getElementById('conventions').scrollIntoView()")
+    top = here.top("conventions")
+    original = here.field("power split.ratio")
+    field = "document.querySelector('input.field[data-path=\"power split.ratio\"]')"
+    here.page.evaluate(
+        f"{field}.value = 1.5; {field}.dispatchEvent(new Event('input', {{ bubbles: true }}))"
+    )
+    here.until("!document.getElementById('shifts')")
+    assert here.sections() == [one for one in before if one != "Shifts"]
+    assert abs(here.top("conventions") - top) < 40
+    assert here.page.locator(".save", has_text="JSON").count() == 1
+    here.type("power split.ratio", original)
+    here.until("document.getElementById('shifts')")
+    assert here.sections() == before
+    assert here.page.evaluate("window.same")
+    here.type("power split.ratio", "1.5")
+    here.until("!document.getElementById('shifts')")
+    revision = int(here.page.get_attribute("html", "data-revision"))
+    here.page.reload()  # edits stay, and are shown at once
+    here.page.wait_for_selector("html[data-ready]")
+    here.until("!document.getElementById('shifts')")
+    assert int(here.page.get_attribute("html", "data-revision")) > revision
+    assert here.field("power split.ratio") == "1.5"
+    here.context.close()
+
+
 def test_a_run_is_on_the_page_of_its_scenario(browser: Any, tmp_path: Path) -> None:
     """The brake locks where its capacity and the outside torques stop the ring; later with less."""
     text = (CASES / "scenarios/tarasik-set-lock.yaml").read_text("utf-8").replace("../", "")
@@ -314,17 +254,47 @@ def test_a_ten_speed_shows_its_numbers_soon_after_a_save(browser: Any, tmp_path:
     shutil.copy(CASES / file.name, file)
     running = Program(file, "report", "--watch")
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[\w-]{22,}/", running.address)
+    begin = time.monotonic()
     here = Window(browser, running)
-    text, took = file.read_text("utf-8"), []
-    for sun in range(46, 52):
+    first, text = time.monotonic() - begin, file.read_text("utf-8")
+    took: dict[str, list[float]] = {"first page": [first], "save": [], "field": []}
+
+    def shown_after(kind: str, work: Callable[[], object]) -> None:
+        """Wait until something that is done shows."""
         before = here.page.get_attribute("html", "data-revision")
-        assert before is not None
         begin = time.monotonic()
-        file.write_text(text.replace("sun: 45", f"sun: {sun}"), encoding="utf-8")
+        work()
         here.until(f"document.documentElement.dataset.revision !== '{before}'")
-        took.append(time.monotonic() - begin)
-        here.page.wait_for_timeout(100)
+        took[kind].append(time.monotonic() - begin)
+        here.page.wait_for_timeout(200)
+
+    for sun in range(46, 52):
+        new = text.replace("sun: 45", f"sun: {sun}")
+        shown_after("save", partial(file.write_text, new, encoding="utf-8"))
+    for ring in range(90, 94):
+        shown_after("field", partial(here.type, "P1.teeth.ring", str(ring)))
     here.context.close()
     assert running.end() == (0, "")
-    print("seconds from a save to its numbers:", *(f"{one:.3f}" for one in took))  # noqa: T201
-    assert min(took) < 2  # a machine that does nothing else takes less than 0.3 s
+    for kind, times in took.items():
+        print(f"{kind}:", *(f"{one:.3f}" for one in times), "s")  # noqa: T201
+    assert min(took["save"]) < 2  # a machine that does nothing else takes less than 0.3 s
+
+
+def test_units_and_the_link_stay_when_the_file_is_saved_and_the_page_loaded_again(
+    program: Program, window: Callable[[], Window]
+) -> None:
+    here = window()
+    here.page.select_option("#units", "si")
+    here.page.fill("#links", "carrier")
+    cell = 'document.querySelector(\'td[data-result="W"][data-row="carrier"][data-gear="low"]\')'
+    rest = "document.querySelector('td[data-result=\"W\"][data-row=\"sun\"]').closest('tr').hidden"
+    for ratio, load in ((-3, 3000), (-4, 1500)):
+        text = BOX.replace("-78/30", str(ratio)).replace("3000 rpm", f"{load} rpm")
+        program.file.write_text(text, encoding="utf-8")
+        here.until(f"Math.abs(Number({cell}.dataset.number) - 1 / (1 - {ratio})) < 1e-9")
+        here.until(f"{cell}.textContent === '{load / (1 - ratio):.1f}' && {rest}")
+    here.page.reload()
+    here.page.wait_for_selector("html[data-ready]")
+    here.until(f"{cell}.textContent === '300.0' && {rest}")
+    assert here.page.input_value("#units") == "si"
+    assert here.page.input_value("#links") == "carrier"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 
 import click
@@ -9,6 +10,7 @@ import click
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import TextStyle
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
@@ -24,8 +26,8 @@ from vstatics.texts import Language, speaking
 @click.command()
 @arguments.argument
 @arguments.required_output(
-    "Write to this file, whole or not at all; several cases to this directory; - is "
-    "standard output. Not needed with --watch.",
+    "Write to this file, whole or not at all: a case, or two that are compared; several cases to "
+    "this directory; - is standard output. Not needed with --watch.",
     unless="watch",
 )
 @click.option(
@@ -81,7 +83,8 @@ def report(
     """Write each CASE and its results as one page of HTML; - is standard input.
 
     A scenario may stand for its case; then the page has its run, too. For what `synth box -f
-    json` found the page has all boxes, their families, and diagrams.
+    json` found the page has all boxes, their families, and diagrams. Two cases and -o FILE give
+    a page that compares them, A and B; several cases and -o DIR/ a page each.
 
     The page has an overview with the stick diagram, the gears, power flow, levers and equations
     of the one that is chosen, the input and all tables, which can be sorted and copied. It loads
@@ -93,8 +96,10 @@ def report(
 
     With --live the page calculates: it has sliders for the numbers of the case, and ratios,
     speeds, torques, losses and efficiencies follow. Where it can't, it says so: then run the
-    program. The run of a scenario moves then: panels are zoomed, and levers, stick diagram and
-    numbers follow a slider for the time.
+    program. Such a page, and one of two cases, shows numbers in rpm, N*m and kW or in US units,
+    leaves the rows of a link that is asked for, and saves pictures, tables and results. The run
+    of a scenario moves there: panels are zoomed, and levers, stick diagram and numbers follow a
+    slider for the time.
 
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
@@ -106,6 +111,7 @@ def report(
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
       vstatics report gearbox.yaml --live -o live.html
       vstatics report upshift.yaml --live -o live.html
+      vstatics report old.yaml new.yaml -o changes.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
 
@@ -125,7 +131,7 @@ def report(
 
         return serve_page(cases[0], digits, settings)
     assert output is not None  # noqa: S101 - it is required
-    to = formats.each_by_itself(output, cases, ["html"], "a page")
+    to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
@@ -134,6 +140,11 @@ def report(
         refuse((asked_of_cases, own))
         with speaking(lang):
             return report_boxes(*found, cases[0], output, digits, stamp)
+    if len(cases) == 2 and not to.is_folder:
+        own = "--sections, --gears, --all, --live: two cases have a page of their own"
+        refuse((sections or gears or prints_all or live, own))
+        with speaking(lang):
+            return _report_two(cases, output, digits, stamp, settings._replace(scenarios=True))
     # a page with sliders has no further pictures for print, which would not follow them
     asked = AskedPage(sections, gears, prints_all or live, stamp)
     to = to._replace(style=TextStyle(lang))
@@ -141,6 +152,30 @@ def report(
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
     )
+
+
+def _report_two(
+    cases: tuple[str, ...],
+    output: str,
+    digits: int | None,
+    stamp: dict[str, str],
+    settings: CaseOptions,
+) -> int:
+    """Write the page of two cases; the exit status."""
+    both, failed = [], False
+    for label, outcome in zip("AB", arguments.calculate(cases, settings), strict=True):
+        failed |= outcome.failed
+        if outcome.results is not None:
+            from vstatics.report.pair.page import paged
+
+            file = os.path.basename(outcome.file)  # noqa: PTH119
+            naming = naming_of(outcome)
+            both.append(paged(label, outcome.results, file, outcome.problems, digits, naming))
+    if len(both) == len(cases):
+        from vstatics.report.pair.page import pair_page
+
+        files.write_pages([pair_page(both, stamp).encode(errors="backslashreplace")], output)
+    return FAILED if failed else DONE
 
 
 def _shown(

@@ -56,7 +56,7 @@ def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str
     Without ratios, steps and efficiencies that differ other tables are shown.
     """
     kinds: dict[str, list[Cells]] = {
-        "case": [("case", path, *_values(old, new), "") for path, old, new in one.case]
+        "case": [("case", path, *shown_values(old, new), "") for path, old, new in one.case]
     }
     for number in one.found:
         if number.table != "case":
@@ -91,7 +91,7 @@ def _cells(one: Difference) -> Cells:
     if isinstance(one.actual, str) or isinstance(one.expected, str):
         return one.table, place, str(one.expected), str(one.actual), ""
     old, new = _numbers(one.expected, one.actual)
-    return one.table, place, old, new, _percent(one.deviation)
+    return one.table, place, old, new, percent(one.deviation)
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:
@@ -105,10 +105,10 @@ def _numbers(old: float, new: float) -> tuple[str, str]:
     return shown(old), shown(new)
 
 
-def _percent(deviation: float) -> str:
+def percent(deviation: float) -> str:
     """With its sign; nothing where there is none.
 
-    >>> _percent(0.0065), _percent(-1.5), _percent(1e-9), _percent(float("nan"))
+    >>> percent(0.0065), percent(-1.5), percent(1e-9), percent(float("nan"))
     ('+.65 %', '-150.00 %', '+1.0e-07 %', '')
     """
     if deviation != deviation:  # noqa: PLR0124 - NaN
@@ -119,7 +119,7 @@ def _percent(deviation: float) -> str:
     return f"{'+' if percent > 0 else '-'}{fixed(abs(percent), decimals=2)} %"
 
 
-def _values(old: Any, new: Any) -> tuple[str, str]:
+def shown_values(old: Any, new: Any) -> tuple[str, str]:
     """Values of a case, not too long."""
     texts = [
         one if isinstance(one, str) else json.dumps(one, ensure_ascii=False) for one in (old, new)

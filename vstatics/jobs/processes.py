@@ -160,11 +160,14 @@ class _Process:
 
     def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
         import multiprocessing
+        from multiprocessing import resource_tracker
 
         # A fork costs nothing, but is not safe where another thread holds a lock.
         may_hold = [one for one in threading.enumerate() if one.name != TELLING]
         fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")
+        if not fork:  # to start it later would let signals come in the middle of what starts
+            resource_tracker.ensure_running()
         self.items: dict[int, Any] = {}
         self.connection, far = context.Pipe()
         inherited = [other.connection for other in others] + [self.connection] if fork else []

@@ -1,7 +1,8 @@
 """A case and its results as one page of HTML, which needs nothing from elsewhere.
 
-Results go in; `gather` calculates what the page shows, `page` writes it. `runs` has what of a run
-moves, `live` what a page needs whose numbers change.
+Results go in; `gather` calculates what the page shows, `page` writes it. `tools` choose units and
+links, and save; `runs` has what of a run moves, `live` what a page needs whose numbers change,
+`pair` compares two cases.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.report import gather, page

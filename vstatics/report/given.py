@@ -5,7 +5,7 @@ What a case gives for vibration as tables: inertias, springs, what is elastic of
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
@@ -26,14 +26,23 @@ _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
 def given(
-    case: Transmission, mapping: Mapping[str, Any], digits: int | None = None
+    case: Transmission,
+    mapping: Mapping[str, Any],
+    digits: int | None = None,
+    marked: Callable[[Iterable[Grid]], Iterator[Grid]] = iter,
 ) -> Iterator[Markup]:
-    """The input; `mapping` is the case as plain data: ``case`` of its result in JSON."""
+    """The input; `mapping` is the case as plain data: ``case`` of its result in JSON.
+
+    Parameters
+    ----------
+    marked : callable, optional
+        What tables of this page have for its scripts.
+    """
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
     yield terms((tr(labels[key]), _said(one)) for key, one in common.items())
-    yield from tables(_grids(case, mapping, digits))
+    yield from tables(marked(_grids(case, mapping, digits)))
 
 
 def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:

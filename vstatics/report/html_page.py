@@ -40,6 +40,8 @@ class PageFrame(NamedTuple):
     """Attributes of the body."""
     revision: int | None = None
     """The first one that is shown, for the attribute of the page."""
+    named: object = None
+    """Plain data with names, which stay as they are; else the case of the document."""
 
 
 BARE = PageFrame()
@@ -120,7 +122,7 @@ def framed(
     links = (tag("a", tr(part.name), href=f"#{_id(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
-    main, looks = shared(printed(shown, _names(document.get("case"))))
+    main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
     data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
     body = tag(
@@ -152,6 +154,11 @@ def framed(
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
     """What a section shows below its heading, as it stands on the page of a document."""
     return printed(joined(*part.shown), _names(document.get("case")))
+
+
+def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
+    """A section with its heading, as it stands on the page of a document."""
+    return printed(_section(part), _names(document.get("case")))
 
 
 def _section(part: Part) -> Markup:

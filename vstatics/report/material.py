@@ -12,6 +12,7 @@ from vstatics.report.asked import EVERYTHING, AskedPage
 from vstatics.report.live.numbers import marked
 from vstatics.report.motion import RunSection, run_section
 from vstatics.report.page_pictures import Pictures, pictures
+from vstatics.report.tools.marks import with_tool_marks
 from vstatics.report.vibration import Vibration, vibration
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.result_arrays import Message
@@ -81,7 +82,9 @@ class Material(NamedTuple):
 
     def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
         """Tables as the page has them, with marks on their numbers if it has these."""
-        return map(marked, grids) if self.has_marks else iter(grids)
+        if not self.has_marks:
+            return iter(grids)
+        return (with_tool_marks(marked(one), self.results.case) for one in grids)
 
     @property
     def shown_flows(self) -> Sequence[GearFlow]:
@@ -125,7 +128,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     without = ""
     if drawn is None:
         try:
-            drawn = pictures(results, asked)
+            drawn = pictures(results, asked, marked=has_marks)
         except CaseError as error:
             without, drawn = str(error), Pictures()
     told = []

@@ -8,6 +8,7 @@ from operator import itemgetter
 
 from vstatics.report.material import Material
 from vstatics.report.parts import gear_link
+from vstatics.report.tools.marks import RELATIVE
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall, quantity
 from vstatics.tables.html import Markup, filled, joined, tag
 from vstatics.tables.numbers import rounded
@@ -74,11 +75,20 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
             shown = quantity(key, loaded=loaded)
             found = overall(largest.get(shown.key, ()))
             if found is not None and found.gear:
-                unit = f" {tr(UNITS[shown.unit].text)}" if shown.unit else tr(" × input")
+                unit = tr(UNITS[shown.unit].text) if shown.unit else tr(RELATIVE)
                 value = rounded(abs(found.value), shown.decimals, material.digits)
-                said = _in_gear(material, f"{value}{unit}, {found.row}", found.gear)
-                yield tr("largest element torque"), said
+                said = joined(f"{value} {unit}")
+                if material.has_marks:
+                    said = _in_unit(value, unit, abs(found.value), found.gear, loaded=loaded)
+                said = joined(said, f", {found.row}")
+                yield tr("largest element torque"), _in_gear(material, said, found.gear)
                 return
+
+
+def _in_unit(text: str, unit: str, value: float, gear: str, *, loaded: bool) -> Markup:
+    """A torque whose unit can be chosen."""
+    marks = {"data_gear": gear, "data_value": value, "data_unit" if loaded else "data_scaled": "Nm"}
+    return joined(tag("span", text, **marks), " ", tag("span", unit, class_="unit"))
 
 
 def _circulation(material: Material) -> Iterator[tuple[str, str]]:

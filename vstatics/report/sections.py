@@ -26,6 +26,7 @@ from vstatics.report.parts import (
     side_by_side,
 )
 from vstatics.report.sheets import flow_sheets
+from vstatics.report.tools.marks import marked_links
 from vstatics.report.vibration import shown_vibration
 from vstatics.summary.grids import WITH_LOAD, Marks, element_signs
 from vstatics.summary.grids import grids as summary_grids
@@ -68,6 +69,7 @@ def sections(material: Material) -> Iterator[Part]:
     gears, *others = (
         asked.cut(one).with_digits(material.digits) for one in summary_grids(material.summary)
     )
+    others = [*material.marked(others)]
     conventions = material.document["conventions"]
     every: dict[str, Iterable[Markup]] = {
         "overview": _overview(material),
@@ -82,11 +84,15 @@ def sections(material: Material) -> Iterator[Part]:
             if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
         "vibration": (
-            shown_vibration(material.vibration, material.digits) if material.vibration else ()
+            shown_vibration(material.vibration, material.digits, has_marks=material.has_marks)
+            if material.vibration
+            else ()
         ),
         "largest": _largest(others),
         "shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
-        "input": given(material.results.case, material.document["case"], material.digits),
+        "input": given(
+            material.results.case, material.document["case"], material.digits, material.marked
+        ),
         "tables": _tables(material, others),
         "conventions": [
             terms((tr(name.replace("_", " ")), tr(text)) for name, text in conventions.items())
@@ -131,18 +137,9 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     The name of a gear chooses it for all that is shown of one.
     """
     results = material.results
-    signs = [
-        Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
-    ]
-    columns = [grid.columns[0], *signs, *grid.columns[1:]]
-    [grid] = material.marked([_without_last_step(grid)])
-    rows = [
-        [Cell(gear_link(gear.name)), *element_signs(results, index, MARKS), *row[1:]]
-        for row in grid.cells
-        for index, gear in enumerate(results.case.gears)
-        if gear.name == row[0].text
-    ]
-    yield table(Grid("Ratios, steps, efficiencies", columns, rows), headed=False)
+    made = gears_grid(material, grid)
+    rows = [[Cell(gear_link(first.text)), *others] for first, *others in made.cells]
+    yield table(made._replace(rows=rows), headed=False)
     if results.case.freewheels:
         yield tag(
             "p",
@@ -152,6 +149,23 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     small = material.pictures.small_sticks
     if any(one.sheets for one in small):
         yield side_by_side([flow.gear for flow in material.shown_flows], small)
+
+
+def gears_grid(material: Material, grid: Grid) -> Grid:
+    """The gears of a summary with a sign for each shift element, and with marks."""
+    results = material.results
+    signs = [
+        Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
+    ]
+    [grid] = material.marked([_without_last_step(grid)])
+    columns = [grid.columns[0], *signs, *grid.columns[1:]]
+    rows = [
+        [row[0], *element_signs(results, index, MARKS), *row[1:]]
+        for row in grid.cells
+        for index, gear in enumerate(results.case.gears)
+        if gear.name == row[0].text
+    ]
+    return Grid("Ratios, steps, efficiencies", columns, rows)
 
 
 def _without_last_step(grid: Grid) -> Grid:
@@ -210,7 +224,7 @@ def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     )
     powers = powers.with_digits(digits)
     if material.has_marks:
-        powers = marked_powers(powers, flow.gear)
+        powers = marked_links(marked_powers(powers, flow.gear), material.results.case)
     lines = (tag("li", line.strip()) for line in remarks(flow, digits, balanced=False))
     numbers = table(powers, headed=False)
     yield tag("div", numbers, tag("ul", *lines), class_="power")

@@ -13,6 +13,7 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.report.asked import EVERYTHING, AskedPage
+from vstatics.report.live.numbers import marked_frequencies
 from vstatics.report.page_pictures import NAMES, Drawn, picture_of
 from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results
@@ -88,8 +89,16 @@ OF_GEAR = ("frequencies", "energy")
 """Keys of the tables of a gear."""
 
 
-def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
-    """All of it, or why it is left out."""
+def shown_vibration(
+    found: Vibration, digits: int | None, *, has_marks: bool = False
+) -> Iterator[Markup]:
+    """All of it, or why it is left out.
+
+    Parameters
+    ----------
+    has_marks : bool
+        Whether frequencies say what they are, for a script.
+    """
     if found.without:
         yield tag("p", tr("Left out: {why}", why=found.without))
         return
@@ -101,6 +110,7 @@ def shown_vibration(found: Vibration, digits: int | None) -> Iterator[Markup]:
     if said:
         yield tag("ul", *(tag("li", text) for text in said), class_="messages")
     grid = frequencies(found.gears).with_digits(digits)
+    grid = marked_frequencies(grid) if has_marks else grid
     yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
     if found.campbell:
         yield from figures(found.campbell, tr(NAMES[found.campbell.kind]))

@@ -10,12 +10,13 @@ from typing import Any
 
 from vstatics.errors import Problem, excerpt
 from vstatics.report.asked import AskedPage
-from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, shown_alone
+from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, section_alone
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as run_scripts
 from vstatics.report.sections import Part
+from vstatics.report.tools import toolbar
 from vstatics.serve.awaited import QUICK, awaited_pictures, awaited_sections
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup, joined, tag
@@ -28,7 +29,8 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPT, _STYLE = _resource("serve.js"), _resource("serve.css")
+_OWN_SCRIPT = _resource("serve.js")
+_STYLE = joined(toolbar.STYLE, _resource("serve.css"))
 
 
 def _hashed(script: str) -> str:
@@ -36,9 +38,12 @@ def _hashed(script: str) -> str:
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
+SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, _OWN_SCRIPT)
+"""All that a page may have."""
+
 POLICY = (
     f"default-src 'none'; "
-    f"script-src {' '.join(map(_hashed, (SCRIPT, *run_scripts.SCRIPTS, _OWN_SCRIPT)))}; "
+    f"script-src {' '.join(map(_hashed, SCRIPTS))}; "
     "style-src 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'"
 )
@@ -66,12 +71,15 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
-    return [*([changed] if shown else []), *awaited_sections(material, runs=runs)]
+    first, *others = awaited_sections(material, runs=runs)
+    told = toolbar.tools_of(material.results.case, digits=material.digits)
+    first = first._replace(shown=[*first.shown, told])  # it is made anew with its section
+    return [*([changed] if shown else []), first, *others]
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """What stands below the heading of each section, by the headings."""
-    return {part.name: shown_alone(part, material.document) for part in parts}
+    """Each section by its heading."""
+    return {part.name: section_alone(part, material.document) for part in parts}
 
 
 def told(problems: Iterable[Problem]) -> str:
@@ -134,8 +142,8 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 ) -> str:
     frame = PageFrame(
         choice=chosen,
-        panel=_panel(state),
-        scripts=[*(run_scripts.SCRIPTS if has_run else ()), _OWN_SCRIPT],
+        panel=joined(toolbar.toolbar(), _panel(state)),
+        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), _OWN_SCRIPT],
         style=joined(_STYLE, run_scripts.STYLE if has_run else ""),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},

@@ -104,6 +104,10 @@ def _check_sender(request: Request, own: str) -> None:
         raise RefusedError(403, f"expected the host {own}, once")
     if any(one != f"http://{own}" for one in request.all_of("origin")):
         raise RefusedError(403, "comes from another page")
+    # a browser tells one of them with every POST; a script that knows the address need not
+    sites = request.all_of("sec-fetch-site")
+    if request.method == "POST" and any(one != "same-origin" for one in sites):
+        raise RefusedError(403, "comes from another page")
 
 
 async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[str, float]:

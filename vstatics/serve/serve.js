@@ -52,41 +52,86 @@
     }
   }
 
-  // other content of a part; pictures that are awaited stand there as they were until they come
-  function put(part, html, ...before) {
+  function parsed(html) {
     const made = document.createElement("template");
     made.innerHTML = html;
+    return made.content;
+  }
+
+  const bound = []; // what has tables with buttons, and where it belongs once others have theirs
+
+  // other content of a part; pictures that are awaited stand there as they were until they come
+  function put(part, made, ...before) {
+    const kept = part.querySelector(":scope > .save"); // the script of every page put it there
     const old = new Map([...part.querySelectorAll("[data-awaited]")].map((one) => [one.dataset.awaited, one]));
-    for (const one of made.content.querySelectorAll("[data-awaited]")) {
-      const kept = old.get(one.dataset.awaited);
-      if (kept) one.replaceWith(kept);
+    for (const one of made.querySelectorAll("[data-awaited]")) {
+      const as = old.get(one.dataset.awaited);
+      if (as?.querySelector("table")) bound.push([one, as]);
+      else if (as) one.replaceWith(as);
     }
     const focused = part.contains(document.activeElement) && document.activeElement.dataset.choose;
-    part.replaceChildren(...before, ...made.content.childNodes);
+    part.replaceChildren(...before, ...made.childNodes, ...(kept ? [kept] : []));
     if (focused) part.querySelector(`[data-choose="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
     return part;
   }
 
-  // once for all parts: whoever hears it measures the page
-  const announce = (parts) => dispatchEvent(new CustomEvent("shown", { detail: parts }));
+  // once for all parts: whoever hears it measures the page, and gives tables their buttons
+  function announce(parts) {
+    const tell = (detail) => dispatchEvent(new CustomEvent("shown", { detail }));
+    tell(parts);
+    const back = bound.splice(0);
+    for (const [place, one] of back) place.replaceWith(one);
+    if (back.length) tell([]);
+  }
 
-  function show(answer) {
+  const heading = (part) => part.querySelector("h2");
+  const sections = () => [...document.querySelectorAll("main > section")];
+
+  // the sections of an answer in their order: others leave, new ones come
+  function arrange(wanted) {
+    const there = new Map(sections().map((one) => [heading(one).textContent, one]));
+    for (const [name, one] of there) if (!(name in wanted)) one.remove();
+    let before = null;
+    for (const [name, html] of Object.entries(wanted)) {
+      const part = there.get(name) ?? parsed(html).firstElementChild;
+      if (!there.has(name)) before ? before.after(part) : document.querySelector("main").prepend(part);
+      before = part;
+    }
+    document.querySelector(".contents").replaceChildren(...sections().map((one) => {
+      const link = document.createElement("a");
+      [link.href, link.textContent] = [`#${one.id}`, heading(one).textContent];
+      return link;
+    }));
+  }
+
+  // what is being read stays where it is, whatever changes above it
+  function staying(work) {
+    const top = (one) => one.getBoundingClientRect().top;
+    const read = sections().findLast((one) => top(one) < 0.4 * innerHeight);
+    const before = read && top(read);
+    work();
+    if (read?.isConnected) scrollBy({ top: top(read) - before, behavior: "instant" });
+  }
+
+  // an answer of the files, or of numbers that are tried, which never make another head
+  function show(answer, tried = false) {
     errors = answer.errors;
     if (answer.sections) {
-      const parts = [...document.querySelectorAll("main > section")];
-      const names = parts.map((one) => one.querySelector("h2").textContent);
-      const same = names.join("\n") === Object.keys(answer.sections).join("\n");
-      if (!same || answer.head !== panel.dataset.head) { location.reload(); return; }
+      if (!tried && answer.head !== panel.dataset.head) { location.reload(); return; }
       const before = numbers();
       shown = answer.number;
-      const changed = [];
-      parts.forEach((part, place) => {
-        const html = answer.sections[names[place]];
-        if (part.id === "change") change(part, answer.fields, html);
-        else if (html !== last.get(part)) changed.push(put(part, html, part.querySelector("h2")));
-        last.set(part, html);
+      staying(() => {
+        const names = sections().map((one) => heading(one).textContent);
+        if (names.join("\n") !== Object.keys(answer.sections).join("\n")) arrange(answer.sections);
+        const changed = [];
+        for (const part of sections()) {
+          const html = answer.sections[heading(part).textContent];
+          if (part.id === "change") change(part, answer.fields, html);
+          else if (html !== last.get(part)) changed.push(fresh(part, html));
+          last.set(part, html);
+        }
+        if (changed.length) announce(changed);
       });
-      if (changed.length) announce(changed);
       at("result").textContent = JSON.stringify(answer.document);
       mark(before);
       stale();
@@ -95,11 +140,18 @@
     tell();
   }
 
+  // a section with other content below its heading
+  function fresh(part, html) {
+    const made = parsed(html).firstElementChild;
+    heading(made).remove();
+    return put(part, made, heading(part));
+  }
+
   // fields have the numbers of the file but where there are edits
   function change(part, now, html) {
     const same = [...ofFile.keys()].join("\n") === Object.keys(now).join("\n");
     ofFile = new Map(Object.entries(now));
-    if (!same) put(part, html, part.querySelector("h2"));
+    if (!same || !ofFile.size) fresh(part, html); // of a deck nothing can be filled in
     for (const [path, value] of edits) if (!ofFile.has(path) || ofFile.get(path) === value) edits.delete(path);
     for (const path of ofFile.keys()) fill(path, edits.get(path) ?? ofFile.get(path));
   }
@@ -162,7 +214,7 @@
       next.classList.remove("pale");
       if (html !== null) {
         const before = new Map([...next.querySelectorAll("[data-result]")].map((one) => [key(one), one.dataset.number]));
-        announce([put(next, html)]);
+        announce([put(next, parsed(html))]);
         for (const one of next.querySelectorAll("[data-result]")) {
           const old = before.get(key(one));
           one.toggleAttribute("data-changed", old !== undefined && old !== one.dataset.number);
@@ -193,7 +245,7 @@
       again = false;
       const answer = edits.size ? await post("try", edits) : await ask("shown");
       if (!answer || again || saving) continue;
-      if (answer.ok) show(await answer.json());
+      if (answer.ok) show(await answer.json(), edits.size > 0);
       else { errors = (await answer.text()).trim(); tell(); }
     } while (again);
     trying = false;
@@ -212,7 +264,10 @@
     set(path, value, target);
     attempt();
   });
-  addEventListener("change", () => { step = null; });
+  addEventListener("change", ({ target }) => {
+    step = null;
+    if (target.matches("input.field") && Number.isNaN(target.valueAsNumber)) target.value = now(target.dataset.path);
+  });
 
   at("undo").addEventListener("click", () => {
     step = null;
@@ -286,11 +341,13 @@
   // --- a page that is loaded again keeps its edits ---------------------------------------------
 
   addEventListener("pagehide", () => {
-    const kept = { digest, edits: [...edits], steps: steps.map((one) => [...one]) };
+    const { revision } = root.dataset;
+    const kept = { digest, revision, edits: [...edits], steps: steps.map((one) => [...one]) };
     sessionStorage.setItem(location.pathname, JSON.stringify(kept));
   });
   const kept = JSON.parse(sessionStorage.getItem(location.pathname) ?? "null");
   if (kept) {
+    root.dataset.revision = Math.max(Number(root.dataset.revision), Number(kept.revision) + 1);
     steps.push(...kept.steps.map((one) => new Map(one)));
     for (const [path, value] of kept.edits) if (ofFile.has(path)) set(path, value);
     if (edits.size) {

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from vstatics.serve import answers
 from vstatics.serve.answers import HttpAnswer, as_json, html, refusal
@@ -26,6 +26,8 @@ LOOK_SECONDS = 0.02
 """Between two looks at the files."""
 BEAT_SECONDS = 10.0
 """So often a page that listens hears something."""
+END_TRIES, END_SECONDS = 20, 0.1
+"""So often, and so long each time, the end waits for the process of the studio."""
 
 T = TypeVar("T")
 
@@ -88,12 +90,20 @@ class PageServer:
             if watching:
                 watching.cancel()
             await self._connections.end_all()
-            self._pictures.submit(self._studio.close)
+            await self._end_pictures()
             for pool in (self._numbers, self._pictures):
                 pool.shutdown(wait=False)
 
-    async def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> T:
-        return await asyncio.get_running_loop().run_in_executor(pool, work)
+    async def _end_pictures(self) -> None:
+        """End what is being made, but not a process in the middle of its start."""
+        closed = self._in(self._pictures, self._studio.close)
+        for _ in range(END_TRIES):
+            self._studio.stop()
+            if (await asyncio.wait([closed], timeout=END_SECONDS))[0]:
+                return
+
+    def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
+        return asyncio.get_running_loop().run_in_executor(pool, work)
 
     async def _watch(self) -> None:
         """Look whether a file has changed, and tell it."""
@@ -185,9 +195,10 @@ class PageServer:
         if shown is None or shown.material is None:
             raise RefusedError(404, "this state is not kept")
         work = partial(self._studio.part, shown.calculated.texts, name)
-        made = asyncio.ensure_future(self._in(self._pictures, work))
+        made = self._in(self._pictures, work)
         gone = asyncio.ensure_future(reader.read(1))
-        await asyncio.wait([made, gone], return_when=asyncio.FIRST_COMPLETED)
+        both: list[asyncio.Future[Any]] = [made, gone]
+        await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
         gone.cancel()
         if not made.done():
             made.cancel()

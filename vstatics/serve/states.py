@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
-import os
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from typing import Any, NamedTuple
 
 from vstatics.errors import Problem
@@ -23,11 +20,12 @@ from vstatics.serve.page import (
     sections_of,
     told,
 )
+from vstatics.serve.watched_files import data_of, digest_of, signature_of
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
 MOST_KEPT = 32
-"""So many shown states have their pictures drawn when they are looked at."""
+"""So many tried states have their pictures drawn when they are looked at."""
 
 
 class Calculated(NamedTuple):
@@ -119,8 +117,9 @@ class ShownStates:
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """A state that was shown not long ago, by its number as it is written."""
-        return self._kept.get(number)
+        """A state of the files, or one tried not long ago, by its number as it is written."""
+        of_files = (one for one in (self.shown, self.good) if one and str(one.number) == number)
+        return next(of_files, self._kept.get(number))
 
     def tried(self, changes: Mapping[str, float]) -> Shown:
         """What would be shown if numbers were others; a file in error stays so.
@@ -154,6 +153,9 @@ class ShownStates:
         made = self._shown(texts)
         if made.material is None:
             raise RefusedChangeError(made.errors)
+        if any(data_of(file) != self.shown.calculated.texts[file] for file in texts):
+            self._signature = {}  # somebody wrote while we calculated
+            raise ChangedMeanwhileError
         for file, data in texts.items():
             try:
                 with replacing(file) as write:
@@ -238,23 +240,3 @@ class ShownStates:
             "state": shown.state,
             "errors": shown.errors,
         }
-
-
-def digest_of(texts: Texts) -> str:
-    """What tells documents from others."""
-    made = hashlib.sha256()
-    for file, data in texts.items():
-        for part in (os.fsencode(file), data):
-            made.update(len(part).to_bytes(8, "big") + part)
-    return made.hexdigest()
-
-
-def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """What tells, without reading, that a file has changed; nothing of one that is not there."""
-    found: dict[str, tuple[int, ...]] = {}
-    for file in files:
-        found[file] = ()
-        with suppress(OSError, ValueError):
-            about = os.stat(file)  # noqa: PTH116
-            found[file] = (about.st_mtime_ns, about.st_size, about.st_ino)
-    return found

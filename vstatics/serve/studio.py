@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError
@@ -54,7 +55,7 @@ class Studio:
 class StudioProcess:
     """A studio in another process, which is started when something is asked of it.
 
-    Its methods are called by one thread.
+    Its methods are called by one thread, but for `stop`.
     """
 
     def __init__(self, studio: Studio) -> None:
@@ -68,6 +69,11 @@ class StudioProcess:
         except CaseError:  # the process died, or the program has a fault
             return None
         return made
+
+    def stop(self) -> None:
+        """End what the process is at, if it has started: it is missing then."""
+        for process in multiprocessing.active_children():
+            process.terminate()
 
     def close(self) -> None:
         """End the process."""

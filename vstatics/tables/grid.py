@@ -53,6 +53,8 @@ class Cell(NamedTuple):
     """What a page writes at it as data, for a script."""
     is_said: bool = False
     """Whether its text is no name of the case but of this program, which has it in languages."""
+    look: str = ""
+    """A class that a page gives it besides."""
 
     @property
     def datum(self) -> Datum:

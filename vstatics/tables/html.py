@@ -189,7 +189,8 @@ def _cell(column: Column, cell: Cell) -> Markup:
     value: object = False
     if cell.value is not None:
         value = "" if math.isnan(cell.value) else repr(float(cell.value)).removesuffix(".0")
-    look = "sign" if cell.says else _kind(column)
+    kind = "sign" if cell.says else _kind(column)
+    look = " ".join(str(one) for one in (kind, cell.look) if one) or False
     return tag("td", _text(cell), class_=look, data_value=value, **_marks(cell))
 
 

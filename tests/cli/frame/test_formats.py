@@ -76,7 +76,7 @@ def test_another_suffix_is_refused_before_anything_is_read(command: str) -> None
             ("report", MZKT, "-o", "new.txt"),
             "new.txt: no format has this suffix here: expected .html",
         ),
-        (("report", MZKT, ZF, "-o", "new.html"), "a page is of one case: expected a directory"),
+        (("report", MZKT, ZF, MZKT, "-o", "new.html"), "a page is of one case or two: expected a"),
         (("plot", MZKT, ZF, MZKT, "--kind", "plan", "-o", "new.pdf"), "for several (new/)"),
         (("plot", MZKT, "--kind", "plan", "-o", "new.gif"), "expected .svg .png .pdf"),
         (("sweep", MZKT, "--vary", "D1.ratio=-2", "-o", "new.txt"), "can't tell the format"),

@@ -124,5 +124,5 @@ def placed_rows(
         if row.text:
             x = nearest(centre, width(row.text), free(rows, place, spaced))
             low += height(row.text) + UNDER
-            notes.append(Note(x or centre, low - height(row.text) / 2, row.text, loop=True))
+            notes.append(Note(x or centre, low - height(row.text) / 2, row.text, row.band))
         yield Line(row.band, row.width, (start, *turns, end)), boxes, notes

@@ -69,7 +69,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
             - one.above
             + height(one.text) / 2,
             one.text,
-            loop=False,
+            graph.bands[~one.number],
         )
         for layer, column in enumerate(placed.cells.cells)
         for one in column

@@ -70,7 +70,12 @@ class Note(NamedTuple):
     x: float
     y: float
     text: str
-    loop: bool
+    band: Band
+
+    @property
+    def loop(self) -> bool:
+        """Whether it is told of power that goes round."""
+        return self.band.loop is not None
 
     @property
     def bottom(self) -> float:

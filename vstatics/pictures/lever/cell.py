@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.joined import LeverRoute
@@ -23,81 +23,41 @@ from vstatics.pictures.lever.places import (
     BESIDE_LEVER,
     FREEWHEEL_WIDTH,
     GROUND_WIDTH,
-    LeverCell,
     LeverPage,
     any_freewheel,
     link_name,
 )
 from vstatics.pictures.lever.routes import BESIDE_SIGN, LeverRow
+from vstatics.pictures.lever.view import LeverView
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number
 from vstatics.pictures.sheet.words import quantity
 
 
-class LeverView(NamedTuple):
-    """A lever in a gear, and where it stands in a figure."""
-
-    sheet: LeverSheet
-    gear: LeverGear
-    place: int
-    """Of the lever, from the left."""
-    bottom: float
-    """Its foot."""
-    same: str | None
-    """The gear before that shows the same; numbers are left out then."""
-
-    @property
-    def cell(self) -> LeverCell:
-        """The lever."""
-        return self.sheet.page.cells[self.place]
-
-    @property
-    def style(self) -> Style:
-        """Of the figure."""
-        return self.sheet.pen.style
-
-    @property
-    def is_loaded(self) -> bool:
-        """Whether it carries torque; else it is pale."""
-        return self.gear.is_loaded(self.place)
-
-    @property
-    def ink(self) -> str:
-        """Of texts."""
-        return self.style.ink if self.is_loaded else self.style.soft
-
-    def torque(self, node: int) -> float:
-        """On a point; a shaft has none of its own [-]."""
-        return self.gear.torques[self.place][node] if self.cell.lever.devices else 0.0
-
-    def speed(self, node: int) -> float:
-        """Of a point [-]."""
-        return self.gear.state.speeds[self.cell.lever.nodes[node].link]
-
-    def across(self, speed: float) -> float:
-        """Where a speed is."""
-        (start, end), (low, high) = self.cell.speeds, self.sheet.speeds
-        return start + (speed - low) / (high - low) * (end - start)
-
-
 def draw_lever(view: LeverView, name: str, top: float) -> None:
     """A lever with its points, its name below a height."""
     cell = view.cell
+    if view.style.marked:
+        view.sheet.told.append(view.mark())
     if name:
         said, where = _shape(view), (cell.left, top - 2)
-        view.sheet.pen.text(*where, name, va="top", color=view.ink, title=said)
+        pen = view.sheet.pen.following(of="name", lever=view.number)
+        pen.text(*where, name, va="top", color=view.ink, title=said)
     if len(cell.rows) > 1:
         _draw_line(view)
     for node, row in cell.rows.items():
         _draw_point(view, node, row)
         if (view.place, node) in view.gear.grounds:
-            _draw_ground(view, row, view.gear.grounds[view.place, node])
+            with view.following("ground", node) as sheet:
+                own = view._replace(sheet=sheet)
+                _draw_ground(own, row, view.gear.grounds[view.place, node])
         _write(view, node, row)
     points = sorted(cell.rows.items(), key=lambda point: point[1].at)
     tips = [(view.across(view.speed(node)), row.at + view.bottom) for node, row in points]
     if cell.lever.devices and cell.lever.ratio is None and all(math.isfinite(x) for x, _ in tips):
-        view.sheet.line(*tips, colour=view.style.soft, width=0.9)
+        with view.following("line") as sheet:
+            sheet.line(*tips, colour=view.style.soft, width=0.9)
 
 
 def lever_names(
@@ -142,7 +102,8 @@ def _draw_line(view: LeverView) -> None:
     low, high = min(heights), max(heights)
     for speed, dash in ((0.0, "solid"), (1.0, (0, (1, 2)))):
         x = view.across(speed)
-        sheet.line((x, low - 4), (x, high + 4), colour=style.faint, width=0.8, dash=dash)
+        with view.following("scale", speed=speed) as own:
+            own.line((x, low - 4), (x, high + 4), colour=style.faint, width=0.8, dash=dash)
     colour = style.ink if view.is_loaded else style.faint
     if cell.lever.ratio is None:
         sheet.line((cell.at, low), (cell.at, high), colour=colour, width=2.0)
@@ -152,7 +113,8 @@ def _draw_line(view: LeverView) -> None:
     sheet.line((cell.at, low), (cell.at, middle - 0.8 * SIZE), colour=colour)
     sheet.line((cell.at, middle + 0.8 * SIZE), (cell.at, high), colour=colour)
     box(sheet, (cell.at, middle), (width(text) + 4, 1.6 * SIZE), colour)
-    sheet.pen.text(cell.at, middle, text, ha="center", va="center", color=view.ink)
+    pen = sheet.pen.following(of="pair", lever=view.number)
+    pen.text(cell.at, middle, text, ha="center", va="center", color=view.ink)
 
 
 def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
@@ -162,20 +124,24 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     is_way = view.is_loaded or gear.is_way(link, view.place, view.place)
     look, end = _look(link, view.style, is_way=is_way), cell.speeds[1]
     left = (cell.left, y), (cell.at - BESIDE_LEVER, y), (cell.at, at)
-    sheet.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
+    with view.following("link", node) as own:
+        own.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
     mark = mark_of(link, gear.state, stands=gear.stands(link))
-    sheet.point((cell.at, at), mark, view.ink)
+    with view.following("point", node) as own:
+        own.point((cell.at, at), mark, view.ink)
     speed, torque = view.speed(node), view.torque(node)
-    if cell.lever.devices and math.isfinite(speed) and speed != 0:
+    if cell.lever.devices and math.isfinite(speed) and (speed != 0 or view.style.marked):
         tips = (view.across(0.0), at), (view.across(speed), at)
-        sheet.line(*tips, colour=look["colour"], width=3.2)
+        with view.following("speed", node) as own:
+            own.line(*tips, colour=look["colour"], width=3.2)
     if view.same is None and math.isfinite(torque) and torque != 0:
-        arrow(sheet, (cell.at - BESIDE_LEVER, y), torque * sheet.per_torque)
+        with view.following("torque", node) as own:
+            arrow(own, (cell.at - BESIDE_LEVER, y), torque * sheet.per_torque)
 
 
 def _write(view: LeverView, node: int, row: LeverRow) -> None:
     """The name of a point, its torque below, its speed at the right."""
-    cell, text, y = view.cell, view.sheet.pen.text, row.y + view.bottom
+    cell, pen, y = view.cell, view.sheet.pen, row.y + view.bottom
     speed, torque, point = view.speed(node), view.torque(node), view.cell.lever.nodes[node]
     name = link_name(view.sheet.page.case, point.link, view.style)
     said = f"{cell.lever.name} {point.member}".strip() + f": {name}" if cell.lever.name else name
@@ -183,12 +149,16 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     if cell.lever.devices:
         said += f", {quantity('torque', torque, view.style)}"
     where: Look = {"va": "bottom", "color": view.ink, "linespacing": 1.1}
-    text(cell.left, y + 3.5, row.name, title=said, **where)
+    mark = {"lever": view.number, "node": node}
+    pen.following(of="said", **mark).text(cell.left, y + 3.5, row.name, title=said, **where)
     if view.same is None:
         if torque != 0:
-            text(cell.at - BESIDE_LEVER, y - 4.5, number(torque), ha="right", va="top")
+            at = cell.at - BESIDE_LEVER, y - 4.5
+            own = pen.following(of="torque number", **mark)
+            own.text(*at, number(torque), ha="right", va="top")
         shown = "0" if speed == 0 else number(speed)
-        text(cell.right, y + 1.5, shown, ha="right", va="bottom", color=view.ink)
+        own = pen.following(of="speed number", **mark)
+        own.text(cell.right, y + 1.5, shown, ha="right", va="bottom", color=view.ink)
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
@@ -201,7 +171,8 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
     if name:
         said, where = _carried(view.gear, name, style), (x + GROUND_WIDTH - 8, y + 1.5)
         color = style.engaged
-        view.sheet.pen.text(*where, name, title=said, va="bottom", color=color, over=True)
+        pen = view.sheet.pen.following(of="carried", names=name.split(", "))
+        pen.text(*where, name, title=said, va="bottom", color=color, over=True)
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
@@ -252,9 +223,10 @@ def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
     else:
         plates(sheet, (x, y), upright=upright)
     said, ink = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
+    pen = sheet.pen.following(of="carried", names=one.name.split(", "))
     if upright:
         where: Look = {"ha": "left", "va": "center"}
-        sheet.pen.text(x + BESIDE_SIGN, y, one.name, title=said, color=ink, **where)
+        pen.text(x + BESIDE_SIGN, y, one.name, title=said, color=ink, **where)
     else:
         where = {"ha": "center", "va": "bottom"}
-        sheet.pen.text(x, y + 6.5, one.name, title=said, color=ink, over=True, **where)
+        pen.text(x, y + 6.5, one.name, title=said, color=ink, over=True, **where)

@@ -15,8 +15,16 @@ from vstatics.readers.named.nodes import Listing, Node, Scalar, encoding_of
 from vstatics.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
-_PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*[ \t]+)*")
+_PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
 """An anchor and a tag, which stand before a value of YAML."""
+
+_MARKED = (  # with the order of bytes, which an encoding that looks for a mark does not keep
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
 
 
 class NumberSpot(NamedTuple):
@@ -108,8 +116,7 @@ def with_written(
     >>> with_written(b"speed: 2*500 rpm # fast", spots, {("speed",): 1200.0})
     b'speed: 1200 rpm # fast'
     """
-    encoding = encoding_of(data)
-    text = data.decode(encoding)
+    text = data.decode(encoding_of(data))
     changed: dict[int, tuple[int, str]] = {}
     for keys, value in values.items():
         spot = spots[keys]
@@ -119,6 +126,5 @@ def with_written(
     for start in sorted(changed, reverse=True):
         end, new = changed[start]
         text = text[:start] + new + text[end:]
-    if data.startswith(codecs.BOM_UTF16_BE):  # whose order of bytes no encoding by a mark has
-        return codecs.BOM_UTF16_BE + text.encode("utf-16-be")
-    return text.encode(encoding)
+    mark, encoding = next((one for one in _MARKED if data.startswith(one[0])), (b"", "utf-8"))
+    return mark + text.encode(encoding)

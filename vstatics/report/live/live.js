@@ -1,7 +1,7 @@
 // A page that calculates: fields and sliders in, numbers with marks out.
 "use strict";
 (() => {
-  const { calculate, steps } = globalThis.transmission;
+  const { calculate, steps, pictures } = globalThis.transmission;
   const c = JSON.parse(document.getElementById("lowered").textContent), numbers = { ...c.numbers };
   const outside = document.getElementById("outside"), given = JSON.stringify(numbers);
   const known = { ...c.results, step: { rows: [], of: "step", unit: "", decimals: 3 } };
@@ -32,14 +32,7 @@
 
   const digits = (value) => (Number.isFinite(value) ? String(value) : "");
 
-  const shown = (value, decimals) => { // as vstatics/tables/numbers.py rounds: small numbers have more digits
-    const size = Math.abs(value);
-    if (!Number.isFinite(value)) return "\u2013";
-    if (size >= 1e7) return value.toPrecision(6);
-    const fixed = c.digits ?? (size < 0.1 && size > 1e-12 && decimals ? Math.max(decimals, 3 - Math.floor(Math.log10(size))) : decimals);
-    const text = size.toFixed(Math.min(fixed, 20));
-    return value < 0 && /[1-9]/.test(text) ? `\u2212${text}` : text;
-  };
+  const shown = (value, decimals) => globalThis.page.rounded(value, decimals, c.digits ?? undefined);
 
   const mark = (number, of) => { // of what holds or does not
     if (number === "" || number === "0") return number === "" ? "\u2013" : "\u00b7";
@@ -48,6 +41,7 @@
 
   const isSame = (a, b) => a === b || (a !== "" && b !== "" && Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)));
 
+  const draw = pictures(c, calculate(c, numbers));
   const show = () => {
     const told = calculate(c, numbers), asked = told.flatMap((one, n) => (one.outside ? [n] : []));
     steps(c, told).forEach((next, n) => Object.assign(told[n], next));
@@ -68,7 +62,10 @@
     outside.hidden = !asked.length;
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
-    document.body.toggleAttribute("data-moved", JSON.stringify(numbers) !== given);
+    const isMoved = JSON.stringify(numbers) !== given;
+    document.body.toggleAttribute("data-moved", isMoved);
+    draw(told, isMoved);
+    dispatchEvent(new Event("numbers")); // the tools may show them in other units
   };
 
   document.addEventListener("input", ({ target }) => {

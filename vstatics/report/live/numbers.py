@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import SECTIONS
+from vstatics.report.tools.marks import POWERS
 from vstatics.tables.grid import Cell, Grid
 from vstatics.tables.quantities import QUANTITIES
 
@@ -46,15 +47,27 @@ def marked(grid: Grid) -> Grid:
     return grid
 
 
-_POWERS = {
-    "ideal": "power",
-    "with losses": "lossy_power",
-    "kW": "lossy_power_kW",
-    "loss": "power_loss",
-    "loss, kW": "power_loss_kW",
-    "share, %": "loss_share",
-}
-"""Columns of the table of powers of a gear, and what their numbers are."""
+def marked_frequencies(grid: Grid) -> Grid:
+    """The natural frequencies of all gears with marks: ``frequencies``, by number of the mode.
+
+    Examples
+    --------
+    >>> from vstatics.tables.grid import Column, grid_of
+    >>> columns = ["gear", Column("rigid modes"), Column("1", over="mode")]
+    >>> [row] = marked_frequencies(grid_of("f [Hz]", columns, [("R", 1, 12.5)])).cells
+    >>> row[2].marks
+    {'result': 'frequencies', 'row': '1', 'gear': 'R', 'number': '12.5'}
+    """
+    rows = [
+        [
+            _marked(cell, "frequencies", row=column.heading, gear=row[0].text)
+            if column.over and cell.value is not None
+            else cell
+            for cell, column in zip(row, grid.columns, strict=True)
+        ]
+        for row in grid.cells
+    ]
+    return grid._replace(rows=rows)
 
 
 def marked_powers(grid: Grid, gear: str) -> Grid:
@@ -73,7 +86,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
     [None, 'link 1', 'link 2', None, 'mechanism pair', 'mechanism pair.first']
     """
     kinds = {heading: kind for kind, heading in SECTIONS.items()}
-    names = [_POWERS.get(one.heading, "") for one in grid.columns]
+    names = [POWERS.get(one.heading, "") for one in grid.columns]
     kind, owner, rows = "", "", []
     for level, row in zip(grid.levels, grid.cells, strict=True):
         own = row[0].text

@@ -1,12 +1,12 @@
 """The page of a case that calculates by itself: sliders, and scripts that follow them.
 
 `core.js` is the calculation of a gear, `results.js` gives it numbers and makes rows of tables,
-`live.js` takes numbers from sliders and brings results to the page.
+`drawn.js` moves pictures, with a script for each kind that follows, `live.js` takes numbers from
+sliders and brings results to the page.
 """
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,16 +19,22 @@ from vstatics.model.transmission import Transmission
 from vstatics.report.html_page import PageFrame, about, choice, framed
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
+from vstatics.report.live.packed import packed
 from vstatics.report.material import Material
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as runs
 from vstatics.report.sections import Part, sections
+from vstatics.report.tools import toolbar
+from vstatics.report.tools.toolbar import compact
 from vstatics.tables.html import Markup, joined, tag
 
 _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
+_UNPACKED = frozenset({"change", "gears", "run"})
+"""Sections that are there before a script has run."""
+_SCRIPTS = ("results.js", "drawn.js", "lever.js", "flow.js", "live.js")
 OUTSIDE = "outside: run the program"
 """Where the page does not calculate."""
 
@@ -54,7 +60,8 @@ def live_page(material: Material) -> str:
     known = lowered(case) | {"digits": material.digits}
     fields = [*live_fields(case, known["numbers"])]
     revert = tag("button", "Revert", id="revert", type="button")
-    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert])
+    told = toolbar.tools_of(case, digits=material.digits)
+    change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert, told])
     texts: dict[str, int] = {}
     shown = (
         one._replace(shown=[_shortened(each, texts) for each in one.shown])
@@ -65,17 +72,21 @@ def live_page(material: Material) -> str:
     moves = material.run is not None and bool(material.run.moves)
     frame = PageFrame(
         choice=choice(material),
-        panel=tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
-        scripts=runs.SCRIPTS if moves else (),
+        panel=joined(
+            toolbar.toolbar(),
+            tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+        ),
+        scripts=[toolbar.SCRIPT, *(runs.SCRIPTS if moves else ())],
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", _resource("core.js"), id="core"),
-            *(tag("script", _resource(name)) for name in ("results.js", "live.js")),
+            *(tag("script", _resource(name)) for name in _SCRIPTS),
         ),
-        style=joined(_resource("live.css"), runs.STYLE if moves else ""),
+        style=joined(toolbar.STYLE, _resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
-    return framed(title, about(material), parts, material.document, frame)
+    page = framed(title, about(material), parts, material.document, frame)
+    return packed(page, _UNPACKED)
 
 
 def _shortened(shown: Markup, texts: dict[str, int]) -> Markup:
@@ -120,8 +131,7 @@ def _units(case: Transmission, gear: Any) -> Iterator[tuple[str, str]]:
 
 def _data(known: Mapping[str, Any]) -> Markup:
     """Plain data within a script; no text of the case ends it, and NaN is null."""
-    text = json.dumps(_finite(known), ensure_ascii=False, allow_nan=False)
-    return Markup(text.replace("<", "\\u003c"))
+    return compact(_finite(known))
 
 
 def _finite(data: Any) -> Any:

@@ -52,8 +52,8 @@
     return [...own.slice(0, count), ...memberTorques(c, state, lossy), ...own.slice(count + c.mechanisms.length)];
   };
 
-  // Power through links, mechanisms, shift elements and drag, and that of members: flow/power.py.
-  const powers = (c, gear, state, lossy) => {
+  // What links give to members of devices, springs, drag, ports; below 0 what they take: statics/state.py.
+  const exchanges = (c, gear, state, lossy) => {
     const solved = lossy ? state.lossy.solved : state.ideal, { links } = state.speeds, found = [];
     const own = solved.torques, first = c.elements.length, { elements: dragging, links: dragged } = state.drag;
     const give = (node, member, link, torque) => {
@@ -77,6 +77,11 @@
     for (const [link, torque] of acting) give(`port ${link}`, "", link, -torque);
     give("port output", "", gear.output, own[own.length - 1]);
     if (lossy) for (const [link, torque] of dragged) give(`drag ${c.names[link - 1]}`, "", link, -torque);
+    return found;
+  };
+
+  // Power through links, mechanisms, shift elements and drag, and that of members: flow/power.py.
+  const powers = (c, found) => {
     const noise = 1e-12 * Math.max(0, ...found.map(({ power }) => Math.abs(power)).filter((power) => power >= 0));
     const through = {}, between = new Map();
     for (const { node, member, link, power } of found) {
@@ -137,7 +142,8 @@
     const exists = (mark) => (ideal.consistent ? +mark : NaN); // a question only where torques balance
     const byLink = (holding) => c.results.W.rows.map((_, n) => holding.get(n + 1) ?? NaN);
     const ports = portPowers(gear, state);
-    const lossyPower = powers(c, gear, state, true), losses = powerLosses(c, gear, state, lossyPower);
+    const exchanged = exchanges(c, gear, state, true), lossyPower = powers(c, exchanged);
+    const losses = powerLosses(c, gear, state, lossyPower);
     const lost = sum(Object.values(losses)), share = ([node, loss]) => [node, (100 * loss) / (lost || NaN)];
     const ofMeshes = (own) => c.devices.flatMap(({ meshes }) => meshes.map(([n, known]) => (known ? own[first + n] : NaN)));
     return {
@@ -163,10 +169,14 @@
       dragged: [exists(state.dragged)],
       input_power_kW: [sum(ports.map((one) => Math.max(one, 0)))],
       output_power_kW: [sum(ports.map((one) => Math.max(-one, 0)))],
-      power: powers(c, gear, state, false),
+      power: powers(c, exchanges(c, gear, state, false)),
       lossy_power: lossyPower,
       power_loss: losses,
       loss_share: Object.fromEntries(Object.entries(losses).map(share)),
+      exchanged, // what pictures show besides
+      members: memberTorques(c, state, false),
+      first_torques: ideal.torques,
+      mechanism_ratios: state.ratios,
     };
   };
 
