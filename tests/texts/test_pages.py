@@ -6,17 +6,19 @@ import html
 import json
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.commands import CASES, vstatics
+from vstatics.report.live.page import OUTSIDE
 from vstatics.texts import table
 
 SYMBOLS = {
     *("eta", "first", "second", "third", "published", "null", "input", "output", "omega", "phi"),
     *("KLG", "AMLG", "AMLGP", "WFRI", "WSAT", "AMWZ", "AMWZP", "ETA", "CSV", "JSON", "YAML"),
-    *("dETA", "all", "YAML", "rad", "MESH", "MESHP"),
+    *("dETA", "all", "YAML", "rad", "MESH", "MESHP", "SVG", "lbf", "vstatics", "simulate"),
 }
 """Letters of equations and keys, which no language changes."""
 SHOWN = tuple(str(CASES / one) for one in ("simpson.yaml", "mzkt7922.dat"))
@@ -91,6 +93,54 @@ def test_a_page_has_no_english_words(case: str) -> None:
 def test_no_page_has_english_words(case: str) -> None:
     page = page_of(str(CASES / case), "--lang", "ru")
     assert left(words_of(page), of_case(document_of(page))) == set()
+
+
+def test_a_page_of_two_cases_has_no_english_words() -> None:
+    """Neither has the list of what is only in one of them."""
+    both = SHOWN[0], str(CASES / "zf-8hp70.yaml")
+    page = vstatics("report", *both, "--lang", "ru", "-o", "-", "-q").out
+    sides = document_of(page).values()
+    known = {*names([side["file"] for side in sides])}.union(*map(of_case, sides))
+    assert left(words_of(page), known) == set()
+
+
+MOVED = """() => {
+  const [slider] = [...document.querySelectorAll("input.slider")].filter((one) => /ratio$|teeth/.test(one.dataset.path));
+  slider.value = 1.1 * slider.value + 1;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+  const time = document.getElementById("time");
+  if (time) { time.value = time.max / 2; time.dispatchEvent(new Event("input", { bubbles: true })); }
+}"""
+SAID = """() => {
+  for (const one of document.querySelectorAll("script:not(#result)")) one.remove();
+  return document.documentElement.outerHTML;
+}"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("units", ["relative", "us"])
+@pytest.mark.parametrize(
+    "case", ["simpson.yaml", "toyota-p410.yaml", "moskvich412.yaml", "scenarios/tarasik-box.yaml"]
+)
+def test_a_page_that_calculates_has_no_english_words(
+    browser: Any, tmp_path: Path, case: str, units: str
+) -> None:
+    """Also after a slider has moved: pictures say why they do not follow, tools what they leave."""
+    file = tmp_path / "page.html"
+    vstatics("report", str(CASES / case), "--live", "--lang", "ru", "-o", str(file), "-q")
+    window = browser.new_page()
+    window.on("pageerror", lambda error: pytest.fail(str(error)))
+    window.goto(file.as_uri())
+    if window.is_enabled(f"#units option[value={units}]"):
+        window.select_option("#units", units)
+    window.fill("#links", "?")
+    window.evaluate(MOVED)
+    window.wait_for_timeout(400)  # pictures that nobody sees follow later
+    page = window.evaluate(SAID)
+    window.close()
+    assert "Изменить" in page
+    said = words_of(page).replace(OUTSIDE, "")
+    assert left(said, of_case(document_of(page))) == set()
 
 
 @pytest.mark.parametrize("lang", ["de", "ru"])

@@ -12,8 +12,9 @@ from string import Formatter
 import pytest
 
 from tests.rooms import PACKAGE, tree
-from vstatics.report.html_page import SCRIPT
-from vstatics.texts import FORMS, rows, speaking, table, tr
+from vstatics.report.html_page import in_language
+from vstatics.tables.html import Markup
+from vstatics.texts import FORMS, Language, rows, speaking, table, tr
 
 SAYING = {"tr", "word", "translated", "text", "filled"}
 """Functions whose first argument is a text; `text` of pictures, and of columns of tables."""
@@ -23,15 +24,28 @@ MADE = (
     *("lost", "kJ", "{count} error", "{count} warning", "{count} note", "neutral: the output"),
     *("one piece (", "Other combinations", "power enters by", "power leaves by", "the gear is"),
     *("Torques of mechanisms, springs", "Torques of shift elements, mechanisms, springs"),
-    *("Torques of the members of the elements, of springs", "turns a second", "x by the "),
+    *("{number} of {all} ", "turns a second"),
+    *("Torques of the members of the elements, of springs", "x by the "),
 )
 """Beginnings of texts that are made of words, each of them said."""
+
+
+SCRIPTS = {
+    path.name: path.read_text(encoding="utf-8")
+    for path in sorted((PACKAGE / "report").rglob("*.js"))
+    if ".min." not in path.name
+}
+"""Of pages; the plotter says nothing."""
 
 
 @cache
 def literals() -> set[str]:
     """All texts in the sources."""
-    found = set(re.findall(r'"([^"\n]*)"|`([^`\n]*)`', SCRIPT))
+    found = {
+        pair
+        for script in SCRIPTS.values()
+        for pair in re.findall(r'"([^"\n]*)"|`([^`\n]*)`', script)
+    }
     said = {one.replace("${", "{") for pair in found for one in pair}
     said |= {one.encode().decode("unicode_escape") for one in said if r"\u" in one}
     for path in PACKAGE.rglob("*.py"):
@@ -121,10 +135,31 @@ def test_other_languages_have_letters_of_their_own() -> None:
 
 def test_a_script_says_what_it_says_in_the_language() -> None:
     """Of its literals those with a capital letter and others behind it, but keys and code."""
-    code = {"Enter", "ArrowLeft", "NaN", "Escape"}
-    said = {one for one in re.findall(r'"([A-Z][a-z]+[^"\\\n]*)"', SCRIPT) if one not in code}
-    assert said
+    code = {"Enter", "ArrowLeft", "NaN", "Escape", "DOMContentLoaded"}
+    said = {
+        one
+        for script in SCRIPTS.values()
+        for one in re.findall(r'"([A-Z][a-z]+[^"\\\n]*)"', script)
+        if one not in code
+    }
+    assert len(said) > 10
     assert said <= table("ru").keys()
+
+
+@pytest.mark.parametrize("language", ["de", "ru"])
+def test_a_script_compares_nothing_that_it_says_in_a_language(language: Language) -> None:
+    """What a language changes is shown: no name of an event, no key, no kind of picture."""
+    for name, script in SCRIPTS.items():
+        with speaking(language):
+            made = in_language(Markup(script))
+        changed = {
+            one
+            for one in re.findall(r'"[^"\n]*"|`[^`\n]*`', script)
+            if made.count(one) < script.count(one)
+        }
+        for one in changed:
+            text = re.escape(one)
+            assert not re.search(f"[!=]== *{text}|{text} *[!=]==|case *{text}", script), (name, one)
 
 
 def test_what_is_said_within_is_in_the_language_and_then_english_again() -> None:

@@ -117,7 +117,7 @@ def _sticks(
 def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PAGE) -> list[Drawn]:
     """A picture of each of some gears, or why one has none."""
     try:
-        made = of_each_gear(results, kind, _spoken(style), gears)
+        made = of_each_gear(results, kind, in_spoken(style), gears)
     except CaseError:  # of one of them, perhaps
         return [picture_of(results, kind, [number], style=style) for number in gears]
     end = tr(", small") * (style is HALF)
@@ -128,7 +128,7 @@ def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PA
     ]
 
 
-def _spoken(style: Style) -> Style:
+def in_spoken(style: Style) -> Style:
     """The same in the language of the page."""
     return style._replace(language=spoken())
 
@@ -159,7 +159,7 @@ def picture_of(
 ) -> Drawn:
     """A picture of a case, of some of its gears by their numbers from 1, or of a run."""
     try:
-        made = pages(results, kind, "svg", _spoken(style), gears, motion=motion)
+        made = pages(results, kind, "svg", in_spoken(style), gears, motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
     own, label = _own(kind, gears, style), _label(results, kind, gears)

@@ -30,18 +30,19 @@ def toolbar() -> Markup:
     >>> made.count("<option "), made.count('type="search"'), made.count("data-save=")
     (3, 1, 1)
     """
-    options = (tag("option", said, value=key) for key, said in CHOICES.items())
+    options = (tag("option", tr(said), value=key) for key, said in CHOICES.items())
     return tag(
         "div",
-        tag("label", "Units ", tag("select", *options, id="units")),
+        tag("label", tr("Units"), " ", tag("select", *options, id="units")),
         tag(
             "label",
-            "Rows of link ",
+            tr("Rows of link"),
+            " ",
             tag("input", type="search", id="links", list="names-of-links", autocomplete="off"),
         ),
         tag("datalist", id="names-of-links"),
         tag("output", id="hidden-rows", role="status"),
-        tag("button", "Save the page's results as JSON", type="button", data_save="json"),
+        tag("button", tr("Save the page's results as JSON"), type="button", data_save="json"),
         tag("script", compact(_known()), type="application/json", id="known"),
         id="tools",
         class_="tools screen",
