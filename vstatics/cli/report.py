@@ -122,10 +122,13 @@ def report(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
     if watch:
-        parts = sections or gears or prints_all or stamp or output or live
+        parts = sections or gears or prints_all or stamp or output or live or lang != "en"
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
-            (parts, "--watch: it serves the whole page, without -o and what chooses its parts"),
+            (
+                parts,
+                "--watch: it serves the whole page in English, without -o and a choice of parts",
+            ),
         )
         from vstatics.cli.serve import serve_page
 

@@ -122,7 +122,7 @@ def _line(listing: BoxListing) -> Markup:
     known = [box for box in listing.boxes if math.isfinite(box.torque)]
     if known:
         least = min(known, key=lambda box: round(box.torque, 9))
-        said = f"{least.torque:.3f}{tr(' × input')}, "
+        said = f"{least.torque:.3f} {tr('× input')}, "
         facts.append((tr("least torque"), joined(said, box_link(least))))
     return line_of(facts)
 
