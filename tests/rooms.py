@@ -22,6 +22,7 @@ ROOMS = (
     "start",
     "errors",
     "extras",
+    "texts",
     "numerics",
     "model",
     "statics",

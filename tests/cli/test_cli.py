@@ -58,7 +58,7 @@ def test_a_gear_tied_up_does_not_stop_the_others() -> None:
         "check - -",
         "compare - -",
         "run a.dat --format xml",
-        "run a.dat --lang de",
+        "run a.dat --lang fr",
         "run a.dat --from xml",
         "run a.dat --idle never",
         "run a.dat --nonsense",

@@ -143,7 +143,7 @@ def test_tables_have_a_row_for_each_spring() -> None:
     assert list(found["AJK"].columns) == ["B", "C", "set", "shaft"]
     results = solve(case)
     assert results["torques", "shaft"] == pytest.approx([3.5, 1])
-    assert "springs" in found["AMLG"].quantity.heading.en + str(found["AMLG"].quantity.members)
+    assert "springs" in found["AMLG"].quantity.heading + str(found["AMLG"].quantity.members)
 
 
 def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -> None:

@@ -13,6 +13,7 @@ from vstatics.cli.frame import formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError
 from vstatics.statics.results import Results
@@ -25,10 +26,28 @@ if TYPE_CHECKING:
 @click.command()
 @arguments.argument
 @arguments.some_gears
+@click.option(
+    "--worksheet", "exercise", flag_value="worksheet", help="An exercise: its numbers are blanks."
+)
+@click.option(
+    "--solution", "exercise", flag_value="solution", help="The same exercise with its numbers."
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    metavar="N",
+    help="With other teeth and ratios, which can be assembled; the same of the same N.",
+)
 @formats.options(*formats.TABLES)
 @arguments.settings
+@arguments.language("the words, but not of names and messages")
 def explain(
-    cases: tuple[str, ...], gears: tuple[str, ...], wanted: OutputOptions, settings: CaseOptions
+    cases: tuple[str, ...],
+    gears: tuple[str, ...],
+    exercise: str | None,
+    seed: int | None,
+    wanted: OutputOptions,
+    settings: CaseOptions,
 ) -> int:
     """Explain the gears of each CASE: a deck, YAML or JSON; - is standard input.
 
@@ -41,14 +60,50 @@ def explain(
       vstatics explain gearbox.dat --gear 1
       vstatics explain gearbox.yaml | less
       vstatics explain gearbox.yaml -f json | jq -r '.gears[].formula.text'
+      vstatics explain gearbox.yaml --gear 2 --worksheet --seed 7 -o exercise.tex
+      vstatics explain gearbox.yaml --gear 2 --solution --seed 7 -o solution.tex
 
     The formula needs SymPy: pip install "vstatics[formula]".
 
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     to = wanted.destination(cases, several=len(cases) > 1)
+    refuse(
+        (exercise and len(gears) != 1, f"--{exercise}: expected one gear, --gear G"),
+        (
+            seed is not None and not exercise,
+            "--seed draws the numbers of an exercise: expected --worksheet or --solution",
+        ),
+        (
+            exercise == "worksheet" and to.form in ("json", "jsonl"),
+            f"--worksheet has no numbers, {to.form} is for --solution",
+        ),
+    )
+    if exercise:
+        own = partial(_exercise, gear=gears[0], seed=seed, solved=exercise == "solution")
+        return carry_out(Job("explain", settings, to, own), cases)
     show = partial(_shown, gears=gears, style=to.style)
     return carry_out(Job("explain", settings, to, show), cases)
+
+
+def _exercise(
+    outcome: CalculatedCase, results: Results, gear: str, seed: int | None, *, solved: bool
+) -> texts.CaseOutput:
+    """A gear as an exercise."""
+    from vstatics.explain.worksheet import grids, worksheet
+    from vstatics.statics.solve import solve
+
+    if seed is not None:
+        from vstatics.explain.drawn_numbers import drawn_numbers
+
+        results = solve(drawn_numbers(results.case, seed))
+    [index] = arguments.gear_indices(results.case, [gear])
+    try:
+        sheet = worksheet(results, index, seed)
+    except CaseError as error:
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+    title = results.case.name or outcome.file
+    return texts.CaseOutput([title], {}, partial(grids, sheet, solved=solved), sheet.document)
 
 
 def _shown(

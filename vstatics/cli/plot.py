@@ -29,9 +29,10 @@ from vstatics.pictures.sheet.lengths import page_width
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Excitation, Style
 from vstatics.pictures.sweeps import SWEEP_PICTURES
 from vstatics.pictures.sweeps.columns import DrawnColumns
-from vstatics.statics.results import Language, Results
+from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import known, suffix_of
+from vstatics.texts import Language
 
 BOXES = "boxes"
 """The kind of picture that shows no case, but a document of found boxes."""

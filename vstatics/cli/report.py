@@ -11,6 +11,7 @@ from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.exit_status import DONE, FAILED
+from vstatics.cli.frame.formats import TextStyle
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
@@ -19,6 +20,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import each, named, separated, value
 from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
+from vstatics.texts import Language, speaking
 
 
 @click.command()
@@ -63,6 +65,7 @@ from vstatics.statics.results import Results
     "follows by itself.",
 )
 @formats.digits
+@arguments.language("the words of the page, but not of names and messages")
 @arguments.settings
 def report(
     cases: tuple[str, ...],
@@ -74,6 +77,7 @@ def report(
     stamp: dict[str, str],
     live: bool,
     digits: int | None,
+    lang: Language,
     settings: CaseOptions,
 ) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
@@ -118,10 +122,13 @@ def report(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
     if watch:
-        parts = sections or gears or prints_all or stamp or output or live
+        parts = sections or gears or prints_all or stamp or output or live or lang != "en"
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
-            (parts, "--watch: it serves the whole page, without -o and what chooses its parts"),
+            (
+                parts,
+                "--watch: it serves the whole page in English, without -o and a choice of parts",
+            ),
         )
         from vstatics.cli.serve import serve_page
 
@@ -134,13 +141,16 @@ def report(
         asked_of_cases = sections or gears or prints_all or live
         own = "--sections, --gears, --all, --live: found boxes have a page of their own"
         refuse((asked_of_cases, own))
-        return report_boxes(*found, cases[0], output, digits, stamp)
+        with speaking(lang):
+            return report_boxes(*found, cases[0], output, digits, stamp)
     if len(cases) == 2 and not to.is_folder:
         own = "--sections, --gears, --all, --live: two cases have a page of their own"
         refuse((sections or gears or prints_all or live, own))
-        return _report_two(cases, output, digits, stamp, settings._replace(scenarios=True))
+        with speaking(lang):
+            return _report_two(cases, output, digits, stamp, settings._replace(scenarios=True))
     # a page with sliders has no further pictures for print, which would not follow them
     asked = AskedPage(sections, gears, prints_all or live, stamp)
+    to = to._replace(style=TextStyle(lang))
     show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked, live=live)
     return carry_out(
         Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases

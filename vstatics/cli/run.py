@@ -21,6 +21,7 @@ from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.workers import cores
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
+from vstatics.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
 """Of a text in a file, without colours."""
@@ -60,7 +61,7 @@ MANY = 100
 )
 @arguments.settings
 @arguments.language(
-    "the headings of a listing; source: its published wording, nothing else", "source"
+    "the words, but not of names and messages; source: the published wording of a listing", "source"
 )
 def run(
     cases: tuple[str, ...],
@@ -205,6 +206,7 @@ def _pretty(
     from vstatics.summary.pretty import ASCII, DOTS, view
 
     to = wanted._replace(formats=("text",)).destination(inputs)
+    language = to.language
     if to.is_folder:
         raise click.UsageError(f"all cases give one text: expected -o FILE, not {to.output}")
     to_stdout = to.output in (None, STDOUT)
@@ -215,7 +217,7 @@ def _pretty(
         failed |= outcome.failed
         if outcome.results is None:
             continue
-        with console.capture() as captured:
+        with console.capture() as captured, speaking(language):
             console.print(view(outcome.results, marks, wanted.style.digits, console.width))
         head = "\n" * bool(made) + f"==> {printable(outcome.file)} <==\n" if several else ""
         made.append(head + trimmed(captured.get()))

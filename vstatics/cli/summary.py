@@ -88,6 +88,7 @@ def _torque(text: str) -> float:
     help="Which boxes of a document of found ones; else those that tell most.",
 )
 @arguments.settings
+@arguments.language("the words, but not of names and messages")
 def summary(
     cases: tuple[str, ...],
     wanted: OutputOptions,

@@ -11,9 +11,9 @@ from typing import Any, Literal, NamedTuple
 from vstatics.comparison.case_changes import CaseChange, case_changes
 from vstatics.comparison.numbers import ATOL, RTOL, Difference, differences
 from vstatics.comparison.steps import step_differences, steps_of
-from vstatics.errors import plural
 from vstatics.tables.answer import told
 from vstatics.tables.written_results import WrittenResult
+from vstatics.texts import tr
 
 State = Literal["same", "changed", "added", "gone"]
 MAIN = {"ratio": "ratio", "step": "step", "ETA": "efficiency"}
@@ -88,21 +88,21 @@ class CaseVerdict(NamedTuple):
             return f"{self.name}: {one.actual}, expected {one.expected}"
         tables = [one.table for one in self.found]
         numbers = [
-            f"{tables.count(table)} of {count} {PLURALS[table]}"
+            tr(f"{{number}} of {{all}} {PLURALS[table]}", number=tables.count(table), all=count)
             for table, count in self.counts.items()
             if table in tables
         ]
         others = len(tables)
-        told = f"{', '.join(numbers)} differ" if numbers else "no number differs"
-        if not numbers and others:
-            told = (
-                f"{others} other {plural('number', others)} {'differs' * (others == 1) or 'differ'}"
-            )
+        told = tr("no number differs")
+        if numbers:
+            told = tr("{numbers} differ", numbers=", ".join(numbers))
+        elif others:
+            told = tr("{count} other number differs|{count} other numbers differ", count=others)
         if self.changes is None:
             return f"{self.name}: {told}"
-        count = (
-            f"{len(self.changes) or 'no'} {plural('change', len(self.changes) or 1)} of the case"
-        )
+        count = tr("no change of the case")
+        if changes := len(self.changes):
+            count = tr("{count} change of the case|{count} changes of the case", count=changes)
         return f"{self.name}: {count}; {told}"
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import System, in_numbers, in_symbols
-from vstatics.tables.grid import Column, Grid, grid_of, whole
+from vstatics.tables.grid import Column, Grid, Values, grid_of, whole, word
+from vstatics.texts import tr
 
 
 def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
@@ -23,8 +24,9 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     for one in explained:
         for grid in (matrix(one), _equations(one), _solution(one), _signs(one), _ratio(one)):
             if grid.rows:
-                gear = f"Gear {one.gear}"
-                yield grid._replace(title=f"{gear}: {grid.title}", group=gear)
+                gear = tr("Gear {gear}", gear=one.gear)
+                title = tr("Gear {gear}: {what}", gear=one.gear, what=tr(grid.title))
+                yield grid._replace(title=title, group=gear)
 
 
 def matrix(one: Explanation) -> Grid:
@@ -40,8 +42,8 @@ def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
 
 
 def _equations(one: Explanation) -> Grid:
-    rows = [
-        [name, equation.of, " ".join(in_symbols(equation)), " ".join(in_numbers(equation))]
+    rows: list[Values] = [
+        [word(name), equation.label, " ".join(in_symbols(equation)), " ".join(in_numbers(equation))]
         for name, system in _systems(one)
         for equation in system.equations
     ]
@@ -50,7 +52,7 @@ def _equations(one: Explanation) -> Grid:
 
 def _solution(one: Explanation) -> Grid:
     rows = [
-        (name, unknown, value)
+        (word(name), unknown, value)
         for name, system in _systems(one)
         for unknown, value in system.values.items()
     ]
@@ -59,15 +61,17 @@ def _solution(one: Explanation) -> Grid:
 
 def _signs(one: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
-    rows = [(*sign[:4], whole(sign.sign), *sign[5:]) for sign in one.signs]
+    rows = [(*sign[:4], whole(sign.sign), *sign[5:-1], sign.told) for sign in one.signs]
     return grid_of("power signs", ["mechanism", *headings, "why"], rows)
 
 
 def _ratio(one: Explanation) -> Grid:
     """The formula, then the values of its symbols."""
-    rows = [("i", one.reason or f"{one.input}/{one.output}", one.ratio)]
+    rows: list[Values] = [
+        ("i", word(one.reason) if one.reason else f"{one.input}/{one.output}", one.ratio)
+    ]
     if one.formula is not None:
         rows.append((one.formula.left, one.formula.text, one.formula.value))
         rows += one.formula.symbols
-        rows += ((name, "given", speed) for name, speed in one.formula.speeds.items())
+        rows += ((name, word("given"), speed) for name, speed in one.formula.speeds.items())
     return grid_of("ratio", ["symbol", "is", "value"], rows)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import NamedTuple
 
 from vstatics.numerics.traced import is_nan, plain
 from vstatics.statics.roles import IDLE, ONE_PIECE, mechanism_roles
 from vstatics.statics.speeds import is_tie
 from vstatics.statics.state import GearState
+from vstatics.texts import tr
 
 
 class PowerSign(NamedTuple):
@@ -30,6 +32,11 @@ class PowerSign(NamedTuple):
     lossy_ratio: float
     """[-]"""
     why: str
+
+    @property
+    def told(self) -> str:
+        """Why, in the language that is spoken."""
+        return "".join(tr(part) for part in re.split(r"([,;] )", self.why))
 
 
 def signs_of(state: GearState) -> list[PowerSign]:

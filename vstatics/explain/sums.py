@@ -6,8 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
+from vstatics.statics.matrix import GIVEN_SPEED, INPUT_SPEED
 from vstatics.tables.answer import defined, told
 from vstatics.tables.numbers import short
+from vstatics.texts import tr
 
 EQUATION_WIDTH = 80
 INDENT = "  "
@@ -32,6 +34,14 @@ class Equation(NamedTuple):
     terms: Sequence[Term]
     right: float
     """[-]"""
+
+    @property
+    def label(self) -> str:
+        """What it is of, in the language that is spoken."""
+        name = self.of.removeprefix(GIVEN_SPEED)
+        if name != self.of:
+            return tr("the given speed of link {name}", name=name)
+        return tr(INPUT_SPEED) if self.of == INPUT_SPEED else self.of
 
     @property
     def symbols(self) -> str:

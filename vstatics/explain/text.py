@@ -22,6 +22,7 @@ from vstatics.explain.sums import (
 from vstatics.tables.grid import Column, Grid
 from vstatics.tables.numbers import fixed, short
 from vstatics.tables.text import lines as table_lines
+from vstatics.texts import tr
 
 LABEL = 20
 """What stands before an equation has a line of its own when it is longer."""
@@ -39,7 +40,7 @@ def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
 
 
 def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
-    title = f"Gear {one.gear}: {engaged(one)}"
+    title = tr("Gear {gear}: {engaged}", gear=one.gear, engaged=engaged(one))
     yield from (title, "=" * min(len(title), EQUATION_WIDTH))
     for message in one.messages:
         yield from _wrapped(message, 0)
@@ -56,6 +57,8 @@ def _wrapped(text: str, depth: int = 1) -> list[str]:
 class Chapter(NamedTuple):
     """A part of an explanation."""
 
+    key: str
+    """What it is, in English."""
     heading: str
     lines: list[str]
 
@@ -66,30 +69,37 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.explain import explain_gear
     >>> gear = explain_gear(solve(Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()])), 1)
-    >>> [section.heading.partition(":")[0] for section in sections(gear)]
-    ['Structural-distribution matrix', 'Speeds', 'Torques', 'Torques with losses', 'Ratio']
+    >>> [section.key for section in sections(gear)]
+    ['matrix', 'speeds', 'torques', 'losses', 'ratio']
     """
-    drags = ", M with drag" * _drags(one)
-    unit = "" if one.input_torque else ", in N*m"
+    drags = tr(", M with drag") * _drags(one)
+    unit = "" if one.input_torque else tr(", in N*m")
     is_ratio = one.formula is None or one.formula.left == "i"
-    parts = {
-        MATRIX: _matrix(one, digits),
-        "Speeds": _system(one.speeds, digits, with_symbols=True),
-        f"Torques: the balance of each link{unit}": _system(one.torques, digits, with_symbols=True),
-        f"Torques with losses{unit}: {LOSSES}{drags}": _losses(one, digits),
-        "Turning together, whatever the ratios are": _together(one),
-        RATIO[not is_ratio]: _ratio(one, digits),
-    }
-    for heading, lines in parts.items():
+    parts = (
+        ("matrix", tr(MATRIX), _matrix(one, digits)),
+        ("speeds", tr("Speeds"), _system(one.speeds, digits, with_symbols=True)),
+        (
+            "torques",
+            tr("Torques: the balance of each link") + unit,
+            _system(one.torques, digits, with_symbols=True),
+        ),
+        (
+            "losses",
+            f"{tr('Torques with losses')}{unit}: {tr(LOSSES)}{drags}",
+            _losses(one, digits),
+        ),
+        ("together", tr("Turning together, whatever the ratios are"), _together(one)),
+        ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(one, digits)),
+    )
+    for key, heading, lines in parts:
         if found := list(lines):
-            yield Chapter(heading, found)
+            yield Chapter(key, heading, found)
 
 
 MATRIX = (
     "Structural-distribution matrix: torques on the links (rows) for 1 on the first link of each "
     "device (columns)"
 )
-RATIO = ("Ratio", "Output speed")
 LOSSES = (
     "u eta^x in place of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
@@ -98,15 +108,16 @@ LOSSES = (
 
 def engaged(one: Explanation) -> str:
     """What is engaged, and the freewheels that hold."""
-    parts = ["engaged " + ", ".join(one.engaged)] * bool(one.engaged)
+    parts = [tr("engaged {names}", names=", ".join(one.engaged))] * bool(one.engaged)
     if one.holding:
-        parts.append(f"{', '.join(one.holding)} hold{'s' * (len(one.holding) == 1)}")
-    return "; ".join(parts) or "nothing engaged"
+        names = ", ".join(one.holding)
+        parts.append(tr("{names} holds|{names} hold", names=names, count=len(one.holding)))
+    return "; ".join(parts) or tr("nothing engaged")
 
 
 def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     """The matrix, as many columns side by side as fit."""
-    columns = [Column("", is_number=False), *map(Column, one.columns)]
+    columns = [Column("", is_number=False), *(Column(name, is_name=True) for name in one.columns)]
     rows = [
         [name, *(fixed(value, decimals=digits or 3) for value in row)]
         for name, row in zip(one.rows, one.matrix.tolist(), strict=True)
@@ -114,14 +125,14 @@ def _matrix(one: Explanation, digits: int | None) -> Iterator[str]:
     yield from filter(None, table_lines(Grid("", columns, rows), indent=INDENT))
     if one.not_engaged:
         names = ", ".join(one.not_engaged)
-        yield from _wrapped(f"not engaged, so without column and torque: {names}")
+        yield from _wrapped(tr("not engaged, so without column and torque: {names}", names=names))
 
 
 def _system(system: System | None, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
     """Equations, in symbols where these tell more, then with numbers; then their solution."""
     if system is None:
         return
-    labels = [equation.of for equation in system.equations]
+    labels = [equation.label for equation in system.equations]
     column = max((len(label) for label in labels if len(label) <= LABEL), default=0)
     for equation, label in zip(system.equations, labels, strict=True):
         written = [in_numbers(equation, digits)]
@@ -143,12 +154,12 @@ def _solution(system: System, digits: int | None) -> Iterator[str]:
     unknown = [name for name, value in values.items() if math.isnan(value)]
     known = [f"{name} = {short(values[name], digits)}" for name in values if name not in unknown]
     if not known:
-        yield f"{INDENT}solution: there is none"
+        yield INDENT + tr("solution: there is none")
         return
-    yield f"{INDENT}solution:"
+    yield f"{INDENT}{tr('solution')}:"
     yield from listed(known, INDENT * 2)
     if unknown:
-        yield from _wrapped(f"not determined: {', '.join(unknown)}", 2)
+        yield from _wrapped(f"{tr('not determined')}: {', '.join(unknown)}", 2)
 
 
 def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
@@ -160,22 +171,22 @@ def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
     for sign in one.signs:
         yield from _sign(sign, digits)
     if one.lossy is None:
-        yield f"{INDENT}there is no solution with losses"
+        yield INDENT + tr("there is no solution with losses")
     elif any(sign.lossy_ratio != sign.ratio for sign in one.signs) or _drags(one):
         if _drags(one):
-            yield f"{INDENT}drag stands on the right sides"
+            yield INDENT + tr("drag stands on the right sides")
         yield from _system(one.lossy, digits, with_symbols=False)
         yield INDENT + _efficiency(one, digits)
     else:
-        yield f"{INDENT}all u stay as they are, and so do the torques"
+        yield INDENT + tr("all u stay as they are, and so do the torques")
 
 
 def _efficiency(one: Explanation, digits: int | None) -> str:
     """Its value; there is none where all torques are known, such as those of a dragged gear."""
     assert one.lossy is not None  # noqa: S101 - for mypy
     if math.isnan(one.efficiency) and not any(map(math.isnan, one.lossy.values.values())):
-        return "there is no efficiency"
-    return f"efficiency = {short(one.efficiency, digits)}"
+        return tr("there is no efficiency")
+    return f"{tr('efficiency')} = {short(one.efficiency, digits)}"
 
 
 def _drags(one: Explanation) -> bool:
@@ -189,12 +200,12 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     """A mechanism, its power by the first link, its sign and its ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
-        yield f"{label}{sign.why}, u = {short(sign.ratio, digits)}"
+        yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"
         return
     torque, motion, power = (short(one, digits) for one in (sign.torque, sign.motion, sign.power))
     product = f"{torque} x {f'({motion})' if sign.motion < 0 else motion} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
-    text = f"{label}{product * known}{sign.why}"
+    text = f"{label}{product * known}{sign.told}"
     yield from wrap(text, EQUATION_WIDTH, subsequent_indent=INDENT * 3)
     if math.isnan(sign.lossy_ratio):
         return
@@ -208,12 +219,12 @@ def _together(one: Explanation) -> Iterator[str]:
     """Links that are one body."""
     lines = []
     for body in one.together:
-        by = f" (by {', '.join(body.elements)})" if body.elements else ""
-        lines.append(f"{'stand still: ' * body.stands}{', '.join(body.links)}{by}")
+        by = tr(" (by {names})", names=", ".join(body.elements)) if body.elements else ""
+        lines.append(f"{(tr('stand still') + ': ') * body.stands}{', '.join(body.links)}{by}")
     if one.one_piece:
-        lines.append(f"as one piece: {', '.join(one.one_piece)}")
+        lines.append(tr("as one piece: {names}", names=", ".join(one.one_piece)))
     if one.standing:
-        lines.append(f"stand still as a whole: {', '.join(one.standing)}")
+        lines.append(tr("stand still as a whole: {names}", names=", ".join(one.standing)))
     for line in lines:
         yield from _wrapped(line)
 
@@ -224,25 +235,38 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     if formula is None:
         if not math.isnan(one.ratio):
             yield f"{ratio}{short(one.ratio, digits)}"
-        yield from _wrapped(one.reason)
+        yield from _wrapped(tr(one.reason))
         return
     yield from _formula(
         ratio if formula.left == "i" else f"{INDENT}{formula.left} = ", formula.text
     )
     if formula.shared_text:
         equal = "; ".join(f"{new} = {' = '.join(old)}" for new, old in formula.shared.items())
-        yield from _formula(f"{INDENT}with {equal}: i = ", formula.shared_text)
+        yield from _formula(f"{INDENT}{tr('with {equal}', equal=equal)}: i = ", formula.shared_text)
     for symbol in formula.symbols:
-        meaning = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol.meaning})"
+        meaning = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({_meaning(symbol.meaning)})"
         yield f"{INDENT}{symbol.name} = {short(symbol.value, digits)}{meaning}"
     for name, speed in formula.speeds.items():
         yield f"{INDENT}{name} = {short(speed, digits)}"
     calculated = one.ratio if formula.left == "i" else one.speeds.values[one.output]
     agrees = math.isclose(formula.value, calculated, rel_tol=1e-6, abs_tol=1e-12)
-    agreement = ", as calculated" if agrees else f"; calculated: {short(calculated, digits)}"
+    agreement = tr(", as calculated")
+    if not agrees:
+        agreement = tr("; calculated: {value}", value=short(calculated, digits))
     yield f"{INDENT}{formula.left} = {short(formula.value, digits)}{agreement}"
     if formula.left != "i" and not math.isnan(one.ratio):
         yield f"{ratio}{short(one.ratio, digits)}"
+
+
+_BETWEEN_WHEELS = re.compile(r"(?P<part>.+): (?P<first>.+) to (?P<second>.+), (?P<third>.+) held")
+
+
+def _meaning(text: str) -> str:
+    """What a symbol stands for, in the language that is spoken."""
+    found = _BETWEEN_WHEELS.fullmatch(text)
+    if found is None:
+        return text
+    return tr("{part}: {first} to {second}, {third} held", **found.groupdict())
 
 
 def _formula(front: str, text: str) -> Iterator[str]:

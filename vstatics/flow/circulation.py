@@ -9,12 +9,13 @@ be unique; here the shortest is taken first, of several the one with the most po
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Literal, NamedTuple
 
-from vstatics.errors import spoken
 from vstatics.numerics.tolerances import CYCLE
 from vstatics.tables.answer import told
+from vstatics.texts import translated
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
 """An element is a shift element; a mechanism may be a drawn element."""
@@ -65,8 +66,22 @@ class Loop(NamedTuple):
     @property
     def note(self) -> str:
         """The same in words; nothing of a loop that is real."""
-        said = [f"{one.first} and {one.second} share {spoken(one.links)}" for one in self.shared]
-        return f"may not be in the metal: {', '.join(said)}" if said else ""
+        return self.told(partial(translated, language="en"))
+
+    def told(self, text: Callable[..., str]) -> str:
+        """The note in a language, by what gives its texts."""
+        said = [
+            text(
+                "{first} and {second} share {links}",
+                first=one.first,
+                second=one.second,
+                links=text(
+                    "{names} and {last}", names=", ".join(one.links[:-1]), last=one.links[-1]
+                ),
+            )
+            for one in self.shared
+        ]
+        return text("may not be in the metal: {why}", why=", ".join(said)) if said else ""
 
 
 class Cancelled(NamedTuple):

@@ -9,8 +9,9 @@ from itertools import zip_longest
 
 from vstatics.flow.circulation import Loop, Node, NodeKind
 from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.tables.grid import Column, Grid, Row, exact, text
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, text, word
 from vstatics.tables.numbers import fixed
+from vstatics.texts import tr
 
 SECTIONS: Mapping[NodeKind, str] = {
     "link": "links",
@@ -52,7 +53,7 @@ def power_grid(flow: GearFlow) -> Grid:
     for kind, heading in SECTIONS.items():
         nodes = [node for node in moving if node.kind == kind]
         if nodes:
-            lines.append((1, [heading, *[""] * (len(columns) - 1)]))
+            lines.append((1, [word(heading), *[""] * (len(columns) - 1)]))
         for node in nodes:
             lines.append((2, _of_node(flow, node)))
             if kind in ("mechanism", "spring"):
@@ -61,7 +62,7 @@ def power_grid(flow: GearFlow) -> Grid:
                     below = []
                 lines += below
     rows, levels = [row for _, row in lines], [level for level, _ in lines]
-    return Grid(f"Gear {flow.gear}", columns, rows, levels)
+    return Grid(tr("Gear {gear}", gear=flow.gear), columns, rows, levels)
 
 
 def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
@@ -80,32 +81,39 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     nodes = _nodes(flow).items()
     still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
     if still:
-        yield f"no power: {', '.join(still)}"
+        yield tr("no power: {names}", names=", ".join(still))
     if flow.by_convention:
-        yield f"{CONVENTION} by convention, as it turns as one piece: " + ", ".join(
-            map(str, flow.by_convention)
-        )
+        names = ", ".join(map(str, flow.by_convention))
+        yield f"{CONVENTION} {tr('by convention, as it turns as one piece: {names}', names=names)}"
     if flow.note:
-        yield f"with losses: {flow.note}"
+        yield tr("with losses: {note}", note=tr(flow.note))
     shown = flow.lossy or flow.ideal
     if balanced:
         entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
-        unit = "" if flow.ports.input_torque else "; 1 is that of 1 N*m at the input, of no torque"
-        yield f"in {entering} - out {leaving} - lost {lost} = {shown_as(shown.balance)}{unit}"
+        balance = tr(
+            "in {entering} - out {leaving} - lost {lost} = {balance}",
+            entering=entering,
+            leaving=leaving,
+            lost=lost,
+            balance=shown_as(shown.balance),
+        )
+        without = tr("; 1 is that of 1 N*m at the input, of no torque")
+        yield balance + without * (not flow.ports.input_torque)
     unknown = [str(node) for node in shown.unknown]
     if unknown:
-        yield f"not determined: {', '.join(unknown)}"
-        yield "circulating: not determined"
+        yield f"{tr('not determined')}: {', '.join(unknown)}"
+        yield tr("circulating: not determined")
         return
     if flow.ideal.loops or shown.loops:
         yield _circulating(flow.ideal, shown, shown_as)
     else:
-        yield "circulating: none"
+        yield tr("circulating: none")
     for loop in shown.loops:
-        said = f" ({loop.note})" if loop.shared else ""
+        said = f" ({loop.told(tr)})" if loop.shared else ""
         yield f"  {shown_as(loop.power)}{said}: {around(loop)}"
     for loop in shown.locked_in:
-        yield f"within one piece, does not count: {shown_as(loop.power)}: {around(loop)}"
+        within = tr("within one piece, does not count")
+        yield f"{within}: {shown_as(loop.power)}: {around(loop)}"
 
 
 def around(loop: Loop) -> str:
@@ -115,15 +123,19 @@ def around(loop: Loop) -> str:
 
 def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float], str]) -> str:
     share = shown.circulating_share
-    of_input = "" if math.isnan(share) else f", {100 * share:.1f}% of the power in"
-    without = "" if shown is ideal else f"; ideal {shown_as(ideal.circulating)}"
-    circulating = f"circulating: {shown_as(shown.circulating)}{of_input}{without}"
+    circulating = tr("circulating: {power}", power=shown_as(shown.circulating))
+    if not math.isnan(share):
+        circulating += f", {100 * share:.1f}% {tr('of the power in')}"
+    if shown is not ideal:
+        circulating += tr("; ideal {power}", power=shown_as(ideal.circulating))
     return "; ".join(filter(None, (circulating, doubt(shown, shown_as))))
 
 
 def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
     """How much of the circulating power may not be; nothing if all is real."""
-    return f"{shown_as(side.doubtful)} of it may not be in the metal" if side.doubtful > 0 else ""
+    if not side.doubtful > 0:
+        return ""
+    return tr("{power} of it may not be in the metal", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:
@@ -152,7 +164,9 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
-            yield 3, _row(flow, link if node.kind == "spring" else f"{member}: {link}", powers)
+            said = f"{member}: {link}"
+            name = word(said) if member != link else Cell(said)  # a wheel is called by its link
+            yield 3, _row(flow, link if node.kind == "spring" else name, powers)
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
@@ -163,7 +177,7 @@ def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
     for one, with_losses in zip_longest(ideal, lossy):
         power = math.nan if with_losses is None else with_losses.power
         if not one.mesh:
-            yield 3, _row(flow, "teeth", (one.power, power))
+            yield 3, _row(flow, word("teeth"), (one.power, power))
         elif flow.lossy is None:
             yield 4, _row(flow, one.mesh, (one.power, power))
         else:
@@ -177,7 +191,7 @@ def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
 
 def _row(
     flow: GearFlow,
-    name: str,
+    name: Cell | str,
     powers: tuple[float, float],
     losses: tuple[float | None, float | None] = NO_LOSSES,
     *,

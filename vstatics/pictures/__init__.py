@@ -155,4 +155,4 @@ def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]
     from vstatics.pictures.sheet.words import KINDS, gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
-    return title(results.case, ", ".join([style.text(*KINDS[kind]), *names]))
+    return title(results.case, ", ".join([style.text(KINDS[kind]), *names]))

@@ -60,7 +60,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     require("plot", "a picture")
     from vstatics.pictures.sheet.words import KINDS
 
-    said = f"{style.text(*KINDS[kind])}: {', '.join(one.name for one in both)}"
+    said = f"{style.text(KINDS[kind])}: {', '.join(one.name for one in both)}"
     with settings_of(style):
         figures = list(_sheets(both, kind, style))
     return files_of(figures, form, style, said)

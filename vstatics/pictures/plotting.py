@@ -20,8 +20,9 @@ from vstatics.pictures.sheet.style import (
     Excitation,
     Style,
 )
-from vstatics.statics.results import Language, Results, expect_results
+from vstatics.statics.results import Results, expect_results
 from vstatics.tables.suffixes import format_of, known
+from vstatics.texts import Language
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -119,7 +120,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Of a page, 80 to 1200; letters keep their size. [mm]
     dark : bool, optional
         Light on dark.
-    lang : {"en", "ru"}, optional
+    lang : {"en", "de", "ru"}, optional
         Of axes and titles.
 
     Returns

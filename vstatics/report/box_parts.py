@@ -11,11 +11,12 @@ from vstatics.report.parts import figure
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, sign
 from vstatics.tables.html import Markup, table, tables, tag
+from vstatics.texts import heading, tr
 
 
 def box_link(box: ListedBox) -> Markup:
     """A link to the diagram of a box."""
-    return tag("a", f"box {box.number}", href=f"#box-{box.number}")
+    return tag("a", tr("box {number}", number=box.number), href=f"#box-{box.number}")
 
 
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
@@ -79,7 +80,8 @@ def family_grid(listing: BoxListing) -> Grid:
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
         own = {name: gear.ratio for name, gear in boxes[0].gears.items()}
         rows.append((family, len(boxes), _numbers(boxes), *map(own.get, names)))
-    headings = ["family", "boxes", "its boxes", *names]
+    columns = (Column(one, is_name=True) for one in names)
+    headings: list[str | Column] = ["family", "boxes", "its boxes", *columns]
     return grid_of("Families: boxes with equal ratios in all gears", headings, rows)
 
 
@@ -96,7 +98,7 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
 
 def gear_grid(box: ListedBox) -> Grid:
     """Which elements are engaged in each gear, what its ratio is and should be."""
-    signs = (Column(name, is_sign=True) for name in box.elements)
+    signs = (Column(name, is_sign=True, is_name=True) for name in box.elements)
     rows: list[Values] = [
         (
             name,
@@ -117,11 +119,16 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
 
 def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
     """A box: its figures, its diagram, its gears and its sets side by side; the rest unfolds."""
-    title = f"Box {box.number}, family {box.family}, core {box.core}"
+    title = tr(
+        "Box {number}, family {family}, core {core}",
+        number=box.number,
+        family=box.family,
+        core=box.core,
+    )
     yield tag("h3", title, id=f"box-{box.number}")
     yield line_of(_figures(box, digits))
     if svg is not None:
-        name = f"Stick diagram of box {box.number}"
+        name = tr("Stick diagram of box {number}", number=box.number)
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
     yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
@@ -179,9 +186,9 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
         "slip": box.slip,
     }
     for name, value in named.items():
-        yield name, exact(value, digits=digits).text
+        yield heading(name), exact(value, digits=digits).text
     marks = {"in the Pareto list": box.pareto, "single": box.single, "planar": box.planar}
-    yield "it is", ", ".join(name for name, holds in marks.items() if holds) or "-"
-    yield "scheme", box.code
+    yield tr("it is"), ", ".join(tr(name) for name, holds in marks.items() if holds) or "-"
+    yield tr("scheme"), box.code
     for sets in box.ravigneaux.values():
-        yield "Ravigneaux", " and ".join(sets)
+        yield tr("Ravigneaux"), tr(" and ").join(sets)

@@ -20,6 +20,7 @@ from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
 from vstatics.tables.answer import plain_data
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
+from vstatics.texts import spoken, tr
 
 MOST_SHOWN_BOXES = 40
 """So many boxes have a diagram on the page."""
@@ -80,7 +81,7 @@ def boxes_page(
         Part("Diagrams", list(_diagrams(listing, without, digits))),
     ]
     found = len(listing.boxes)
-    title = f"{found} found {'box' if found == 1 else 'boxes'}"
+    title = tr("{count} found box|{count} found boxes", count=found)
     data = document or plain_data(listing._replace(boxes=()))
     boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
     listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
@@ -92,45 +93,51 @@ def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
     drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN_BOXES)}
     yield table(all_grid(listing, MOST_LISTED, drawn).with_digits(digits))
     if len(listing.boxes) > MOST_LISTED:
-        yield tag("p", f"These are the first {MOST_LISTED} of {len(listing.boxes)}.")
+        yield tag(
+            "p",
+            tr("These are the first {some} of {all}.", some=MOST_LISTED, all=len(listing.boxes)),
+        )
     yield table(family_grid(listing).with_digits(digits))
 
 
 def _about(listing: BoxListing) -> Iterator[Markup]:
     targets = (f"{name} {gear.target:g}" for name, gear in listing.boxes[0].gears.items())
-    yield tag("p", typeset(f"Wanted: {', '.join(targets)}."), class_="told")
+    yield tag("p", typeset(tr("Wanted: {targets}.", targets=", ".join(targets))), class_="told")
 
 
 def _line(listing: BoxListing) -> Markup:
     """How many there are, and the best of them."""
     facts: list[tuple[str, str]] = [
-        ("looked at", str(listing.searched)),
-        ("sets of elements given up", str(listing.given_up)),
-        ("families, of equal ratios", str(len(listing.families))),
-        ("in the Pareto list", str(sum(box.pareto for box in listing.boxes))),
+        (tr("looked at"), str(listing.searched)),
+        (tr("sets of elements given up"), str(listing.given_up)),
+        (tr("families, of equal ratios"), str(len(listing.families))),
+        (tr("in the Pareto list"), str(sum(box.pareto for box in listing.boxes))),
     ]
     known = [box for box in listing.boxes if math.isfinite(box.loss)]
     if known:
         least = min(known, key=lambda box: round(box.loss, 9))  # the first of those that are alike
-        facts.append(("least mean loss", joined(f"{100 * least.loss:.3f} %, ", box_link(least))))
+        facts.append(
+            (tr("least mean loss"), joined(f"{100 * least.loss:.3f} %, ", box_link(least)))
+        )
     known = [box for box in listing.boxes if math.isfinite(box.torque)]
     if known:
         least = min(known, key=lambda box: round(box.torque, 9))
-        facts.append(("least torque", joined(f"{least.torque:.3f} × input, ", box_link(least))))
+        said = f"{least.torque:.3f} {tr('× input')}, "
+        facts.append((tr("least torque"), joined(said, box_link(least))))
     return line_of(facts)
 
 
 def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
     yield _line(listing)
     if without:
-        yield tag("p", f"There are no pictures: {without}")
+        yield tag("p", tr("There are no pictures: {why}", why=without))
         return
     from vstatics.pictures.boxes.picture import render_points
 
-    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES))
-    name = "Mean loss over the largest torque"
+    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES), spoken())
+    name = tr("Mean loss over the largest torque")
     yield figure(name, inline(svg, "boxes", name))
-    yield tag("p", "Numbers are those of boxes with a diagram; one colour is one family.")
+    yield tag("p", tr("Numbers are those of boxes with a diagram; one colour is one family."))
 
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
@@ -138,8 +145,11 @@ def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator
     shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
     rest = len(listing.boxes) - len(shown)
     if rest:
-        said = "Here are boxes of the Pareto list and the first of each family"
-        yield tag("p", f"{said}; {rest} more {'is' if rest == 1 else 'are'} in the table only.")
+        said = tr("Here are boxes of the Pareto list and the first of each family")
+        more = tr(
+            "{count} more is in the table only.|{count} more are in the table only.", count=rest
+        )
+        yield tag("p", f"{said}; {more}")
     for box in shown:
         case = box.transmission()
         svg = None

@@ -9,7 +9,7 @@ from textwrap import dedent
 from vstatics.errors import CaseError
 from vstatics.explain import explain_gear
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.text import MATRIX, RATIO, sections
+from vstatics.explain.text import sections
 from vstatics.extras import missing
 from vstatics.report.material import Material
 from vstatics.tables.html import Markup, scrolled, tag
@@ -47,9 +47,9 @@ def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
     """The ratio first, then the rest in its order."""
     if no_formula():
         one = one._replace(reason="")
-    parts = sorted(sections(one, digits), key=lambda part: part.heading not in RATIO)
+    parts = sorted(sections(one, digits), key=lambda part: part.key != "ratio")
     for part in parts:
-        if part.heading == MATRIX:
+        if part.key == "matrix":
             continue
         shown = _lines(part.lines)
         name, colon, rest = part.heading.partition(":")

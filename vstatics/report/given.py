@@ -12,9 +12,10 @@ from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, SpringLimit, ends
 from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of
+from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of, word
 from vstatics.tables.html import Markup, tables, terms
 from vstatics.tables.straight import in_both_units
+from vstatics.texts import spoken, tr
 
 _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
@@ -40,7 +41,7 @@ def given(
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
-    yield terms((labels[key], _said(one)) for key, one in common.items())
+    yield terms((tr(labels[key]), _said(one)) for key, one in common.items())
     yield from tables(marked(_grids(case, mapping, digits)))
 
 
@@ -65,7 +66,7 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
         data = dict(mapping[element.name])
         kind = str(data.pop("kind")).replace("_", " ")
         links = {member: data.pop(member) for member in element.members}
-        rows.append((element.name, kind, _said(links), _said(data)))
+        rows.append((element.name, word(kind), _said(links), _said(data)))
     return grid_of("Elements", ["element", "kind", "links", "teeth and the rest"], rows)
 
 
@@ -93,7 +94,11 @@ def _mechanisms(case: Transmission) -> Grid:
 def _number_or_law(value: float | None) -> Any:
     """A number, or a law in words."""
     if isinstance(value, Law):
-        return value.text or f"{len(value.points)} points over {value.over}"
+        return value.text or tr(
+            "{count} point over {what}|{count} points over {what}",
+            count=len(value.points),
+            what=tr(value.over),
+        )
     return exact(value, 4)
 
 
@@ -104,7 +109,7 @@ def _shift_elements(case: Transmission) -> Grid:
     rows = [
         (
             one.name,
-            (one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " "),
+            word((one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " ")),
             *map(case.link_name, (one.first, one.second)),
             _number_or_law(one.drag) if drags else "",
             one.capacity,
@@ -143,25 +148,37 @@ def _said(value: Any) -> str:
     'rings: (link out, teeth 72); open drag: C_2 0.00666667'
     """
     if isinstance(value, Mapping):
-        pairs = ((str(key).replace("_", " "), one) for key, one in value.items())
-        return "; ".join(f"{key}: {_inner(one)}" for key, one in pairs)
+        pairs = ((_key(key), _inner(one, keyed=key in KEYED)) for key, one in value.items())
+        return "; ".join(f"{key}: {inner}" for key, inner in pairs)
     return _inner(value)
 
 
-def _inner(value: Any) -> str:
+def _key(key: str) -> str:
+    """A key of a case as words."""
+    return tr(str(key).replace("_", " "))
+
+
+KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
+"""What has keys within; those of others are names."""
+
+
+def _inner(value: Any, *, keyed: bool = False) -> str:
     """Data within data; what is deeper still stands in brackets."""
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return tr("yes" if value else "no")
     if isinstance(value, Mapping):
-        return ", ".join(f"{key} {_single(one)}" for key, one in value.items())
+        return ", ".join(
+            f"{_key(key) if keyed and spoken() != 'en' else key} {_single(one)}"
+            for key, one in value.items()
+        )
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return ", ".join(map(_single, value))
+        return ", ".join(_single(one, keyed=keyed) for one in value)
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def _single(value: Any) -> str:
+def _single(value: Any, *, keyed: bool = False) -> str:
     is_word = isinstance(value, str) or not isinstance(value, Mapping | Sequence)
-    return _inner(value) if is_word else f"({_inner(value)})"
+    return _inner(value) if is_word else f"({_inner(value, keyed=keyed)})"
 
 
 DAMPED = ("damping, N*m*s/rad", "loss factor")
@@ -215,9 +232,9 @@ def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
 def _stiffness(spring: Spring) -> list[Cell]:
     """Stiffness and compliance; of points how many there are."""
     if spring.strut:
-        return [_number(spring.rate), Cell("strut")]
+        return [_number(spring.rate), word("strut")]
     if spring.points:
-        return [Cell(f"{len(spring.points)} points", None), _number(None)]
+        return [Cell(tr("{count} points", count=len(spring.points)), None), _number(None)]
     return [_number(spring.rate), _number(1 / spring.rate)]
 
 
@@ -225,7 +242,9 @@ def _limit(spring: Spring) -> Cell:
     """The limit; of one that follows another spring its base, and how."""
     limit = spring.limit
     if isinstance(limit, SpringLimit):
-        return Cell(f"{limit.base:.6g} + {limit.times:.6g} of {limit.of}")
+        return Cell(
+            tr("{base:.6g} + {times:.6g} of {of}", base=limit.base, times=limit.times, of=limit.of)
+        )
     return _number(limit)
 
 

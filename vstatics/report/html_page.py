@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.resources import files
 from typing import Any, NamedTuple
@@ -13,7 +14,8 @@ from vstatics.report.material import Material
 from vstatics.report.page_pictures import palette, shared
 from vstatics.report.parts import SCREEN, chooser
 from vstatics.report.sections import Part, sections
-from vstatics.tables.html import Markup, joined, printed, tag
+from vstatics.tables.html import Markup, filled, joined, printed, tag
+from vstatics.texts import spoken, tr
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 """A browser loads nothing from anywhere."""
@@ -51,6 +53,31 @@ def _resource(name: str) -> Markup:
 
 SCRIPT = _resource("script.js")
 """Of every page: its gears and tables."""
+
+
+_LITERAL = re.compile(r'"((?:[^"\\\n]|\\u\w{4})*)"|`([^`\\\n]*)`')
+"""A text in a script."""
+
+
+def in_language(script: Markup) -> Markup:
+    """A script with what it says in the language that is spoken.
+
+    That begins with a capital letter or has a blank, as nothing does that it compares.
+
+    >>> from vstatics.texts import speaking
+    >>> with speaking("de"):
+    ...     print(in_language(Markup('say("Sort", `Gear ${name}`, "none")')))
+    say("Sortieren", `Gang ${name}`, "none")
+    """
+
+    def said(found: re.Match[str]) -> str:
+        text = json.loads(found[0]) if found[1] else (found[2] or "").replace("${", "{")
+        own = tr(text) if text[:1].isupper() or " " in text else text
+        if own == text:
+            return found[0]
+        return json.dumps(own, ensure_ascii=False) if found[1] else f"`{own.replace('{', '${')}`"
+
+    return script if spoken() == "en" else Markup(_LITERAL.sub(said, script))
 
 
 def page(material: Material) -> str:
@@ -92,8 +119,8 @@ def framed(
     frame : PageFrame, optional
         What stands around them.
     """
-    links = (tag("a", part.name, href=f"#{_id(part.name)}") for part in parts)
-    contents = tag("nav", *links, class_="contents", aria_label="Contents")
+    links = (tag("a", tr(part.name), href=f"#{_id(part.name)}") for part in parts)
+    contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
@@ -105,7 +132,7 @@ def framed(
         frame.choice,
         main,
         tag("script", Markup(data), type="application/json", id="result"),
-        *(tag("script", one) for one in (SCRIPT, *frame.scripts)),
+        *(tag("script", in_language(one)) for one in (SCRIPT, *frame.scripts)),
         frame.end,
         **frame.state,
     )
@@ -118,7 +145,7 @@ def framed(
         tag("title", title),
         tag("style", _styles(title), looks, frame.style),
     )
-    root: dict[str, object] = {"lang": "en"}
+    root: dict[str, object] = {"lang": spoken()}
     if frame.revision is not None:
         root["data_revision"] = frame.revision
     return f"<!DOCTYPE html>\n{tag('html', head, body, **root)}\n"
@@ -136,7 +163,7 @@ def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
 
 def _section(part: Part) -> Markup:
     look = False if part.is_printed else SCREEN
-    return tag("section", tag("h2", part.name), *part.shown, id=_id(part.name), class_=look)
+    return tag("section", tag("h2", tr(part.name)), *part.shown, id=_id(part.name), class_=look)
 
 
 def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
@@ -155,17 +182,21 @@ def about(material: Material) -> Iterator[Markup]:
     case = material.results.case
     yield from stamped(material.asked.stamp)
     if material.run:
-        link = tag("a", SECTIONS["run"], href=f"#{_id(SECTIONS['run'])}")
+        link = tag("a", tr(SECTIONS["run"]), href=f"#{_id(SECTIONS['run'])}")
         said = f": {material.naming.description}" if material.naming.description else ""
-        yield tag("p", "Scenario, see ", link, said, class_="told")
+        yield tag("p", filled(tr("Scenario, see {link}"), link=link), said, class_="told")
     if material.asked.gears:
         names = ", ".join(material.asked.gears)
-        told = f"Shown of {len(case.gears)} gears: {names}. Figures of the whole are of all gears."
+        told = tr(
+            "Shown of {number} gears: {names}. Figures of the whole are of all gears.",
+            number=len(case.gears),
+            names=names,
+        )
         yield tag("p", told, class_="told")
     if case.description:
         yield tag("p", case.description, class_="told")
     if case.source:
-        yield tag("p", "Source: ", case.source, class_="told source")
+        yield tag("p", filled(tr("Source: {source}"), source=case.source), class_="told source")
 
 
 def _names(data: Any) -> Iterator[str]:

@@ -19,6 +19,7 @@ from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.summary import Summary, summarize
 from vstatics.tables.grid import Grid
+from vstatics.texts import tr
 from vstatics.writers import result_json
 
 
@@ -48,8 +49,8 @@ class Naming(NamedTuple):
         ('upshift, 8HP70', 'Run, 8HP70')
         """
         if runs:
-            return f"{self.name or 'Run'}, {case}" if case else self.name or "Run"
-        return case or self.name or "Transmission"
+            return f"{self.name or tr('Run')}, {case}" if case else self.name or tr("Run")
+        return case or self.name or tr("Transmission")
 
 
 UNNAMED = Naming()

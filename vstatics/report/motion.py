@@ -15,6 +15,7 @@ from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, exact
 from vstatics.tables.html import Markup, tables, tag
 from vstatics.tables.numbers import certain
+from vstatics.texts import tr
 
 TIME, FIGURES = 4, 5
 """Digits of a time in s after the point; significant ones of the largest in a column."""
@@ -91,17 +92,19 @@ def shown_run(
 
     motion = section.motion
     if motion.stopped is not None:
-        yield tag("p", f"The run stopped: {printable(motion.stopped.told)}", class_="error")
+        yield tag(
+            "p", tr("The run stopped: {why}", why=printable(motion.stopped.told)), class_="error"
+        )
     if motion.messages:
         yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
     yield section.moves
     if section.course:
-        course = figures(section.course, "Run over time")
+        course = figures(section.course, tr("Run over time"))
         yield from [tag("div", *course, class_="run-still")] if section.moves else course
     grids = [in_figures(grid).with_digits(digits) for grid in motion_grids(motion)]
     yield from tables(map(marked, grids) if has_marks else grids)
     if section.plan:
-        shown = figures(section.plan, "Run in the kinematic plan")
+        shown = figures(section.plan, tr("Run in the kinematic plan"))
         yield from shown if in_full else [on_screen(shown)]
 
 

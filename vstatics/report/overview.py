@@ -10,9 +10,10 @@ from vstatics.report.material import Material
 from vstatics.report.parts import gear_link
 from vstatics.report.tools.marks import RELATIVE
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall, quantity
-from vstatics.tables.html import Markup, joined, tag
+from vstatics.tables.html import Markup, filled, joined, tag
 from vstatics.tables.numbers import rounded
 from vstatics.tables.quantities import UNITS
+from vstatics.texts import tr
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
 """Severities from the heaviest, and several of them."""
@@ -25,7 +26,7 @@ def overview(material: Material) -> Iterator[Markup]:
     largest part of the power that circulates, and how many alerts of each weight.
     """
     facts = [*_gears(material), *_efficiency(material), *_torque(material)]
-    facts += [*_circulation(material), ("alerts", _alerts(material.messages))]
+    facts += [*_circulation(material), (tr("alerts"), _alerts(material.messages))]
     yield line_of(facts)
 
 
@@ -45,11 +46,14 @@ def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
 
 def _gears(material: Material) -> Iterator[tuple[str, str]]:
     made = material.summary.design
-    yield "gears", str(len(made.gears))
+    yield tr("gears"), str(len(made.gears))
     if len(made.forward) > 1:
         first, last = (_link(material, one, one) for one in (made.forward[0], made.forward[-1]))
         spread = _number(material, made.spread)
-        yield "spread", joined(spread, ", gear ", first, " to ", last)
+        yield (
+            tr("spread"),
+            filled(tr("{spread}, gear {first} to {last}"), spread=spread, first=first, last=last),
+        )
 
 
 def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
@@ -58,7 +62,7 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
     if known:
         worst = min(known, key=lambda one: one.efficiency)
         yield (
-            "lowest efficiency",
+            tr("lowest efficiency"),
             _in_gear(material, _number(material, worst.efficiency), worst.gear),
         )
 
@@ -71,13 +75,13 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
             shown = quantity(key, loaded=loaded)
             found = overall(largest.get(shown.key, ()))
             if found is not None and found.gear:
-                unit = UNITS[shown.unit].en if shown.unit else RELATIVE
+                unit = tr(UNITS[shown.unit].text) if shown.unit else tr(RELATIVE)
                 value = rounded(abs(found.value), shown.decimals, material.digits)
                 said = joined(f"{value} {unit}")
                 if material.has_marks:
                     said = _in_unit(value, unit, abs(found.value), found.gear, loaded=loaded)
                 said = joined(said, f", {found.row}")
-                yield "largest element torque", _in_gear(material, said, found.gear)
+                yield tr("largest element torque"), _in_gear(material, said, found.gear)
                 return
 
 
@@ -93,19 +97,20 @@ def _circulation(material: Material) -> Iterator[tuple[str, str]]:
     known = [one for one in shares if not math.isnan(one[0])]
     if known:
         share, gear = max(known, key=itemgetter(0))
-        said = f"{rounded(100 * share, 1, material.digits)} % of the input power"
-        yield "largest circulation", _in_gear(material, said, gear) if share > 0 else "none"
+        part = rounded(100 * share, 1, material.digits)
+        said = _in_gear(material, tr("{part} % of the input power", part=part), gear)
+        yield tr("largest circulation"), said if share > 0 else tr("none")
 
 
-def _alerts(messages: Sequence[str]) -> Markup:
+def _alerts(messages: Sequence[str]) -> str:
     """How many of each weight, each a link to them."""
     links = []
     for weight, name in WEIGHTS.items():
         count = len(_of_weight(messages, weight))
         if count:
-            said = f"{count} {weight if count == 1 else name}"
+            said = tr(f"{{count}} {weight}|{{count}} {name}", count=count)
             links += [", ", tag("a", said, href=f"#{name}", class_=weight)]
-    return joined(*links[1:]) if links else Markup("none")
+    return joined(*links[1:]) if links else tr("none")
 
 
 def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
@@ -113,7 +118,7 @@ def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
 
 
 def _in_gear(material: Material, said: str, gear: str) -> Markup:
-    return joined(said, ", ", _link(material, gear, f"gear {gear}"))
+    return joined(said, ", ", _link(material, gear, tr("gear {gear}", gear=gear)))
 
 
 def _link(material: Material, gear: str, text: str) -> str:

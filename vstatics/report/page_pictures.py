@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from vstatics.errors import CaseError, plural
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import of_each_gear, pages
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
@@ -20,6 +20,7 @@ from vstatics.report.asked import EVERYTHING, AskedPage
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup
+from vstatics.texts import spoken, tr
 
 _LIGHT, _DARK = Style(), Style(dark=True)
 _NAMES = ("paper", "ink", "soft", "faint", "engaged", "lost", "circulating", "power")
@@ -34,7 +35,7 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
 
 
-NAMES = {kind: english for kind, (english, _) in KINDS.items()}
+NAMES = KINDS
 """What a kind of picture is called."""
 OF_ALL_GEARS = ("efficiency", "plan")
 PRINTED_WIDTH = 182.0
@@ -116,15 +117,20 @@ def _sticks(
 def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PAGE) -> list[Drawn]:
     """A picture of each of some gears, or why one has none."""
     try:
-        made = of_each_gear(results, kind, style, gears)
+        made = of_each_gear(results, kind, in_spoken(style), gears)
     except CaseError:  # of one of them, perhaps
         return [picture_of(results, kind, [number], style=style) for number in gears]
-    end = ", small" * (style is HALF)
+    end = tr(", small") * (style is HALF)
     labels = (f"{_label(results, kind, [number])}{end}" for number in gears)
     return [
         Drawn(kind, _inlined(svgs, _own(kind, [number], style), label))
         for number, svgs, label in zip(gears, made, labels, strict=True)
     ]
+
+
+def in_spoken(style: Style) -> Style:
+    """The same in the language of the page."""
+    return style._replace(language=spoken())
 
 
 def _own(kind: str, gears: Sequence[int], style: Style) -> str:
@@ -134,8 +140,13 @@ def _own(kind: str, gears: Sequence[int], style: Style) -> str:
 
 def _label(results: Results, kind: str, gears: Sequence[int]) -> str:
     names = [results.case.gears[number - 1].name for number in gears]
-    return (
-        f"{NAMES[kind]}, {plural('gear', len(names))} {', '.join(names)}" if names else NAMES[kind]
+    if not names:
+        return tr(NAMES[kind])
+    return tr(
+        "{picture}, gear {gears}|{picture}, gears {gears}",
+        picture=tr(NAMES[kind]),
+        gears=", ".join(names),
+        count=len(names),
     )
 
 
@@ -148,12 +159,12 @@ def picture_of(
 ) -> Drawn:
     """A picture of a case, of some of its gears by their numbers from 1, or of a run."""
     try:
-        made = pages(results, kind, "svg", style, gears, motion=motion)
+        made = pages(results, kind, "svg", in_spoken(style), gears, motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
     own, label = _own(kind, gears, style), _label(results, kind, gears)
     if motion is not None:
-        own, label = f"run-{own}", f"{label}, run"
+        own, label = f"run-{own}", tr("{picture}, run", picture=label)
     return Drawn(kind, _inlined(made, own, label))
 
 

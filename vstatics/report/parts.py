@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from urllib.parse import quote
 
-from vstatics.errors import plural
 from vstatics.report.page_pictures import Drawn
 from vstatics.report.sheets import MOST_SHEETS, left_out, with_room
 from vstatics.tables.html import Markup, scrolled, tag
+from vstatics.texts import tr
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:
@@ -30,17 +30,30 @@ def figures(
 ) -> Iterator[Markup]:
     """A picture with its name, in as many parts as it has, or why there is none."""
     if drawn.why:
-        yield tag("p", f"{name}: not drawn. {drawn.why}")
+        yield tag("p", tr("{name}: not drawn. {why}", name=name, why=drawn.why))
     for number, sheet in enumerate(drawn.sheets, 1):
-        several = f", {number} of {len(drawn.sheets)}" if len(drawn.sheets) > 1 else ""
-        yield figure(f"{name}{several}", sheet, captioned=captioned, scrolls=scrolls)
+        several = len(drawn.sheets)
+        if several > 1:
+            part = tr("{name}, {number} of {several}", name=name, number=number, several=several)
+        else:
+            part = name
+        yield figure(part, sheet, captioned=captioned, scrolls=scrolls)
+
+
+def in_gear(picture: str, gear: str) -> str:
+    """What a picture of a gear is called.
+
+    >>> in_gear("Power flow", "R")
+    'Power flow, gear R'
+    """
+    return tr("{picture}, gear {gear}", picture=tr(picture), gear=gear)
 
 
 def chooser(gears: Iterable[str]) -> Markup:
     """Links to choose a gear by, for all that is shown of one; without a script all gears show."""
     links = (gear_link(gear) for gear in gears)
     status = tag("span", role="status", class_="unseen")
-    return tag("nav", "Gear", *links, status, class_="chooser", aria_label="Gear")
+    return tag("nav", tr("Gear"), *links, status, class_="chooser", aria_label=tr("Gear"))
 
 
 def gear_link(gear: str, text: str = "") -> Markup:
@@ -62,7 +75,7 @@ def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: boo
     is_printed : bool
         False for what stays on the screen.
     """
-    head = tag("h3", f"Gear {gear}")
+    head = tag("h3", tr("Gear {gear}", gear=gear))
     look = False if is_printed else SCREEN
     return tag("div", head, *shown, id=address(section, gear), data_gear=gear, class_=look)
 
@@ -77,7 +90,7 @@ def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
     shown = [*figures(kept, name, captioned=False, scrolls=False)]
     rest = len(drawn.sheets) - len(kept.sheets)
     if rest:
-        said = f"{rest} more {plural('sheet', rest)} with --all."
+        said = tr("{count} more sheet with --all.|{count} more sheets with --all.", count=rest)
         shown.append(tag("p", said, class_="note"))
     return tag("div", *shown, class_=PAPER)
 
@@ -88,7 +101,7 @@ def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
     shown = (
         part
         for gear, one in zip(gears[:count], drawn, strict=False)
-        for part in figures(one, f"Gear {gear}", scrolls=False)
+        for part in figures(one, tr("Gear {gear}", gear=gear), scrolls=False)
     )
     return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")
 

@@ -16,7 +16,15 @@ from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
 from vstatics.report.page_pictures import NAMES, Drawn
-from vstatics.report.parts import figures, gear_link, of_gear, on_paper, on_screen, side_by_side
+from vstatics.report.parts import (
+    figures,
+    gear_link,
+    in_gear,
+    of_gear,
+    on_paper,
+    on_screen,
+    side_by_side,
+)
 from vstatics.report.sheets import flow_sheets
 from vstatics.report.tools.marks import marked_links
 from vstatics.report.vibration import shown_vibration
@@ -27,6 +35,7 @@ from vstatics.tables.grids import of_results, without_missing, without_zeros
 from vstatics.tables.html import Markup, table, tables, tag, terms
 from vstatics.tables.numbers import ROUNDED_NUMBER
 from vstatics.tables.ports import port_tables
+from vstatics.texts import tr
 
 
 class Part(NamedTuple):
@@ -70,7 +79,7 @@ def sections(material: Material) -> Iterator[Part]:
         "lever": _of_gears(material, "lever"),
         "equations": _equations(material),
         **{
-            kind: figures(pictures[kind], NAMES[kind], captioned=False)
+            kind: figures(pictures[kind], tr(NAMES[kind]), captioned=False)
             for kind in ("efficiency", "plan")
             if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
@@ -86,7 +95,7 @@ def sections(material: Material) -> Iterator[Part]:
         ),
         "tables": _tables(material, others),
         "conventions": [
-            terms((name.replace("_", " "), text) for name, text in conventions.items())
+            terms((tr(name.replace("_", " ")), tr(text)) for name, text in conventions.items())
         ],
     }
     for key, name in SECTIONS.items():
@@ -112,12 +121,12 @@ def _overview(material: Material) -> Iterator[Markup]:
     """What a designer asks first, the scheme, then what there is to watch."""
     yield from overview(material)
     if material.without:
-        yield tag("p", f"There are no pictures: {material.without}")
+        yield tag("p", tr("There are no pictures: {why}", why=material.without))
     bare = material.pictures.bare_stick
     if bare is None:
         yield from _of_gears(material, "stick")
     else:
-        yield on_paper(bare, NAMES[bare.kind])
+        yield on_paper(bare, tr(NAMES[bare.kind]))
         yield on_screen(_of_gears(material, "stick"))
     yield from alerts(material.messages)
 
@@ -133,7 +142,9 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
     yield table(made._replace(rows=rows), headed=False)
     if results.case.freewheels:
         yield tag(
-            "p", f"{MARKS.engaged} engaged, {MARKS.holds} freewheel that holds", class_="note"
+            "p",
+            f"{MARKS.engaged} {tr('engaged')}, {MARKS.holds} {tr('freewheel that holds')}",
+            class_="note",
         )
     small = material.pictures.small_sticks
     if any(one.sheets for one in small):
@@ -143,7 +154,9 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
 def gears_grid(material: Material, grid: Grid) -> Grid:
     """The gears of a summary with a sign for each shift element, and with marks."""
     results = material.results
-    signs = [Column(element.name, is_sign=True) for element in results.case.shift_elements]
+    signs = [
+        Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
+    ]
     [grid] = material.marked([_without_last_step(grid)])
     columns = [grid.columns[0], *signs, *grid.columns[1:]]
     rows = [
@@ -170,12 +183,12 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
     """A picture of each gear, or why there is none."""
     drawn = material.pictures.of_gears.get(kind, ())
     if drawn and not _differ(drawn):
-        yield from figures(drawn[0], NAMES[drawn[0].kind])
+        yield from figures(drawn[0], tr(NAMES[drawn[0].kind]))
         return
     names = [flow.gear for flow in material.shown_flows]
     for name, one in zip(names, drawn, strict=bool(drawn)):
         section = "gear" if kind == "stick" else kind
-        shown = figures(one, f"{NAMES[one.kind]}, gear {name}", captioned=False)
+        shown = figures(one, in_gear(NAMES[one.kind], name), captioned=False)
         yield of_gear(section, name, list(shown))
 
 
@@ -192,21 +205,23 @@ def _flows(material: Material) -> Iterator[Markup]:
     whole = material.pictures.flows
     if whole is not None:
         most = flow_sheets(has_run=bool(material.run), has_vibration=bool(material.vibration))
-        yield on_paper(whole, NAMES["flow"], most=most)
+        yield on_paper(whole, tr(NAMES["flow"]), most=most)
     for number, flow in enumerate(material.shown_flows):
         shown = list(_power(flow, material))
         if drawn and flow.ideal is not None:
-            name = f"{NAMES['flow']}, gear {flow.gear}"
+            name = in_gear(NAMES["flow"], flow.gear)
             shown = [*figures(drawn[number], name, captioned=False), *shown]
         yield of_gear(section, flow.gear, shown, is_printed=whole is None)
 
 
 def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     if flow.ideal is None:
-        yield tag("p", f"{flow.note}, so there is no power to show".capitalize())
+        yield tag("p", _no_power(flow))
         return
     digits = material.digits
-    powers = without_zeros(power_grid(flow))._replace(title=f"Power in gear {flow.gear}")
+    powers = without_zeros(power_grid(flow))._replace(
+        title=tr("Power in gear {gear}", gear=flow.gear)
+    )
     powers = powers.with_digits(digits)
     if material.has_marks:
         powers = marked_links(marked_powers(powers, flow.gear), material.results.case)
@@ -215,11 +230,16 @@ def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
     yield tag("div", numbers, tag("ul", *lines), class_="power")
 
 
+def _no_power(flow: GearFlow) -> str:
+    """Why a gear has no flow of power."""
+    return tr("{Why}, so there is no power to show", Why=tr(flow.note).capitalize())
+
+
 def _equations(material: Material) -> Iterator[Markup]:
     """Of each gear its ratio, why it is so, and the equations behind all its numbers."""
     without = no_formula()
     if without:
-        yield tag("p", f"There are no formulas: {without}")
+        yield tag("p", tr("There are no formulas: {why}", why=without))
     for flow, shown in zip(material.shown_flows, explained(material), strict=True):
         yield of_gear("equations", flow.gear, shown)
 
@@ -244,7 +264,9 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     told = (one for one in summary if one.key not in elsewhere)
     well = _well(by_gear)
     if well:
-        yield tag("p", f"In all gears: {', '.join(WELL[one][1] for one in well)}.")
+        yield tag(
+            "p", tr("In all gears: {what}.", what=", ".join(tr(WELL[one][1]) for one in well))
+        )
     told_of = (*ALREADY, *well)
     besides = by_gear.with_columns(
         [n for n, one in enumerate(by_gear.columns) if one.heading not in told_of]

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from vstatics.errors import plural
 from vstatics.pictures.sheet.style import PAGE_HEIGHT
 from vstatics.report.page_pictures import HALF, PAGE, Drawn
 from vstatics.tables.html import Markup, tag
+from vstatics.texts import tr
 
 MOST_SHEETS = 10
 """Of paper, for a case."""
@@ -66,6 +66,10 @@ def flow_sheets(*, has_run: bool, has_vibration: bool) -> int:
 def left_out(names: Sequence[str]) -> Iterator[Markup]:
     """What says that pictures of gears are not printed."""
     if names:
-        gears = f"{plural('gear', len(names))} {', '.join(names)}"
-        said = f"Not printed: {gears}; --all prints every gear."
+        said = tr(
+            "Not printed: gear {gears}; --all prints every gear.|"
+            "Not printed: gears {gears}; --all prints every gear.",
+            gears=", ".join(names),
+            count=len(names),
+        )
         yield tag("p", said, class_="note")

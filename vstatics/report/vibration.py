@@ -19,6 +19,7 @@ from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole
 from vstatics.tables.html import Markup, table, tables, tag
+from vstatics.texts import tr
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes
@@ -99,16 +100,20 @@ def shown_vibration(
         Whether frequencies say what they are, for a script.
     """
     if found.without:
-        yield tag("p", f"Left out: {found.without}")
+        yield tag("p", tr("Left out: {why}", why=found.without))
         return
-    said = [f"gear {gear.name}: {text}" for gear in found.gears for text in gear.warnings]
+    said = [
+        f"{tr('gear {gear}', gear=gear.name)}: {text}"
+        for gear in found.gears
+        for text in gear.warnings
+    ]
     if said:
         yield tag("ul", *(tag("li", text) for text in said), class_="messages")
     grid = frequencies(found.gears).with_digits(digits)
     grid = marked_frequencies(grid) if has_marks else grid
     yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
     if found.campbell:
-        yield from figures(found.campbell, NAMES[found.campbell.kind])
+        yield from figures(found.campbell, tr(NAMES[found.campbell.kind]))
     for number, gear in enumerate(found.gears):
         drawn = found.shapes[number] if found.shapes else None
         shown = list(_gear(gear, drawn, digits))
@@ -142,10 +147,10 @@ def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[
     from vstatics.torsion.vibration.grids import modes_grids
 
     if not gear.modes:
-        yield tag("p", gear.error or "no natural frequency")
+        yield tag("p", gear.error or tr("no natural frequency"))
         return
     if drawn:
-        yield from figures(drawn, NAMES[drawn.kind])
+        yield from figures(drawn, tr(NAMES[drawn.kind]))
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
     for_one = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
     yield from tables(grid.with_digits(digits) for grid in for_one)

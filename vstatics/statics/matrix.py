@@ -43,6 +43,8 @@ ON_ELEMENT = (1, -1)
 
 INPUT_SPEED = "the input speed"
 """How messages call this condition."""
+GIVEN_SPEED = "the given speed of link "
+"""How they call that of another link, with its name."""
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
@@ -263,7 +265,7 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
         *(spring.name for spring in case.springs),
         *(case.shift_elements[number - 1].name for number in gear.engaged),
         INPUT_SPEED,
-        *(f"the given speed of link {case.link_name(link)}" for link in gear.speeds),
+        *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
     ]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,7 +21,6 @@ from vstatics.statics.status import OK, Status, statuses
 if TYPE_CHECKING:
     import pandas as pd
 
-Language = Literal["en", "ru"]
 """Of the headings of a listing and of a deck."""
 
 

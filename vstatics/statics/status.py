@@ -14,7 +14,6 @@ class Status(NamedTuple):
     """In tables and in the output of sweeps."""
     english: str
     """In lines of text and pictures."""
-    russian: str
     meaning: str
     """A clause for who sees it the first time."""
     is_fault: bool = False
@@ -23,59 +22,51 @@ class Status(NamedTuple):
     """Whether power may flow nevertheless."""
 
 
-OK = Status("", "", "", "", has_power=True)
+OK = Status("", "", "", has_power=True)
 TIED_UP = Status(
     "tied up",
     "tied up",
-    "заперта",
     "what is engaged contradicts itself, the input can't turn",
     is_fault=True,
 )
 CONFLICT = Status(
     "conflict",
     "freewheels in conflict",
-    "конфликт обгонных муфт",
     "a freewheel can neither hold nor overrun",
     is_fault=True,
 )
 OUTPUT_STANDS = Status(
     "output stands",
     "the output stands",
-    "выход стоит",
     "its speed is 0, so there is no ratio",
     has_power=True,
 )
 NEUTRAL = Status(
     "open",
     "neutral",
-    "нейтраль",
     "neutral, the speed of the output is not determined",
     has_power=True,
 )
 NO_TORQUES = Status(
     "no torques",
     "torques do not balance",
-    "моменты не уравновешены",
     "nothing holds the torque of the input",
 )
 LOCKED = Status(
     "locked",
     "locked by friction",
-    "заклинена трением",
     "friction holds the train, whatever the input torque",
     is_fault=True,
 )
 DRAGGED = Status(
     "dragged",
     "dragged",
-    "движется от выхода",
     "drag takes more than the input gives, so power enters at the output",
     has_power=True,
 )
 UNDECIDED = Status(
     "undecided",
     "signs of losses not found",
-    "знаки потерь не найдены",
     "the search for directions of power was cut short",
 )
 

@@ -20,8 +20,10 @@ from vstatics.summary.extremes import (
     quantity,
 )
 from vstatics.summary.grids import ACCELERATION, INERTIA, other_combinations
-from vstatics.tables.grid import Grid, Value, Values, exact, grid_of
+from vstatics.tables.grid import Grid, Value, Values, exact, grid_of, word
 from vstatics.tables.quantities import headed
+from vstatics.texts import heading as headed_in
+from vstatics.texts import tr
 
 LARGEST = {
     PLANETS: "largest planet speed",
@@ -55,14 +57,14 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
     for letter, summary in zip(letters(len(summaries)), summaries, strict=True):
         if summary.combinations is not None:
             grid = other_combinations(summary)
-            yield grid._replace(title=f"{letter}. {grid.title}")
+            yield grid._replace(title=f"{letter}. {tr(grid.title)}")
 
 
 def _gears(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
     called = letters(len(summaries))
     fields = "ratio", "step", "efficiency"
-    headings = (f"{field} {letter}" for field in fields for letter in called)
+    headings = (f"{tr(field)} {letter}" for field in fields for letter in called)
     rows = (
         [name, *(getattr(by_name.get(name), field, None) for field in fields for by_name in lines)]
         for name in _names(summaries)
@@ -82,7 +84,9 @@ def _inertias(summaries: Sequence[Summary]) -> Grid:
     shown = {INERTIA: "inertia", ACCELERATION: "acceleration"}
     if all(math.isnan(one.acceleration) for by_name in lines for one in by_name.values()):
         del shown[ACCELERATION]
-    headings = [f"{heading} {letter}" for heading in shown for letter in letters(len(summaries))]
+    headings = [
+        f"{headed_in(heading)} {letter}" for heading in shown for letter in letters(len(summaries))
+    ]
     rows = (
         [
             name,
@@ -178,14 +182,14 @@ def _in_all(summaries: Sequence[Summary]) -> Iterator[Values]:
     for name, fact in FACTS.items():
         facts = [fact(one) for one in summaries]
         if any(value is not None for value, _ in facts):
-            yield [name, *chain(*facts)]
+            yield [word(name), *chain(*facts)]
     for loaded in (False, True):
         for key, name in LARGEST.items():
             shown = quantity(key, loaded=loaded)
             lines = [overall(one.largest.get(shown.key, ())) for one in summaries]
             if any(lines):
                 found = [_largest(line, shown.decimals) for line in lines]
-                yield [headed(name, shown.unit), *chain(*found)]
+                yield [word(headed(name, shown.unit)), *chain(*found)]
 
 
 def _largest(line: Largest | None, decimals: int) -> Fact:

@@ -11,7 +11,7 @@ from vstatics.statics.results import Results
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.summary.operation.load_spectrum import Spectrum
-from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of
+from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, Values, exact, grid_of, word
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
 
@@ -56,7 +56,8 @@ def grids(summary: Summary) -> Iterator[Grid]:
 def _design(summary: Summary) -> Grid:
     lines = summary.design.gears
     headings = "gear", "ratio", "next", "step", "efficiency", "state"
-    return grid_of("Gears", headings, lines, key="gears", optional=["state"])
+    rows = ((*line[:-1], word(line.state)) for line in lines)
+    return grid_of("Gears", headings, rows, key="gears", optional=["state"])
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -81,7 +82,7 @@ def _spread(summary: Summary) -> Grid:
 
 def _transitions(summary: Summary) -> Grid:
     rows = [
-        (one.start, one.end, one.skipped, one.word, one.released, one.engaged)
+        (one.start, one.end, one.skipped, word(one.word), one.released, one.engaged)
         for one in summary.transitions
     ]
     headings = "from", "to", "skips", "kind", "released", "engaged"
@@ -93,7 +94,7 @@ def _slip_powers(summary: Summary) -> Grid:
     shifts = [one for one in summary.transitions if not one.skipped]
     loaded = any(math.isfinite(power) for one in shifts for power in one.slip_power_kW.values())
     rows = [
-        (one.start, one.end, name, "up" if name in one.engaged else "down", exact(power, 3))
+        (one.start, one.end, name, word("up" if name in one.engaged else "down"), exact(power, 3))
         for one in shifts
         for name, power in (one.slip_power_kW if loaded else one.slip_power).items()
         if power > 0
@@ -174,7 +175,7 @@ def other_combinations(summary: Summary) -> Grid:
     others = summary.combinations or ()
     title = "Other combinations of shift elements"
     if not others:
-        return Grid(f"{title}: none", (), ())
+        return Grid(f"{title}: none", (), (), key="combinations")
     rows = [(one.ratio, one.efficiency, one.gear, one.engaged, one.holding) for one in others]
     headings = "ratio", "efficiency", "same as", "engaged", "holding"
     return grid_of(title, headings, rows, key="combinations", optional=["holding"])
@@ -213,15 +214,20 @@ def _duty(summary: Summary) -> Iterator[Grid]:
         yield from _spectrum(cycle)
         return
     title = "Duty cycle: share of the input energy, efficiency"
-    rows = [*cycle.stages, ("in all", 1.0, cycle.efficiency)] if cycle else ()
+    rows: list[Values] = [*cycle.stages, (word("in all"), 1.0, cycle.efficiency)] if cycle else []
     yield grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
 
 
 def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     """Energies, and what links, members and clutches carry."""
     unit, energy = ("W" if cycle.are_shares else "J"), cycle.energy
-    lost = [(f"lost: {name}", one) for name, one in energy.lost.items() if one]
-    rows = [("in", energy.in_), ("out", energy.out), *lost, ("efficiency", cycle.efficiency)]
+    lost = [(word(f"lost: {name}"), one) for name, one in energy.lost.items() if one]
+    rows = [
+        (word("in"), energy.in_),
+        (word("out"), energy.out),
+        *lost,
+        (word("efficiency"), cycle.efficiency),
+    ]
     yield grid_of("Duty cycle", ["", f"energy, {unit}"], rows, key="duty")
     members = [
         (

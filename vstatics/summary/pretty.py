@@ -19,12 +19,13 @@ from vstatics.statics.status import STATUSES
 from vstatics.summary.design_table import GearLine, design
 from vstatics.summary.grids import Marks, element_signs
 from vstatics.tables import terminal
-from vstatics.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.tables.grid import Cell, Column, Grid, exact, text, word
 from vstatics.tables.html import table
 from vstatics.tables.numbers import ROUNDED_NUMBER
 from vstatics.tables.ports import port_tables, ports_grid
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
+from vstatics.texts import tr
 
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
@@ -105,7 +106,7 @@ def gears_grid(
     resting = f"{ONE_PIECE} ({IDLE})" if ONE_PIECE in occurring else IDLE
     columns = [
         text("gear"),
-        *(Column(heading, is_sign=True) for heading in headings),
+        *(Column(heading, is_sign=True, is_name=True) for heading in headings),
         *map(Column, ("ratio", "step", "eff.")),
         text("speed, rpm" if rpm else "speed"),
         text("torque, N*m" if torque else "torque"),
@@ -191,7 +192,8 @@ def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
     """What is one piece, what is idle, the latter in brackets or alone; or why no numbers are."""
     status = results.status(number + 1)
     if status.name:
-        return Cell(status.name, style="red" if status.is_fault else "yellow")
+        colour = "red" if status.is_fault else "yellow"
+        return word(status.name)._replace(style=colour)
     names = [device.name for device in results.case.own_devices]
     found = list(zip(names, roles(results, number), strict=True))
     whole, idle = (" ".join(n for n, role in found if role == one) for one in (ONE_PIECE, IDLE))
@@ -209,21 +211,23 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     if names:
         elements = enumerate(case.shift_elements, 1)
         yield ", ".join(f"{number} {element.name}" for number, element in elements)
-    signs = [f"{marks.engaged} engaged"] if any(gear.engaged for gear in case.gears) else []
+    signs = [f"{marks.engaged} {tr('engaged')}"] if any(gear.engaged for gear in case.gears) else []
     if case.freewheels:
-        signs.append(f"{marks.holds} freewheel that holds")
-    signs += ["step: to the next smaller ratio"] * any(line.next for line in design(results).gears)
+        signs.append(f"{marks.holds} {tr('freewheel that holds')}")
+    signs += [tr("step: to the next smaller ratio")] * any(
+        line.next for line in design(results).gears
+    )
     if signs:
         yield "; ".join(signs)
-    of_first = "; of a mechanism the torque on its first link" * (case.drawing is None)
-    by_input = "" if text("speed, rpm") in gears.columns else ", by the input's"
-    yield f"speed, torque: the largest{by_input}{of_first}"
+    of_first = tr("; of a mechanism the torque on its first link") * (case.drawing is None)
+    by_input = "" if text("speed, rpm") in gears.columns else tr(", by the input's")
+    yield f"{tr('speed, torque: the largest')}{by_input}{of_first}"
     found = _all_roles(results)
-    said = [f"{role}: {meaning}" for role, meaning in MEANINGS.items() if role in found]
+    said = [f"{tr(role)}: {tr(meaning)}" for role, meaning in MEANINGS.items() if role in found]
     if said:
         yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
-    yield from (f"{one.name}: {one.meaning}" for one in STATUSES if one in states)
+    yield from (f"{tr(one.name)}: {tr(one.meaning)}" for one in STATUSES if one in states)
 
 
 def html(results: Results) -> str:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import ROUNDED_PART, certain, rounded
+from vstatics.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"
 """Stands for a number that does not exist, and for a list of nothing."""
@@ -28,6 +29,8 @@ class Column(NamedTuple):
     """Of one sign in each row: such columns stand close together at a terminal."""
     over: str = ""
     """What a page writes over it, and over those beside it of which the same is told."""
+    is_name: bool = False
+    """Whether its heading is a name of the case, as all are that have something over them."""
 
 
 Datum = float | int | bool | str | None
@@ -48,6 +51,8 @@ class Cell(NamedTuple):
     """Of what it stands for: float, int, bool; str of words."""
     marks: Mapping[str, str] = {}
     """What a page writes at it as data, for a script."""
+    is_said: bool = False
+    """Whether its text is no name of the case but of this program, which has it in languages."""
     look: str = ""
     """A class that a page gives it besides."""
 
@@ -97,6 +102,27 @@ class Grid(NamedTuple):
             for row, data in zip(self.cells, rows, strict=True)
         ]
 
+    @property
+    def spoken(self) -> Grid:
+        """The same in the language that is spoken, for those who read it; data stay English.
+
+        >>> from vstatics.texts import speaking
+        >>> with speaking("de"):
+        ...     grid_of("Gears", ["gear", "state"], [["R", word("idle")]]).spoken.texts
+        [['R', 'lastfrei']]
+        """
+        if spoken() == "en":
+            return self
+        columns = [
+            one._replace(
+                heading=one.heading if one.over or one.is_name else heading(one.heading),
+                over=tr(one.over) if one.over else "",
+            )
+            for one in self.columns
+        ]
+        made = self._replace(title=title(self.title), columns=columns)
+        return made.changed(_translated)
+
     def with_columns(self, chosen: Sequence[int]) -> Grid:
         """The same with some of its columns."""
         rows = [[row[place] for place in chosen] for row in self.rows]
@@ -120,6 +146,12 @@ class Grid(NamedTuple):
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
         return self.changed(again)
+
+
+def _translated(cell: Cell) -> Cell:
+    """A cell in the language that is spoken; what a sign means is no name."""
+    text = labelled(cell.text) if cell.is_said else cell.text
+    return cell._replace(text=text, says=tr(cell.says))
 
 
 Value = Cell | Datum | Sequence[str]
@@ -156,12 +188,12 @@ def grid_of(
     made = dict(enumerate(zip(*[[_cell(value) for value in row] for row in rows], strict=True)))
     columns: list[Column] = []
     kept: list[Sequence[Cell]] = []
-    for place, heading in enumerate(headings):
+    for place, head in enumerate(headings):
         column = made.get(place, ())
-        if heading in optional and all(cell.text in ("", NOTHING) for cell in column):
+        if head in optional and all(cell.text in ("", NOTHING) for cell in column):
             continue
         is_number = any(cell.kind is not str for cell in column)
-        columns.append(Column(heading, is_number) if isinstance(heading, str) else heading)
+        columns.append(Column(head, is_number) if isinstance(head, str) else head)
         kept.append(column)
     return Grid(title, columns, list(map(list, zip(*kept, strict=True))), key=key)
 
@@ -181,6 +213,11 @@ def _cell(value: Value) -> Cell:
 def text(heading: str) -> Column:
     """A column of words."""
     return Column(heading, is_number=False)
+
+
+def word(text: str) -> Cell:
+    """A cell that says a word of this program, in English; see `Grid.spoken`."""
+    return Cell(text, is_said=True)
 
 
 def exact(

@@ -10,7 +10,19 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans
 from vstatics.statics.results import Results
 from vstatics.statics.roles import roles
-from vstatics.tables.grid import NO, NOTHING, Cell, Column, Grid, exact, grid_of, sign, text, whole
+from vstatics.tables.grid import (
+    NO,
+    NOTHING,
+    Cell,
+    Column,
+    Grid,
+    exact,
+    grid_of,
+    sign,
+    text,
+    whole,
+    word,
+)
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
@@ -46,7 +58,9 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
     def word(cell: Cell, role: str) -> Cell:
-        return cell if cell.text == NOTHING else cell._replace(text=role or NO, says="")
+        return (
+            cell if cell.text == NOTHING else cell._replace(text=role or NO, says="", is_said=True)
+        )
 
     return _by_place(grid, zip(*by_gear, strict=True), word)
 
@@ -59,7 +73,7 @@ def _by_place(grid: Grid, told: Iterable[Sequence[T]], change: Callable[[Cell, T
 
 def of_messages(results: Results) -> Grid:
     """What there is to say of the gears."""
-    rows = ((one.gear, one.severity, one.text) for one in results.messages)
+    rows = ((one.gear, word(one.severity), one.text) for one in results.messages)
     return grid_of("Messages", ["gear", "severity", "message"], rows, key="messages")
 
 

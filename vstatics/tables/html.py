@@ -59,6 +59,15 @@ def joined(*children: str) -> Markup:
     return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
 
 
+def filled(text: str, **places: str) -> Markup:
+    """A text with names in its places, which may be HTML.
+
+    >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
+    '7 &lt; 8 &gt; <b>1</b>'
+    """
+    return Markup(escape(text).format(**{name: joined(one) for name, one in places.items()}))
+
+
 _SHOWN = re.compile(r"<svg\b.*?</svg>|(?<=>)[^<>]+(?=<)|(?<= aria-label=\")[^\"]+", re.DOTALL)
 _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
@@ -119,6 +128,7 @@ def table(grid: Grid, *, headed: bool = True) -> Markup:
     headed : bool
         False where what stands before it says its title.
     """
+    grid = grid.spoken
     if not grid.rows:
         return tag("p", grid.title)
     heading = [tag("h3", grid.title)] * headed
@@ -157,6 +167,7 @@ def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
 
 
 def _is_narrow(grid: Grid) -> bool:
+    grid = grid.spoken
     lines = [[one.heading for one in grid.columns], *grid.texts]
     widths = (max(map(len, texts)) + 2 for texts in zip(*lines, strict=True))
     return bool(grid.rows) and sum(widths) <= NARROW_TABLE

@@ -57,6 +57,7 @@ def escaped(text: str) -> str:
 
 
 def _lines(grid: Grid) -> Iterator[str]:
+    grid = grid.spoken
     yield rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
     if not grid.rows:
         return

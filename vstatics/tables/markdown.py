@@ -41,6 +41,7 @@ def escaped(text: str) -> str:
 
 
 def _lines(grid: Grid) -> Iterator[str]:
+    grid = grid.spoken
     yield f"**{escaped(grid.title)}**"
     if not grid.rows:
         return

@@ -11,7 +11,7 @@ from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
 from vstatics.statics.state import GearState
 from vstatics.tables.answer import Sometimes, told
-from vstatics.tables.grid import Cell, Grid, exact, grid_of
+from vstatics.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
@@ -151,6 +151,6 @@ def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
 
     for name, port in gear.rows:
         numbers = (cell(getattr(port, what), what, unit) for what, unit in MEASURES)
-        yield [name, *numbers, port.way]
+        yield [name, *numbers, word(port.way)]
     for name, lost in gear.losses:
-        yield [f"lost: {name}", "", "", cell(lost, "power", "kW"), ""]
+        yield [word(f"lost: {name}"), "", "", cell(lost, "power", "kW"), ""]

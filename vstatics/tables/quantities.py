@@ -15,22 +15,11 @@ import numpy as np
 
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import ARRAYS, Rows
-from vstatics.statics.results import Language, Results
+from vstatics.statics.results import Results
 from vstatics.statics.status import LOCKED
 
 KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
 """How the numbers of an array are written."""
-
-
-class Phrase(NamedTuple):
-    """A text in the languages of a listing; headings are without their colon."""
-
-    en: str
-    ru: str
-
-    def text(self, lang: Language) -> str:
-        """The text in one of them."""
-        return self.ru if lang == "ru" else self.en
 
 
 class Quantity(NamedTuple):
@@ -42,11 +31,11 @@ class Quantity(NamedTuple):
     """In JSON and CSV, one of the other two: the deck's, or that of the library."""
     alias: str
     """The deck's name, or one of its kind where the deck has none."""
-    heading: Phrase
-    """In a listing."""
+    heading: str
+    """In a listing, without its colon."""
     own_title: str = ""
-    """In a report, where it is not the English heading."""
-    members: tuple[Phrase, Phrase] | None = None
+    """In a report, where it is not that heading."""
+    members: tuple[str, str] | None = None
     """Over the second part of a printed table of torques: of mechanisms and the output, and
     of what a drawn case has in place of them. None: the table has one part."""
     own_rows: Rows | None = None
@@ -62,7 +51,7 @@ class Quantity(NamedTuple):
     """In a report."""
     with_load: str = ""
     """The unit in which it is shown, too, where the case has a load."""
-    brief: Phrase | None = None
+    brief: str = ""
     """Over the table in that unit, instead of the heading."""
     unit: str = ""
     """Of its numbers; empty: relative to the input."""
@@ -77,7 +66,7 @@ class Quantity(NamedTuple):
     @property
     def title(self) -> str:
         """In a report."""
-        return self.own_title or self.heading.en
+        return self.own_title or self.heading
 
     @property
     def rows(self) -> Rows:
@@ -113,15 +102,14 @@ class Table(NamedTuple):
 class _Unit(NamedTuple):
     """A unit as headings write it, and the decimals of a report."""
 
-    en: str
-    ru: str
+    text: str
     decimals: int
 
 
 UNITS = {
-    "rpm": _Unit("rpm", "об/мин", 1),
-    "Nm": _Unit("N*m", "Н*м", 1),
-    "kW": _Unit("kW", "кВт", 3),
+    "rpm": _Unit("rpm", 1),
+    "Nm": _Unit("N*m", 1),
+    "kW": _Unit("kW", 3),
 }
 """What numbers have with a load, as it stands at the end of a key."""
 
@@ -132,7 +120,7 @@ def headed(name: str, unit: str) -> str:
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
     """
-    return f"{name}, {UNITS[unit].en}" if unit else name
+    return f"{name}, {UNITS[unit].text}" if unit else name
 
 
 def in_unit(quantity: Quantity) -> Quantity:
@@ -142,7 +130,7 @@ def in_unit(quantity: Quantity) -> Quantity:
     --------
     >>> from vstatics.tables.quantities import BY_NAME
     >>> slip = in_unit(BY_NAME["slip_speeds"])
-    >>> slip.name, slip.alias, slip.printed, slip.heading.en
+    >>> slip.name, slip.alias, slip.printed, slip.heading
     ('slip_speeds_rpm', 'WFRI_rpm', 'WFRIRPM', 'Slip speeds of clutches and brakes, rpm')
     """
     unit = quantity.with_load
@@ -152,7 +140,7 @@ def in_unit(quantity: Quantity) -> Quantity:
         f"{quantity.name}_{unit}",
         f"{quantity.key}_{unit}",
         f"{quantity.alias}_{unit}",
-        Phrase(f"{heading.en}, {written.en}", f"{heading.ru}, {written.ru}"),
+        f"{heading}, {written.text}",
         own_rows=quantity.rows,
         exists=quantity.exists,
         decimals=written.decimals,
@@ -170,157 +158,214 @@ def _has_meshes(results: Results) -> bool:
     return bool(results.mesh_torques.shape[-1])
 
 
-# fmt: off
 RELATIVE = (
     # name in the library, key in JSON and CSV, alias
-    Quantity("distribution_matrix", "AJK", "AJK", Phrase(
+    Quantity(
+        "distribution_matrix",
+        "AJK",
+        "AJK",
         "Structural-distribution matrix, KLG = KL + KG",
-        "Структурно-распределительная матрица, KLG = KL + KG"),
-        own_title="Structural-distribution matrix", published=True,
-        own_rows="links", columns="devices"),
-    Quantity("speeds", "W", "W", Phrase(
+        own_title="Structural-distribution matrix",
+        published=True,
+        own_rows="links",
+        columns="devices",
+    ),
+    Quantity(
+        "speeds",
+        "W",
+        "W",
         "A. Speeds of the links in each gear",
-        "А. Угловые скорости звеньев на передачах"),
-        own_title="Speeds of the links", published=True,
-        with_load="rpm", brief=Phrase("Speeds of the links", "Скорости звеньев")),
-    Quantity("planet_speeds", "WSAT", "WSAT", Phrase(
+        own_title="Speeds of the links",
+        published=True,
+        with_load="rpm",
+        brief="Speeds of the links",
+    ),
+    Quantity(
+        "planet_speeds",
+        "WSAT",
+        "WSAT",
         "Speeds of the planets against the carrier",
-        "Скорости сателлитов относительно водила"),
-        published=True, with_load="rpm"),
-    Quantity("slip_speeds", "WFRI", "WFRI", Phrase(
+        published=True,
+        with_load="rpm",
+    ),
+    Quantity(
+        "slip_speeds",
+        "WFRI",
+        "WFRI",
         "Slip speeds of clutches and brakes",
-        "Скорости скольжения муфт и тормозов"),
-        published=True, with_load="rpm"),
-    Quantity("torques", "AMLG", "AMLG", Phrase(
+        published=True,
+        with_load="rpm",
+    ),
+    Quantity(
+        "torques",
+        "AMLG",
+        "AMLG",
         "B. Torques of clutches and brakes, without losses",
-        "Б. Моменты муфт и тормозов без потерь"),
         own_title="Torques of shift elements, mechanisms and the output (Mx), without losses",
-        members=(Phrase(
+        members=(
             "Torques of mechanisms and output, KLG1 = KLG + 1, without losses",
-            "Моменты механизмов и выходного звена, KLG1 = KLG + 1, без потерь"), Phrase(
             "Torques of the members of the elements and of the output, without losses",
-            "Моменты звеньев элементов и выходного звена без потерь")),
-        published=True, with_load="Nm",
-        brief=Phrase("Torques without losses", "Моменты без потерь")),
-    Quantity("lossy_torques", "AMLGP", "AMLGP", Phrase(
+        ),
+        published=True,
+        with_load="Nm",
+        brief="Torques without losses",
+    ),
+    Quantity(
+        "lossy_torques",
+        "AMLGP",
+        "AMLGP",
         "C. Torques of clutches and brakes, with losses",
-        "В. Моменты муфт и тормозов с учетом потерь"),
         own_title="Torques of shift elements, mechanisms and the output (Mx), with losses",
-        members=(Phrase(
+        members=(
             "Torques of mechanisms and output, with losses",
-            "Моменты механизмов и выходного звена с учетом потерь"), Phrase(
             "Torques of the members of the elements and of the output, with losses",
-            "Моменты звеньев элементов и выходного звена с учетом потерь")),
-        published=True, with_load="Nm",
-        brief=Phrase("Torques with losses", "Моменты с учетом потерь")),
-    Quantity("efficiency", "ETA", "ETA", Phrase(
-        "Efficiency of the gears",
-        "КПД на передачах"), published=True, decimals=4),
-    Quantity("power_sign", "IX", "IX", Phrase(
+        ),
+        published=True,
+        with_load="Nm",
+        brief="Torques with losses",
+    ),
+    Quantity("efficiency", "ETA", "ETA", "Efficiency of the gears", published=True, decimals=4),
+    Quantity(
+        "power_sign",
+        "IX",
+        "IX",
         "Sign of the power flow, first link drives (+1) or is driven (-1)",
-        "Признак ведущего (+1) или ведомого (-1) первого звена механизма"),
-        is_sign=True, published=True),
-    Quantity("ratio", "ratio", "RATIO", Phrase(
-        "Ratio of the gears, input speed to output speed",
-        "Передаточные отношения на передачах")),
-    Quantity("idle", "idle", "IDLING", Phrase(
+        is_sign=True,
+        published=True,
+    ),
+    Quantity("ratio", "ratio", "RATIO", "Ratio of the gears, input speed to output speed"),
+    Quantity(
+        "idle",
+        "idle",
+        "IDLING",
         "Mechanisms without flow of power",
-        "Механизмы без потока мощности"), own_title="Mechanisms that are idle, or one piece"),
-    Quantity("losses", "losses", "LOSS", Phrase(
+        own_title="Mechanisms that are idle, or one piece",
+    ),
+    Quantity(
+        "losses",
+        "losses",
+        "LOSS",
         "Power lost in the mechanisms",
-        "Потери мощности в механизмах"),
-        decimals=4, with_load="kW", brief=Phrase("Power lost", "Потери мощности")),
-    Quantity("power_balance", "power_balance", "BALANCE", Phrase(
-        "Balance of power, external power less losses",
-        "Баланс мощностей")),
-    Quantity("consistent", "consistent", "CONSISTENT", Phrase(
-        "Directions of power agree with the losses",
-        "Направления потоков согласованы с потерями")),
-    Quantity("locked", "locked", "LOCKED", Phrase(
-        LOCKED.english.capitalize(),
-        "Самоторможение")),
-    Quantity("dragged", "dragged", "DRAGGED", Phrase(
+        decimals=4,
+        with_load="kW",
+        brief="Power lost",
+    ),
+    Quantity(
+        "power_balance", "power_balance", "BALANCE", "Balance of power, external power less losses"
+    ),
+    Quantity("consistent", "consistent", "CONSISTENT", "Directions of power agree with the losses"),
+    Quantity("locked", "locked", "LOCKED", LOCKED.english.capitalize()),
+    Quantity(
+        "dragged",
+        "dragged",
+        "DRAGGED",
         "Drag takes more than the input gives",
-        "Сопротивления больше подводимого момента"),
-        exists=lambda results: results.case.has_drag),
-    Quantity("holding_torques", "AMWZ", "AMWZ", Phrase(
+        exists=lambda results: results.case.has_drag,
+    ),
+    Quantity(
+        "holding_torques",
+        "AMWZ",
+        "AMWZ",
         "Torques that hold the given speeds, without losses",
-        "Моменты, удерживающие заданные скорости, без потерь"),
-        exists=_has_given_speeds, with_load="Nm"),
-    Quantity("lossy_holding_torques", "AMWZP", "AMWZP", Phrase(
+        exists=_has_given_speeds,
+        with_load="Nm",
+    ),
+    Quantity(
+        "lossy_holding_torques",
+        "AMWZP",
+        "AMWZP",
         "Torques that hold the given speeds, with losses",
-        "Моменты, удерживающие заданные скорости, с учетом потерь"),
-        exists=_has_given_speeds, with_load="Nm"),
-    Quantity("drag_losses", "drag_losses", "DRAG", Phrase(
+        exists=_has_given_speeds,
+        with_load="Nm",
+    ),
+    Quantity(
+        "drag_losses",
+        "drag_losses",
+        "DRAG",
         "Power that drag of bearings, oil and open elements takes",
-        "Потери мощности от трения подшипников, масла и открытых муфт"),
-        exists=lambda results: results.case.has_drag, decimals=4, with_load="kW",
-        brief=Phrase("Power that drag takes", "Потери мощности от сопротивлений вращению")),
-    Quantity("holds", "holds", "HOLDS", Phrase(
+        exists=lambda results: results.case.has_drag,
+        decimals=4,
+        with_load="kW",
+        brief="Power that drag takes",
+    ),
+    Quantity(
+        "holds",
+        "holds",
+        "HOLDS",
         "Elements that are engaged, and freewheels that hold",
-        "Включенные элементы и замкнутые муфты свободного хода"),
-        exists=lambda results: bool(results.case.freewheels)),
-    Quantity("mesh_torques", "mesh_torques", "MESH", Phrase(
+        exists=lambda results: bool(results.case.freewheels),
+    ),
+    Quantity(
+        "mesh_torques",
+        "mesh_torques",
+        "MESH",
         "Torques of the meshes, on the first wheel or planet, without losses",
-        "Моменты зацеплений на первом колесе или сателлите без потерь"),
-        exists=_has_meshes, with_load="Nm",
-        brief=Phrase("Torques of the meshes without losses", "Моменты зацеплений без потерь")),
-    Quantity("lossy_mesh_torques", "lossy_mesh_torques", "MESHP", Phrase(
+        exists=_has_meshes,
+        with_load="Nm",
+        brief="Torques of the meshes without losses",
+    ),
+    Quantity(
+        "lossy_mesh_torques",
+        "lossy_mesh_torques",
+        "MESHP",
         "Torques of the meshes, with losses",
-        "Моменты зацеплений с учетом потерь"),
-        exists=_has_meshes, with_load="Nm",
-        brief=Phrase("Torques of the meshes with losses", "Моменты зацеплений с учетом потерь")),
+        exists=_has_meshes,
+        with_load="Nm",
+        brief="Torques of the meshes with losses",
+    ),
 )
 """Those without a unit, in the order in which they are written."""
 
 _ASKED = (
-    Quantity("output_torque", "output_torque", "Mx", Phrase(
+    Quantity(
+        "output_torque",
+        "output_torque",
+        "Mx",
         "Output torque, without losses",
-        "Момент на выходном звене без потерь"), own_rows="one", with_load="Nm"),
-    Quantity("lossy_output_torque", "lossy_output_torque", "MxP", Phrase(
+        own_rows="one",
+        with_load="Nm",
+    ),
+    Quantity(
+        "lossy_output_torque",
+        "lossy_output_torque",
+        "MxP",
         "Output torque, with losses",
-        "Момент на выходном звене с учетом потерь"), own_rows="one", with_load="Nm"),
-    Quantity("mesh_losses", "mesh_losses", "MESHLOSS", Phrase(
+        own_rows="one",
+        with_load="Nm",
+    ),
+    Quantity(
+        "mesh_losses",
+        "mesh_losses",
+        "MESHLOSS",
         "Power lost in the meshes",
-        "Потери мощности в зацеплениях"), exists=_has_meshes, decimals=4, with_load="kW"),
-    Quantity("undecided", "undecided", "UNDECIDED", Phrase(
-        "Search for directions of power was cut short",
-        "Поиск направлений потоков прерван")),
-    Quantity("turned", "turned", "TURNED", Phrase(
-        "Losses turn the flow round",
-        "Потери меняют направление потока")),
-    Quantity("choices", "choices", "CHOICES", Phrase(
-        "Sets of signs that agree with their flow",
-        "Число согласованных наборов признаков")),
-    Quantity("tied_up", "tied_up", "TIEDUP", Phrase(
-        "Conditions for the speeds contradict each other",
-        "Условия для скоростей противоречивы")),
-    Quantity("conflict", "conflict", "CONFLICT", Phrase(
-        "A freewheel can neither hold nor overrun",
-        "Муфта свободного хода не может ни замкнуться, ни разомкнуться")),
-    Quantity("exact", "exact", "EXACT", Phrase(
-        "Calculated in fractions, as rounding leaves few digits",
-        "Расчет в дробях, так как округление оставляет мало цифр")),
-    Quantity("balanced", "balanced", "BALANCED", Phrase(
-        "Torques without losses exist",
-        "Моменты без потерь существуют")),
-    Quantity("missing", "missing", "MISSING", Phrase(
-        "Conditions that the speeds lack",
-        "Недостающие условия для скоростей")),
-    Quantity("excess", "excess", "EXCESS", Phrase(
-        "Conditions that others imply or contradict",
-        "Избыточные условия для скоростей")),
+        exists=_has_meshes,
+        decimals=4,
+        with_load="kW",
+    ),
+    Quantity("undecided", "undecided", "UNDECIDED", "Search for directions of power was cut short"),
+    Quantity("turned", "turned", "TURNED", "Losses turn the flow round"),
+    Quantity("choices", "choices", "CHOICES", "Sets of signs that agree with their flow"),
+    Quantity("tied_up", "tied_up", "TIEDUP", "Conditions for the speeds contradict each other"),
+    Quantity("conflict", "conflict", "CONFLICT", "A freewheel can neither hold nor overrun"),
+    Quantity("exact", "exact", "EXACT", "Calculated in fractions, as rounding leaves few digits"),
+    Quantity("balanced", "balanced", "BALANCED", "Torques without losses exist"),
+    Quantity("missing", "missing", "MISSING", "Conditions that the speeds lack"),
+    Quantity("excess", "excess", "EXCESS", "Conditions that others imply or contradict"),
 )
 
 _PORTS = (
-    Quantity("input_power_kW", "input_power_kW", "PIN_kW", Phrase(
-        "Input power, kW",
-        "Мощность на входе, кВт"), own_rows="one", unit="kW"),
-    Quantity("output_power_kW", "output_power_kW", "POUT_kW", Phrase(
+    Quantity(
+        "input_power_kW", "input_power_kW", "PIN_kW", "Input power, kW", own_rows="one", unit="kW"
+    ),
+    Quantity(
+        "output_power_kW",
+        "output_power_kW",
+        "POUT_kW",
         "Output power with losses, kW",
-        "Мощность на выходе с учетом потерь, кВт"), own_rows="one", unit="kW"),
+        own_rows="one",
+        unit="kW",
+    ),
 )
-# fmt: on
 
 _ORDER: tuple[Rows, ...] = ("torques", "meshes", "links", "planets", "devices", "elements", "one")
 

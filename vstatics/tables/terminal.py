@@ -43,6 +43,7 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     keys : int, optional
         So many columns stand in each of the tables.
     """
+    grid = grid.spoken
     places = [_place(grid, group) for group in _groups(grid)]
     parts = [list(range(keys))]
     for number in range(keys, len(places)):
@@ -54,6 +55,7 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
 
 def natural_width(grid: Grid) -> int:
     """The width of a table whose lines are not folded, in characters."""
+    grid = grid.spoken
     return _sum(_place(grid, group).natural for group in _groups(grid))
 
 

@@ -47,6 +47,7 @@ def lines(
     indent : str, optional
         Before everything but the title.
     """
+    grid = grid.spoken
     if grid.title:
         yield grid.title
     if not grid.rows:

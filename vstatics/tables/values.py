@@ -13,7 +13,7 @@ from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.physical import known_units
 from vstatics.statics.result_arrays import all_row_names
 from vstatics.statics.results import Results
-from vstatics.tables.quantities import RELATIVE, WITH_UNITS, Phrase, Quantity, Table
+from vstatics.tables.quantities import RELATIVE, WITH_UNITS, Quantity, Table
 
 
 def tables(results: Results) -> list[Table]:
@@ -60,9 +60,7 @@ def _existing(quantities: Sequence[Quantity], results: Results) -> list[Quantity
 WORDS = {
     "KLG = KL + KG": "KLG = KL + KG + KSPR",
     "mechanisms and output": "mechanisms, springs and output",
-    "механизмов и выходного": "механизмов, пружин и выходного",
     "the elements and of the output": "the elements, of springs and of the output",
-    "звеньев элементов и выходного": "звеньев элементов, пружин и выходного",
     "mechanisms and the output": "mechanisms, springs and the output",
 }
 """Words of headings, and what stands there where a case has springs."""
@@ -77,14 +75,10 @@ def among_springs(quantity: Quantity) -> Quantity:
     """
     members = quantity.members
     return quantity._replace(
-        heading=_phrase(quantity.heading),
+        heading=_worded(quantity.heading),
         own_title=_worded(quantity.own_title),
-        members=None if members is None else (_phrase(members[0]), _phrase(members[1])),
+        members=None if members is None else (_worded(members[0]), _worded(members[1])),
     )
-
-
-def _phrase(phrase: Phrase) -> Phrase:
-    return Phrase(_worded(phrase.en), _worded(phrase.ru))
 
 
 def _worded(heading: str) -> str:

@@ -8,50 +8,15 @@ from typing import TYPE_CHECKING, Any
 from vstatics.model.parts import element_name, mechanism_name
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.readers.deck.table import FIELDS
-from vstatics.statics.results import Language
 from vstatics.tables.numbers import exponent
+from vstatics.texts import Language, translated
 
 if TYPE_CHECKING:
     from vstatics.model.shape import ByKey
 
 SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
-RUSSIAN = {
-    "STRUCTURE": "СТРУКТУРА",
-    "Shift elements, first links:": "Первые звенья элементов управления:",
-    "Shift elements, second links (0 is the housing):": (
-        "Вторые звенья элементов управления (0 - корпус):"
-    ),
-    "Mechanisms, first links (suns):": "Первые звенья механизмов (солнечные колеса):",
-    "Mechanisms, second links (rings):": "Вторые звенья механизмов (эпициклы):",
-    "Mechanisms, third links (carriers; 0 if there is none):": (
-        "Третьи звенья механизмов (водила; 0, если их нет):"
-    ),
-    "Ratios, third link held:": "Передаточные числа при неподвижном третьем звене:",
-    "Efficiencies, third link held:": "КПД при неподвижном третьем звене:",
-    "Mechanisms with a planet ratio of their own:": (
-        "Механизмы с заданным отношением к сателлиту:"
-    ),
-    "Ratios from the first link to the planet:": "Отношения от первого звена к сателлиту:",
-    SPRINGS: "Пружины, их закрутки по звеньям (в колоде их нет: нужен YAML или JSON):",
-    "GEARS": "ПЕРЕДАЧИ",
-    "Engaged elements in each gear:": "Сколько элементов включено на каждой передаче:",
-    "Their numbers, a line for each gear:": "Их номера, строка на каждую передачу:",
-    "Further given speeds in each gear:": "Сколько скоростей задано дополнительно:",
-    "Further external torques in each gear:": "Сколько внешних моментов задано дополнительно:",
-    "Their links:": "Их звенья:",
-    "Their values:": "Их значения:",
-    "Further conditions:": "Прочие условия:",
-    "Input link in each gear (0: that of the case):": (
-        "Входное звено на каждой передаче (0 - общее):"
-    ),
-    "Output link in each gear (0: that of the case):": (
-        "Выходное звено на каждой передаче (0 - общее):"
-    ),
-    "Given names:": "Обозначения:",
-}
-"""The headings in Russian. None of them may start like a field or a line NAME."""
-
-
+NAME = "NAME "
+"""Begins a line that gives a name."""
 KINDS = {
     "dog_clutch": "that {} is a dog clutch",
     "freewheel": "that {} is a freewheel; it is engaged where it holds",
@@ -80,8 +45,8 @@ def write(case: Transmission, lang: Language = "en") -> str:
         Language of the headings.
     """
     lines = [*template(case), *_conditions(case), *_names(case)]
-    if lang == "ru":
-        lines = [RUSSIAN.get(line, line) for line in lines]
+    if lang != "en":
+        lines = [line if line.startswith(NAME) else translated(line, lang) for line in lines]
     return "\n".join(lines) + "\n"
 
 
@@ -225,7 +190,7 @@ def _names(case: Transmission) -> Iterator[str]:
         *((f"D{n}", part.name, mechanism_name(n)) for n, part in enumerate(case.mechanisms, 1)),
         *((f"P{n}", gear.name, str(n)) for n, gear in enumerate(case.gears, 1)),
     ]
-    named = [f"NAME {part}: {name}" for part, name, default in names if name != default]
+    named = [f"{NAME}{part}: {name}" for part, name, default in names if name != default]
     if named:
         yield "Given names:"
         yield from named

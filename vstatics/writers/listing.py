@@ -10,29 +10,24 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from vstatics.model.transmission import Transmission
-from vstatics.statics.results import Language, Results
+from vstatics.statics.results import Results
 from vstatics.tables.names import BEFORE_NAME, ROWS
 from vstatics.tables.numbers import fixed_rows
-from vstatics.tables.quantities import Phrase, Quantity, Table
+from vstatics.tables.quantities import Quantity, Table
 from vstatics.tables.values import tables
+from vstatics.texts import Language, heading, speaking, tr
 from vstatics.writers import deck
 
-RESULTS = Phrase("RESULTS", "РЕЗУЛЬТАТЫ РАСЧЕТОВ")
-CONVENTIONS = Phrase(
+RESULTS = "RESULTS"
+CONVENTIONS = (
     "Conventions: speeds relative to the input speed, torques to the input torque;\n"
     "a torque is that on the first link of its device, the last one (KLG1) is the\n"
-    "output torque, given to the load; ratio is w_input/w_output.",
-    "Условности: скорости отнесены к скорости входа, моменты - к моменту входа;\n"
-    "момент устройства - на его первом звене, последний (KLG1) - на выходном\n"
-    "звене, отдаваемый нагрузке; передаточное отношение - w_вход/w_выход.",
+    "output torque, given to the load; ratio is w_input/w_output."
 )
-COASTING = Phrase(
-    "Coasting: the power enters at the output; in this scaling losses are below 0.",
-    "Торможение двигателем: мощность входит с выхода, потери при этом меньше 0.",
-)
+COASTING = "Coasting: the power enters at the output; in this scaling losses are below 0."
 LISTING_DECIMALS = 3
 """After the point, as published."""
-MESSAGES = Phrase("Messages:", "Сообщения:")
+MESSAGES = "Messages:"
 
 
 def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMALS) -> str:
@@ -45,39 +40,34 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
     digits : int
         After the point.
     """
-    lines = [
-        deck.write(results.with_numbers_only, lang),
-        RESULTS.text(lang),
-        CONVENTIONS.text(lang),
-    ]
-    case = results.case
-    coasting = [gear.name for gear in case.gears if case.coasts(gear)]
-    if coasting:
-        gears = f" ({', '.join(coasting)})" * (len(coasting) < len(case.gears))
-        lines.append(COASTING.text(lang) + gears)
-    lines += [*table_lines(results, tables(results), lang, digits), *messages(results, lang)]
+    with speaking(lang):
+        lines = [deck.write(results.with_numbers_only, lang), tr(RESULTS), tr(CONVENTIONS)]
+        case = results.case
+        coasting = [gear.name for gear in case.gears if case.coasts(gear)]
+        if coasting:
+            gears = f" ({', '.join(coasting)})" * (len(coasting) < len(case.gears))
+            lines.append(tr(COASTING) + gears)
+        lines += [*table_lines(results, tables(results), digits), *messages(results)]
     return "\n".join(lines) + "\n"
 
 
-def table_lines(
-    results: Results, shown: Iterable[Table], lang: Language, digits: int
-) -> Iterator[str]:
+def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterator[str]:
     """Some tables of the results, each below its heading."""
     named = results.case.has_own_rows
     for table in shown:
-        for heading, indices, part in parts(table, results.case):
+        for title, indices, part in parts(table, results.case):
             mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
-            yield from ("", f"{heading.text(lang)}{mark}:", indices)
+            yield from ("", f"{heading(title)}{mark}:", indices)
             yield from _rows(part, digits, named=named and table.quantity.rows != "one")
 
 
-def messages(results: Results, lang: Language) -> list[str]:
+def messages(results: Results) -> list[str]:
     """What is said of the gears, if anything is."""
     said = [*map(str, results.messages)]
-    return ["", MESSAGES.text(lang), *said] if said else said
+    return ["", tr(MESSAGES), *said] if said else said
 
 
-def parts(table: Table, case: Transmission) -> Iterator[tuple[Phrase, str, Table]]:
+def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
     """What is printed of a table: heading, index list and rows; torques in two parts."""
     quantity = table.quantity
     if quantity.members is None:

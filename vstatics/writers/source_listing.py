@@ -10,6 +10,7 @@ from vstatics.statics.results import Results
 from vstatics.tables.numbers import fixed_rows
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
+from vstatics.texts import speaking, translated
 from vstatics.writers import deck, listing
 
 STRUCTURE = """\
@@ -135,8 +136,9 @@ def write(
             lines += _printed(table, results.case, digits)
     if own_tables:
         own = [table for table in shown if not table.quantity.published]
-        lines += listing.table_lines(results, own, "ru", digits)
-        lines += listing.messages(results, "ru")
+        with speaking("ru"):
+            lines += listing.table_lines(results, own, digits)
+            lines += listing.messages(results)
     return "\n".join(lines) + "\n"
 
 
@@ -146,7 +148,7 @@ def _check(case: Transmission) -> None:
     foreign = [*springs, *(one.name for one in case.mechanisms if one.kind)]
     if foreign:
         message = f"the source's listing has no fields for {listed(foreign)}"
-        raise CaseError("E870", f"{message}; expected --lang en or ru")
+        raise CaseError("E870", f"{message}; expected --lang en, de or ru")
 
 
 def _given(case: Transmission) -> Iterator[str]:
@@ -156,7 +158,7 @@ def _given(case: Transmission) -> Iterator[str]:
         if line.startswith(BELOW):
             yield from (f"{name}{colon.strip()}", numbers)
         else:
-            yield GIVEN.get(line) or deck.RUSSIAN.get(line, line)
+            yield GIVEN.get(line) or translated(line, "ru")
 
 
 def _printed(table: Table, case: Transmission, digits: int) -> Iterator[str]:

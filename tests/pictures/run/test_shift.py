@@ -68,7 +68,7 @@ def test_an_element_slips_until_it_locks_and_what_never_carries_is_left_out() ->
 
 def test_panels_have_what_moves(results: Results) -> None:
     shown = {
-        panel.english: [name for line in panel.lines for name in line.names]
+        panel.text: [name for line in panel.lines for name in line.names]
         for panel in panels(results.case, run())
     }
     assert shown == {

@@ -157,7 +157,7 @@ def test_rows_of_a_link_are_left_and_escape_brings_all_back(page: Any) -> None:
     assert page.evaluate(rows, "AMLG") == ["P2"]
     assert page.evaluate(rows, "WFRI") == []
     hidden = page.locator("main tbody tr[hidden]").count()
-    assert page.text_content("#hidden-rows") == f"{hidden} rows hidden"
+    assert page.text_content("#hidden-rows") == f"rows hidden: {hidden}"
     page.fill("#links", "nobody")
     assert page.text_content("#hidden-rows") == "no link nobody"
     assert page.evaluate(rows, "AMLG") == every

@@ -21,8 +21,9 @@ from vstatics.model.checks import hints
 from vstatics.model.open_converters import with_needed_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
-from vstatics.statics.results import Language, Results
+from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
+from vstatics.texts import Language
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile

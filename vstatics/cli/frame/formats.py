@@ -14,11 +14,13 @@ from vstatics.cli.frame.options import Command, gathered, refuse
 from vstatics.errors import Problem, ReadError
 from vstatics.extras import missing
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.statics.results import Language
 from vstatics.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
+from vstatics.texts import Language
 
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """The formats of a command with tables."""
+READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
+"""They have words in the language that is asked for."""
 FULL = ("json", "jsonl", "csv", "parquet")
 """They have all digits of a number."""
 STREAMS = ("jsonl", "parquet")
@@ -49,6 +51,12 @@ class Destination(NamedTuple):
     def suffix(self) -> str:
         """Of a file in a directory."""
         return SUFFIXES[self.form][0]
+
+    @property
+    def language(self) -> Language:
+        """Of the words; what programs read stays English."""
+        lang = self.style.lang
+        return lang if lang != "source" and self.form in READ_BY_PEOPLE else "en"
 
     @property
     def is_text(self) -> bool:

@@ -14,6 +14,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import Destination
 from vstatics.tables.grid import Grid
+from vstatics.texts import speaking
 
 if TYPE_CHECKING:
     from vstatics.jobs.finished_cases import FinishedCases
@@ -66,11 +67,12 @@ FRAMES = {
 
 def alone(file: str, shown: CaseOutput, to: Destination) -> Sequence[bytes]:
     """The text of a case by itself, or the pages of its picture."""
-    if to.form in shown.by_format:
-        return _pages(shown, to)
-    if to.form in ("json", "jsonl"):
-        return [_bytes(_json(file, shown, to), to)]
-    return [b"".join(_of_grids([_tables(file, shown, to)], to, several=False))]
+    with speaking(to.language):
+        if to.form in shown.by_format:
+            return _pages(shown, to)
+        if to.form in ("json", "jsonl"):
+            return [_bytes(_json(file, shown, to), to)]
+        return [b"".join(_of_grids([_tables(file, shown, to)], to, several=False))]
 
 
 def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Sequence[bytes]:
@@ -87,12 +89,13 @@ def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destina
         return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
-    if to.form in shown.by_format:
-        made = b"".join(_pages(shown, to, file))
-    elif to.is_text:
-        [made] = alone(file, shown, to)
-    else:
-        return _tables(file, shown, to)
+    with speaking(to.language):
+        if to.form in shown.by_format:
+            made = b"".join(_pages(shown, to, file))
+        elif to.is_text:
+            [made] = alone(file, shown, to)
+        else:
+            return _tables(file, shown, to)
     return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + made
 
 
@@ -150,7 +153,9 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
         writer = {"latex": latex, "markdown": markdown}.get(to.form, plain)
         for number, one in enumerate(cases):
-            yield _bytes("\n" * bool(number) + writer.write(one.titles, one.grids), to)
+            with speaking(to.language):
+                made = writer.write(one.titles, one.grids)
+            yield _bytes("\n" * bool(number) + made, to)
 
 
 def _json(file: str, shown: CaseOutput, to: Destination) -> str:

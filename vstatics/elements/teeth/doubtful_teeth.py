@@ -109,18 +109,40 @@ def _place(element: Element, about: Key | None) -> Path:
     return ("teeth", about) if about in element.teeth else ("teeth",)
 
 
+def fitting(element: Element) -> Iterator[Teeth]:
+    """Teeth near those of an element with which it can be put together, the nearest first.
+
+    Nothing for what has no teeth that are checked.
+
+    >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
+    >>> next(fitting(Element("P", "planetary", members, teeth, planets=4)))
+    {'planet': 23, 0: 30, 1: 76}
+    """
+    subject = _subject(element)
+    if subject is None:
+        return
+    least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
+    for teeth in that_go_in(subject, nearest(subject.space)):
+        if _is_right(subject, teeth, least):
+            yield teeth
+
+
+def _is_right(subject: Subject, teeth: Teeth, least: int) -> bool:
+    """Nothing to cure, and no wheel that newly needs a shifted profile."""
+    return (
+        min(teeth.values()) >= min(least, UNCUT)
+        and 1 not in subject.ratios(teeth)  # one piece
+        and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
+    )
+
+
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
     """The doubts about an element; the first that teeth cure has the nearest that leave none."""
     found = [*_wrong(subject)]
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
 
     def is_right(teeth: Teeth) -> bool:
-        """Nothing to cure, and no wheel that newly needs a shifted profile."""
-        return (
-            min(teeth.values()) >= min(least, UNCUT)
-            and 1 not in subject.ratios(teeth)  # one piece
-            and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
-        )
+        return _is_right(subject, teeth, least)
 
     cures, has_cure = "", True
     if any(doubt.has_cure for doubt in found):

@@ -89,7 +89,7 @@ def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool
                 for to, middle, long in zip(at, place, own.size, strict=True)
             )
             pen.line(at, (x, y), color=pen.style.soft, width=0.5, zorder=7)
-        said = f"{pen.style.text('boxes', 'схемы')} {text}"
+        said = f"{pen.style.text('boxes')} {text}"
         pen.text(*place, text, title=said, over=True, ha="center", va="center", zorder=8)
     return any("+" in text for _, text in texts)
 

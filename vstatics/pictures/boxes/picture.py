@@ -22,9 +22,9 @@ from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
 from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point, wrapped
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import MARGIN, SIZE, SMALL_NUMBER, Style, number
-from vstatics.pictures.sheet.words import term
 from vstatics.summary.contrast import letters
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
+from vstatics.texts import Language
 
 POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
 """Of the axes, over diagrams or alone. [pt]"""
@@ -85,9 +85,11 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]
     return files_of(figures, form, style, "found boxes")
 
 
-def render_points(listing: BoxListing, drawn: Sequence[ListedBox]) -> bytes:
+def render_points(
+    listing: BoxListing, drawn: Sequence[ListedBox], language: Language = "en"
+) -> bytes:
     """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
-    style = Style(titled=False)
+    style = Style(language, titled=False)
     with settings_of(style):
         figure = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).figure
     return written(figure, "svg", style, "found boxes")
@@ -134,7 +136,7 @@ def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
     case = box.transmission()
     stick = bare_stick(case, style, is_small=True)
     part = min(LARGEST_DIAGRAM_SCALE, room / stick.size[0])
-    heading = f"{box.number}   {term('family', style)} {box.family}"
+    heading = f"{box.number}   {style.text('family')} {box.family}"
     return BoxCell(heading, _caption(box, case, room, style), stick, part)
 
 
@@ -159,16 +161,14 @@ def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> l
     ratios = {name: gear.ratio for name, gear in box.gears.items()}
     said = [f"{name}: {number(ratio)}" for name, ratio in ratios.items()]
     forward = [ratio for ratio in ratios.values() if ratio > 0]
-    spread = [f"{style.text('spread', 'диапазон')} {number(max(forward) / min(forward))}"] * (
-        len(forward) > 1
-    )
+    spread = [f"{style.text('spread')} {number(max(forward) / min(forward))}"] * (len(forward) > 1)
     figures = (
-        (style.text("loss", "потери"), f"{100 * box.loss:.2f} %"),
-        (term("torque", style), f"{box.torque:.2f}"),
-        (style.text("planets", "сателлиты"), f"{box.planet_speed:.2f}"),
-        (style.text("slip", "скольжение"), f"{box.slip:.2f}"),
-        (style.text("brakes", "тормоза"), f"{box.brakes}"),
-        (style.text("clutches", "муфты"), f"{box.clutches}"),
+        (style.text("loss"), f"{100 * box.loss:.2f} %"),
+        (style.text("torque"), f"{box.torque:.2f}"),
+        (style.text("planets"), f"{box.planet_speed:.2f}"),
+        (style.text("slip"), f"{box.slip:.2f}"),
+        (style.text("brakes"), f"{box.brakes}"),
+        (style.text("clutches"), f"{box.clutches}"),
     )
     texts = (
         "; ".join([", ".join(said), *spread]),

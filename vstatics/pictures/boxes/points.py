@@ -20,7 +20,6 @@ from vstatics.pictures.sheet.labels import (
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import TITLE, Style
-from vstatics.pictures.sheet.words import term
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.tables.numbers import certain
 
@@ -95,10 +94,9 @@ def _scales(pen: Pen) -> None:
     pen.frame("left", "bottom")
     torque = text(
         "largest torque of an engaged element / input torque",
-        "наибольший момент включённого элемента / момент на входе",
     )
     pen.name("bottom", torque, 24)
-    loss = text("mean loss, forward gears, %", "средние потери вперёд, %")
+    loss = text("mean loss, forward gears, %")
     pen.name("left", loss, min(widest(tick_texts(numbers)) + 14, POINTS_SCALE_WIDTH - 4))
 
 
@@ -164,9 +162,9 @@ def _draw_spots(
 def _said(spot: BoxPoint, style: Style) -> str:
     """What a point is."""
     numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
-    family = f"{term('family', style)} {first.family}"
-    loss = f"{style.text('loss', 'потери')} {100 * first.loss:.2f} %"
-    return f"{numbers}: {family}, {loss}, {term('torque', style)} {first.torque:.2f}"
+    family = f"{style.text('family')} {first.family}"
+    loss = f"{style.text('loss')} {100 * first.loss:.2f} %"
+    return f"{numbers}: {family}, {loss}, {style.text('torque')} {first.torque:.2f}"
 
 
 class PointsWords(NamedTuple):
@@ -192,20 +190,21 @@ class PointsWords(NamedTuple):
 def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
     """What stands over the axes in a width [pt]; whether a place has more boxes than one."""
     found, families, searched = len(listing.boxes), len(listing.families), listing.searched
-    together = "family" if families == 1 else "families"
     said = style.text(
-        f"{searched} looked at, {families} {together} with equal ratios",
-        f"рассмотрено {searched}, семейств с равными передаточными отношениями: {families}",
+        "{searched} looked at, {count} family with equal ratios|"
+        "{searched} looked at, {count} families with equal ratios",
+        searched=searched,
+        count=families,
     )
     notes = [said] * style.titled
     placeless = sum(not has_place(box) for box in listing.boxes)
     if placeless:
-        more = style.text("without loss or torque", "без потерь или момента")
+        more = style.text("without loss or torque")
         notes.append(f"{more}: {placeless}")
     if has_more:
-        more = style.text("+1: one more at this place", "+1: ещё одна на этом месте")
+        more = style.text("+1: one more at this place")
         notes.append(more)
-    title = style.text(f"Found boxes: {found}", f"Найденные схемы: {found}")
+    title = style.text("Found boxes: {found}", found=found)
     return PointsWords(
         wrapped(title, room, title_width) * style.titled, wrapped("; ".join(notes), room)
     )
@@ -223,15 +222,15 @@ def _families(
     """The families that have a colour, how many are grey, what has a dark edge."""
     families = listing.families
     entries = [
-        (look, style.paper, f"{term('family', style)} {family} ({len(families[family])})")
+        (look, style.paper, f"{style.text('family')} {family} ({len(families[family])})")
         for family, look in looks.items()
     ]
     rest = len(families) - len(looks)
     if rest:
-        others = style.text(f"{rest} others", f"ещё {rest}")
+        others = style.text("{rest} others", rest=rest)
         entries.append(((style.faint, "o"), style.paper, others))
     if any(box.pareto for box in listing.boxes):
-        pareto = style.text("Pareto list", "список Парето")
+        pareto = style.text("Pareto list")
         entries.append(((style.paper, "o"), style.ink, pareto))
     return entries
 

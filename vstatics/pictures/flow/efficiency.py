@@ -12,13 +12,13 @@ from matplotlib.figure import Figure
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
 from vstatics.pictures.sheet.ends import along
-from vstatics.pictures.sheet.head import Meaning, headed, sheet_head
+from vstatics.pictures.sheet.head import Meaning, NameInKey, headed, sheet_head
 from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width
 from vstatics.pictures.sheet.line_styles import loss_look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
 from vstatics.pictures.sheet.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
-from vstatics.pictures.sheet.words import fault, gear_title, term, title
+from vstatics.pictures.sheet.words import fault, gear_title, title
 from vstatics.statics.results import Results
 from vstatics.statics.status import DRAGGED, LOCKED
 from vstatics.tables.numbers import typeset
@@ -56,7 +56,7 @@ class _Losses(NamedTuple):
     @property
     def key(self) -> list[Meaning]:
         """The areas of the names."""
-        return [(True, name, name, loss_look(row, self.style)) for row, name in self._drawn()]
+        return [(True, NameInKey(name), loss_look(row, self.style)) for row, name in self._drawn()]
 
     def _drawn(self) -> list[tuple[int, str]]:
         seen = [np.abs(own).max(initial=0.0) > NO_LOSS_SHARE for own in self.shares]
@@ -102,9 +102,9 @@ def draw(
     known = np.concatenate([losses.efficiency, *(one.efficiency for one in alike)])
     lowest = min(float(np.nanmin(known)), 0.99)
     scale = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
-    what = style.text("efficiency, and what each mechanism takes", "КПД и доли потерь в механизмах")
+    what = style.text("efficiency, and what each mechanism takes")
     if all(case.coasts(case.gears[place]) for place in chosen):
-        what += style.text(" (coasting)", " (торможение двигателем)")
+        what += style.text(" (coasting)")
     return list(_pages(title(case, what), losses, scale, style))
 
 
@@ -114,7 +114,7 @@ def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, list(chosen)])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
-    undetermined = style.text("not determined", "не определён")
+    undetermined = style.text("not determined")
     missing = {
         place: next((fault(one, style) for one in (LOCKED, DRAGGED) if one in known), undetermined)
         for place, gear in enumerate(chosen)
@@ -136,7 +136,7 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
     foot = max(part.foot(step)[1] for part in parts)
     below = LEADER + foot + GEARS_NAME_HEIGHT
     high = below + AXES_HEIGHT + PANEL_ROW_GAP
-    lossless = style.text("nothing is lost", "потерь нет")
+    lossless = style.text("nothing is lost")
     note = "" if losses.names or losses.missing else lossless
     wide = EFFICIENCY_SCALE_WIDTH + MARGIN + max(most * step, LEAST_OF_HEAD)
     wide = min(wide, style.width)
@@ -166,10 +166,10 @@ def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  
     pen.frame("left", "top")
     numbers = ticks(pen.y.low, 1.0, 6)
     pen.scale("left", numbers, tick_texts(numbers, [EFFICIENCY_STEP]), grid=True)
-    pen.name("left", term("efficiency", style), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
+    pen.name("left", style.text("efficiency"), EFFICIENCY_SCALE_WIDTH - MARGIN - SIZE / 2)
     at = [Label(pen.across(place), gear, style.ink) for place, gear in enumerate(losses.gears)]
     along(pen, "bottom", at, upright=upright)
-    pen.name("bottom", term("gear", style), name_off)
+    pen.name("bottom", style.text("gear"), name_off)
     _bars(pen, losses)
     for place, why in losses.missing.items():
         where = pen.across(place), pen.size[1] - 6
@@ -197,7 +197,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     by_name = {table.quantity.key: table for table in tables(results)}
     names, losses = list(by_name["losses"].rows), by_name["losses"].values
     if "drag_losses" in by_name:
-        names.append(style.text("drag", "сопротивления"))
+        names.append(style.text("drag"))
         losses = np.vstack([losses, by_name["drag_losses"].values])
     total = losses.sum(axis=0)
     # below 0 when coasting; the sum of all shares is 1 - efficiency by the balance of power
@@ -223,7 +223,7 @@ def _bars(pen: Pen, losses: _Losses) -> None:
                     at = left + wide / 2, (top + low) / 2
                     pen.text(*at, name, ha="center", va="center_baseline", over=True)
                 reached -= share
-        low, reads = pen.up(float(value)), term("efficiency", style)
+        low, reads = pen.up(float(value)), style.text("efficiency")
         said = f"{head}: {reads} {number(value)}"
         pen.line((left, low), (left + wide, low), color=style.ink, width=1.5, title=said)
         pen.text(left + wide / 2, low - 4, number(value), ha="center", va="top")

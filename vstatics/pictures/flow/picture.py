@@ -115,14 +115,14 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
 
 def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
     """Several gears with their names."""
-    name = title(results.case, style.text("power flow", "поток мощности"))
+    name = title(results.case, style.text("power flow"))
     room = style.width - 2 * WIDE_MARGIN
     yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
 
 
 def _alone(results: Results, gear: FlowGear, number: int, style: Style) -> Iterator[Figure]:
     """A gear by itself, whose name is in the title."""
-    subject = style.text("power flow", "поток мощности")
+    subject = style.text("power flow")
     name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")
     room = style.width - 2 * WIDE_MARGIN
     of_name = min(title_width(name), TITLE_WIDTH, room) if style.titled else 0.0
@@ -145,21 +145,15 @@ def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
         said.is_mild(node) for said, row in drawn for node in row.graph.place if said.is_open(node)
     ]
     loop = loop_colour(style)
-    by_convention = (
-        "divided by convention, turns as one piece",
-        "разделена условно внутри одного целого",
-    )
-    mild = (
-        "divided within friction, turns as one piece",
-        "разделена в пределах трения внутри одного целого",
-    )
+    by_convention = "divided by convention, turns as one piece"
+    mild = "divided within friction, turns as one piece"
     mild_look = {"facecolor": style.paper, "edgecolor": style.ink, "hatch": MILD_HATCH}
-    doubtful = "circulates, may not be in the metal", "циркулирует, в металле может не быть"
+    doubtful = "circulates, may not be in the metal"
     return [
-        (drawn, "power", "мощность", {"facecolor": style.power}),
-        (False in pieces, *by_convention, hatched_look(style.power, style)),
-        (True in pieces, *mild, {**mild_look, "width": 0.5}),
-        (lost, "lost", "потери", {"facecolor": style.lost}),
-        (False in loops, "circulates", "циркулирует", {"facecolor": loop}),
-        (True in loops, *doubtful, hatched_look(loop, style)),
+        (drawn, "power", {"facecolor": style.power}),
+        (False in pieces, by_convention, hatched_look(style.power, style)),
+        (True in pieces, mild, {**mild_look, "width": 0.5}),
+        (lost, "lost", {"facecolor": style.lost}),
+        (False in loops, "circulates", {"facecolor": loop}),
+        (True in loops, doubtful, hatched_look(loop, style)),
     ]

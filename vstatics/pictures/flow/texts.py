@@ -54,23 +54,19 @@ class FlowTexts(NamedTuple):
         lines = [name, "?" if {*run} & {*self.side.unknown} else self.power(power)]
         for port in ports:
             if port.cut is None and not math.isclose(port.power, power, rel_tol=SAME_POWER):
-                way = self.style.text(*(("in", "вход") if port.enters else ("out", "выход")))
+                way = self.style.text("in" if port.enters else "out")
                 lines.append(f"{way} {self.power(port.power)}")
         return "\n".join(lines)
 
     def loop(self, number_of_loop: int) -> str:
         """Power that circulates, and why it may not, by the index of the loop."""
         loop, text = self.side.loops[number_of_loop], self.style.text
-        said = f"{text('circulates', 'циркулирует')} {number(loop.power)}"
+        said = f"{text('circulates')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
             said += f", {self._kilowatts(loop.power)}"
         said += f": {self._share(loop.power)}"
         if loop.shared:
-            own = [
-                f"у {one.first} и {one.second} общие {' и '.join(one.links)}" for one in loop.shared
-            ]
-            russian = f"в металле может не быть: {', '.join(own)}"
-            said += f"\n{wrapped(text(loop.note, russian), LOOP_TEXT_WIDTH)}"
+            said += f"\n{wrapped(loop.told(text), LOOP_TEXT_WIDTH)}"
         return said
 
     @property
@@ -79,23 +75,23 @@ class FlowTexts(NamedTuple):
         if len(self.side.loops) < 2 or math.isnan(self.side.circulating):
             return ""
         total = self.power(self.side.circulating).replace("\n", ", ")
-        said = self.style.text("circulates in all", "всего циркулирует")
+        said = self.style.text("circulates in all")
         return f"{said} {total}: {self._share(self.side.circulating)}"
 
     def _share(self, power: float) -> str:
         share = power / self.side.entering if self.side.entering else math.nan
-        return f"{100 * share:.1f}% {self.style.text('of the power in', 'входящей мощности')}"
+        return f"{100 * share:.1f}% {self.style.text('of the power in')}"
 
     def _kilowatts(self, power: float) -> str:
         """A power to three digits."""
         value = power * self.flow.kilowatts
         text = f"{value:.0f}" if value >= 100 else f"{value:#.3g}".removesuffix(".")
-        return f"{text} {self.style.text('kW', 'кВт')}"
+        return f"{text} {self.style.text('kW')}"
 
 
 def port_name(node: Node, style: Style) -> str:
     """Of the input and the output; other ports have the names of their links."""
-    ports = {"input": style.text("input", "вход"), "output": style.text("output", "выход")}
+    ports = {"input": style.text("input"), "output": style.text("output")}
     return ports.get(node.name, node.name)
 
 
@@ -111,23 +107,23 @@ def heading(flow: GearFlow, wide: float, style: Style) -> str:
     lines = [fault(flow.status, style)] if flow.note else []
     side = flow.shown
     if side is None:
-        lines.append(style.text("no flow of power", "потока мощности нет"))
+        lines.append(style.text("no flow of power"))
         return wrapped(": ".join(reversed(lines)), wide)
     if flow.lossy is None:
-        lines[-1] += style.text("; drawn without losses", "; показана без потерь")
+        lines[-1] += style.text("; drawn without losses")
     ports = (
-        (style.text("in", "вход"), side.entering),
-        (style.text("out", "выход"), side.leaving),
-        (style.text("lost", "потери"), side.lost),
+        (style.text("in"), side.entering),
+        (style.text("out"), side.leaving),
+        (style.text("lost"), side.lost),
     )
     lines.append(" · ".join(f"{name} {number(value)}" for name, value in ports))
     if not side.edges:
-        lines.append(style.text("no power is determined", "мощности не определены"))
+        lines.append(style.text("no power is determined"))
     elif side.unknown:
         unknown = ", ".join(dict.fromkeys(port_name(n, style) for n in side.unknown))
-        lines.append(f"{style.text('not determined', 'не определены')}: {unknown}")
+        lines.append(f"{style.text('not determined')}: {unknown}")
     lines.append(FlowTexts(flow, side, style).circulating)
     for loop in side.locked_in:
-        text = style.text("within one piece, not drawn", "внутри одного целого, не показано")
+        text = style.text("within one piece, not drawn")
         lines.append(f"{text}: {number(loop.power)}, {' > '.join(n.name for n in loop.nodes)}")
     return "\n".join(wrapped(line, wide) for line in lines if line)

@@ -9,7 +9,7 @@ from vstatics.flow.circulation import Node
 from vstatics.numerics.traced import plain
 from vstatics.pictures.flow.graph import Band, EndPort
 from vstatics.pictures.flow.texts import FlowTexts, port_name
-from vstatics.pictures.sheet.words import quantity, term
+from vstatics.pictures.sheet.words import quantity
 from vstatics.statics.state import GearState
 
 
@@ -53,9 +53,9 @@ class FlowTitles(NamedTuple):
         if len(nodes) == 2:
             said += self._turning(band.power, link.name)
         if band.loop is not None:
-            said.append(self._word("circulates", "циркулирует"))
+            said.append(self.texts.style.text("circulates"))
         if self.is_doubtful(band):
-            said.append(self._word("may not be in the metal", "в металле может не быть"))
+            said.append(self.texts.style.text("may not be in the metal"))
         said += [self._convention] * self.is_divided(band)
         return f"{names}: {', '.join(said)}"
 
@@ -72,7 +72,7 @@ class FlowTitles(NamedTuple):
         if node.kind == "link":
             said += self._turning(power, node.name)
         if lost:
-            said.append(f"{term('lost', self.texts.style)} {self._one_line(lost)}")
+            said.append(f"{self.texts.style.text('lost')} {self._one_line(lost)}")
         if self.is_open(node):
             said.append(self._within_friction if self.is_mild(node) else self._convention)
         return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
@@ -86,7 +86,7 @@ class FlowTitles(NamedTuple):
                 yield f"{name}: {', '.join(self._torque(torque, speed))}"
 
     def _power(self, power: float) -> str:
-        return f"{term('power', self.texts.style)} {self._one_line(power)}"
+        return f"{self.texts.style.text('power')} {self._one_line(power)}"
 
     def _one_line(self, power: float) -> str:
         return self.texts.power(power).replace("\n", ", ")
@@ -101,14 +101,11 @@ class FlowTitles(NamedTuple):
 
     @property
     def _within_friction(self) -> str:
-        return self._word("within friction", "в пределах трения")
+        return self.texts.style.text("within friction")
 
     @property
     def _convention(self) -> str:
-        return self._word("by convention", "условно")
-
-    def _word(self, english: str, russian: str) -> str:
-        return self.texts.style.text(english, russian)
+        return self.texts.style.text("by convention")
 
 
 def titles(texts: FlowTexts, state: GearState) -> FlowTitles:

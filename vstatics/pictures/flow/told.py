@@ -66,8 +66,8 @@ def told_gear(flow: GearFlow, state: GearState, style: Style) -> dict[str, Any]:
     return {
         "gear": flow.gear,
         "kilowatts": known(flow.kilowatts),
-        "unit": style.text("kW", "кВт"),
-        "ways": [style.text("in", "вход"), style.text("out", "выход")],
+        "unit": style.text("kW"),
+        "ways": [style.text("in"), style.text("out")],
         "ports": [side.entering, side.leaving, side.lost],
         "circulating": known(side.circulating),
         "locked": [

@@ -72,9 +72,9 @@ def lever_names(
     for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
         said = [cell.lever.name]
         if gear.is_one_piece(place):
-            said.append(style.text("one piece", "как одно целое"))
+            said.append(style.text("one piece"))
         if place in same:
-            said.append(style.text(f"as in gear {same[place]}", f"как на передаче {same[place]}"))
+            said.append(style.text("as in gear {gear}", gear=same[place]))
         found.append(wrapped(", ".join(said), right - cell.left))
     return found
 
@@ -86,7 +86,7 @@ def _shape(view: LeverView) -> str:
         f"{link_name(view.sheet.page.case, node.link, style)} {number(node.position)}"
         for node in lever.nodes
     )
-    return f"{lever.name}: {style.text('lever', 'рычаг')}, {', '.join(places)}"
+    return f"{lever.name}: {style.text('lever')}, {', '.join(places)}"
 
 
 def _look(link: int, style: Style, *, is_way: bool) -> dict[str, Any]:

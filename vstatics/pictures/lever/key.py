@@ -104,22 +104,20 @@ def key_of(
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
-        "in": text("input, and what is joined to it", "вход и соединённое с ним"),
-        "out": text("output, and what is joined to it", "выход и соединённое с ним"),
-        "port": text("speed or torque given", "задана скорость или момент"),
-        "stands": text("stands", "стоит"),
-        "brake": text("held by a brake", "удерживается тормозом"),
-        "freewheel": text("freewheel that holds", "муфта свободного хода держит"),
-        "housing": text("housing", "корпус"),
-        "clutch": text("clutch", "муфта"),
-        "slack": text("engaged, without torque", "включена, без момента"),
-        "spring": text("spring as shaft", "пружина как вал"),
-        "pair": text("pair of wheels, its ratio", "пара колёс, передаточное число"),
-        "torque": text(
-            f"{unit} × input torque, without losses", f"{unit} × входной момент, без потерь"
-        ),
-        "speed": text("speed; dotted: that of the input", "скорость; пунктир: входная"),
-        "pale": text("carries no torque", "без момента"),
+        "in": text("input, and what is joined to it"),
+        "out": text("output, and what is joined to it"),
+        "port": text("speed or torque given"),
+        "stands": text("stands"),
+        "brake": text("held by a brake"),
+        "freewheel": text("freewheel that holds"),
+        "housing": text("housing"),
+        "clutch": text("clutch"),
+        "slack": text("engaged, without torque"),
+        "spring": text("spring as shaft"),
+        "pair": text("pair of wheels, its ratio"),
+        "torque": text("{unit} × input torque, without losses", unit=unit),
+        "speed": text("speed; dotted: that of the input"),
+        "pale": text("carries no torque"),
     }
     found = {sign for gear in gears for sign in _signs(page, gear)}
     return LeverKey([one for one in meanings.items() if one[0] in found], wide, length, unit)

@@ -137,7 +137,7 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Fi
     """The rows of levers of all gears; those of a gear are on one page where they fit one."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
-    subject = style.text("levers", "рычаги")
+    subject = style.text("levers")
     if len(gears) == 1:
         subject += f", {gear_title(gears[0].state.gear.name, style)}"
     head = title(page.case, subject) if style.titled else ""

@@ -14,7 +14,7 @@ from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
 from vstatics.pictures.sheet.labels import Span, height, spread, widest, width, wrapped
 from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
-from vstatics.pictures.sheet.words import term, word
+from vstatics.pictures.sheet.words import word
 
 ARROW = 26.0
 """Of the longest torque."""
@@ -206,4 +206,4 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
 
 def link_name(case: Transmission, link: int, style: Style) -> str:
     """The name of a link, or of the housing."""
-    return case.link_name(link) if link else term("housing", style)
+    return case.link_name(link) if link else style.text("housing")

@@ -129,7 +129,7 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) ->
     pen.frame()
     numbers = ticks(motion.time[0], motion.time[-1], 4)
     pen.scale("left", numbers)
-    pen.name("left", style.text("time, s", "время, с"), widest(tick_texts(numbers)) + 14)
+    pen.name("left", style.text("time, s"), widest(tick_texts(numbers)) + 14)
     ends = [
         LineEnd(pen.y.part(one.time), [_name(one, style)])
         for one in named_events(motion.events, MOST_PLAN_EVENTS)

@@ -43,23 +43,22 @@ def plan_note(
     case: Transmission, shown: Sequence[KinematicPlan], left_out: Sequence[str], style: Style
 ) -> str:
     """Which links are input and output, which gears are on no plan; why there is none."""
-    off = f"{style.text('not on a plan', 'не на плане')}: {', '.join(left_out)}"
+    off = f"{style.text('not on a plan')}: {', '.join(left_out)}"
     said = [off] * bool(left_out)
-    for english, russian, links in (
-        ("input", "вход", dict.fromkeys(plan.input for plan in shown)),
-        ("output", "выход", dict.fromkeys(plan.output for plan in shown)),
+    for english, links in (
+        ("input", dict.fromkeys(plan.input for plan in shown)),
+        ("output", dict.fromkeys(plan.output for plan in shown)),
     ):
         names = [case.link_name(link) for link in links]
         if names and names != [english]:
-            said.append(f"{style.text(english, russian)}: {', '.join(names)}")
+            said.append(f"{style.text(english)}: {', '.join(names)}")
     if len(left_out) == len(case.gears):
         told_apart = style.text(
             "no two gears of different ratios are told apart by one element",
-            "никакие две передачи с разными отношениями не различаются одним элементом",
         )
         said.append(told_apart)
     elif not shown:
-        said.append(style.text("the run is on no plan", "движение не на плане"))
+        said.append(style.text("the run is on no plan"))
     return "; ".join(said)
 
 
@@ -79,21 +78,18 @@ def plan_signs(
         Of each, when a run is on it.
     """
     ink = {"color": style.ink}
-    element = (
-        "element of the gear: holds a link, or joins two",
-        "элемент передачи: держит звено или соединяет два",
-    )
+    element = "element of the gear: holds a link, or joins two"
     striped = any(len(ray.links) > 1 for plan in shown for ray in plan.rays)
     units = (
         plan.has_unit_point and x.low < 1 < x.high for plan, x in zip(shown, ranges, strict=True)
     )
     return [
-        (True, "input, output", "вход, выход", {**ink, "width": PORT_RAY_WIDTH}),
-        (True, "gear", "передача", gear_look(style)),
-        (True, "speed 0", "скорость 0", {**ink, "width": 0.8}),
-        (any(mark.elements for plan in shown for mark in plan.marks), *element, dot_look(style)),
-        (striped, *TURN_TOGETHER, striped_look(style)),
-        (any(units), "all turn as one piece", "всё вращается как одно целое", unit_look(style)),
-        (any(run.any() for run in runs), "run on the plan", "движение на плане", ink | BROAD),
-        (not all(run.all() for run in runs), "off the plan", "вне плана", ink | PATH),
+        (True, "input, output", {**ink, "width": PORT_RAY_WIDTH}),
+        (True, "gear", gear_look(style)),
+        (True, "speed 0", {**ink, "width": 0.8}),
+        (any(mark.elements for plan in shown for mark in plan.marks), element, dot_look(style)),
+        (striped, TURN_TOGETHER, striped_look(style)),
+        (any(units), "all turn as one piece", unit_look(style)),
+        (any(run.any() for run in runs), "run on the plan", ink | BROAD),
+        (not all(run.all() for run in runs), "off the plan", ink | PATH),
     ]

@@ -137,11 +137,11 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
     """What all gears of a plan have in common: elements and speeds, links that stand."""
     parts = []
     if plan.engaged:
-        parts.append(f"{style.text('engaged', 'включены')}: {', '.join(plan.engaged)}")
+        parts.append(f"{style.text('engaged')}: {', '.join(plan.engaged)}")
     if plan.given:
-        parts.append(f"{style.text('given', 'задано')}: {', '.join(plan.given)}")
+        parts.append(f"{style.text('given')}: {', '.join(plan.given)}")
     names = ", ".join(map(case.link_name, plan.standing))
-    return "; ".join(parts), f"{style.text('stand', 'стоят')}: {names}" if names else ""
+    return "; ".join(parts), f"{style.text('stand')}: {names}" if names else ""
 
 
 def _rows(
@@ -239,7 +239,7 @@ def _stops(
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
     for element in (case.shift_elements[place - 1] for place in mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]
-        does = style.text("holds", "держит"), style.text("joins", "соединяет")
+        does = style.text("holds"), style.text("joins")
         is_brake = HOUSING in element.links
         text = f"{element.name} {does[not is_brake]} {' + '.join(names)}"
         at = 0.0 if is_brake else speeds.get(element.links[0], speeds.get(element.links[1]))

@@ -70,9 +70,9 @@ class PlanSheet(NamedTuple):
     def head(self, shown: Sequence[DrawnPlan]) -> SheetHead:
         """What stands over a page."""
         style = self.style
-        subject = style.text("generalised kinematic plan", "обобщённый кинематический план")
+        subject = style.text("generalised kinematic plan")
         if self.motion is not None:
-            subject += style.text(" with a run", " и движение")
+            subject += style.text(" with a run")
         own = [one.plan for one in shown]
         runs = [one.run.on_plan for one in shown if one.run]
         signs = plan_signs(own, [one.x for one in shown], style, runs) if shown else []
@@ -215,10 +215,10 @@ def _name_scales(
     """What is across, below the lowest numbers, and what is up, beside the last scale."""
     text = sheet.style.text
     if is_lowest or one.run is not None:
-        output = text("1/i = output speed / input speed", "1/i = скорость выхода / скорость входа")
+        output = text("1/i = output speed / input speed")
         pen.name("bottom", output, one.below + ABSCISSA_NAME_HEIGHT / 2)
     if is_last:
-        link = text("link speed / input speed", "скорость звена / скорость входа")
+        link = text("link speed / input speed")
         pen.name("right", link, sheet.scale + ORDINATE_NAME_WIDTH / 2)
 
 

@@ -19,18 +19,6 @@ FAR_WORD = 26.0
 """A word stands no farther from its event than this. [pt]"""
 
 
-EVENTS_IN_RUSSIAN = {
-    "locks": "замыкается",
-    "slips": "буксует",
-    "reverses": "меняет знак скольжения",
-    "impact": "удар",
-    "opens": "выключается",
-    "closes": "включается",
-    "overruns": "обгоняет",
-    "starts": "трогается",
-    "step": "шаг",
-}
-"""Kinds of events, and other words for them."""
 _ORDER = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
 
 
@@ -52,7 +40,7 @@ def event_word(event: Event, style: Style) -> str:
     """
     word = event.word or event.event
     number = f" {event.step}" if event.step else ""
-    return f"{style.text(word, EVENTS_IN_RUSSIAN[word])}{number}"
+    return f"{style.text(word)}{number}"
 
 
 def event_text(event: Event, style: Style) -> str:

@@ -95,7 +95,7 @@ def draw_lines(
 
 def what_of(shown: MotionPanel, style: Style) -> str:
     """What the scale of a panel is of."""
-    return wrapped(style.text(shown.english, shown.russian), PANEL_HEIGHT)
+    return wrapped(style.text(shown.text), PANEL_HEIGHT)
 
 
 def ticks_of(scale: AxisScale) -> list[float]:
@@ -111,7 +111,7 @@ def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Lo
     turns = np.flatnonzero(np.diff(side)) + 1
     times, values = np.insert(time, turns, time[turns]), np.insert(drawn, turns, np.nan)
     said = pen.within("capacity", name=name, last=repr(float(line.capacity[-1])))
-    text = pen.style.text("capacity", "наибольший момент")
+    text = pen.style.text("capacity")
     look = {"color": look["color"], **CAPACITY}
     said.plot(times, values, title=f"{short(name)}: {text}", zorder=1.8, **look)
 

@@ -58,8 +58,8 @@ class MotionPanel(NamedTuple):
 
     kind: str
     """``data-panel`` of its group."""
-    english: str
-    russian: str
+    text: str
+    """Of its scale."""
     unit: float
     """By what values are divided."""
     lines: tuple[MotionLine, ...]
@@ -71,7 +71,7 @@ class MotionPanel(NamedTuple):
 
 def panels_of(
     kind: str,
-    words: tuple[str, str],
+    text: str,
     unit: float,
     lines: Iterable[MotionLine],
     *,
@@ -87,7 +87,7 @@ def panels_of(
     Examples
     --------
     >>> lines = [MotionLine((str(n),), np.array([10.0**n])) for n in range(3)]
-    >>> [len(one.lines) for one in panels_of("heat", ("", ""), 1.0, lines, by_size=True)]
+    >>> [len(one.lines) for one in panels_of("heat", "", 1.0, lines, by_size=True)]
     [2, 1]
     """
     found: list[list[MotionLine]] = []
@@ -101,7 +101,7 @@ def panels_of(
                 break
         else:
             found.append([line])
-    return [MotionPanel(kind, *words, unit, tuple(one)) for one in found]
+    return [MotionPanel(kind, text, unit, tuple(one)) for one in found]
 
 
 def _parts(line: MotionLine) -> list[MotionLine]:

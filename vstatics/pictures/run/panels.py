@@ -19,23 +19,23 @@ LEAST_HEAT_SHARE = 0.01
 """Less heat, as part of the largest, has no line. [-]"""
 
 _ASKED = {
-    "accelerations": ("acceleration, rad/s²", "ускорение, рад/с²", 1.0),
-    "jerks": ("jerk, rad/s³", "рывок, рад/с³", 1.0),
-    "powers": ("power, kW", "мощность, кВт", 1e3),
-    "heat": ("heat, kJ", "теплота, кДж", 1e3),
-    "slip_power": ("slip power, kW", "мощность буксования, кВт", 1e3),
-    "heat_per_area": ("heat per area, kJ/m²", "удельная теплота, кДж/м²", 1e3),
-    "slip_power_per_area": ("slip power per area, kW/m²", "удельная мощность, кВт/м²", 1e3),
-    "temperatures": ("temperature, °C", "температура, °C", 1.0),
-    "states": ("states", "состояния", 1.0),
-    "vehicle_speed": ("speed of vehicle, m/s", "скорость машины, м/с", 1.0),
-    "vehicle_acceleration": ("acceleration of vehicle, m/s²", "ускорение машины, м/с²", 1.0),
-    "vehicle_jerk": ("jerk of vehicle, m/s³", "рывок машины, м/с³", 1.0),
-    "ratio": ("speed ratio", "передаточное отношение", 1.0),
-    "efficiency": ("efficiency", "КПД", 1.0),
-    "reduced_inertia": ("reduced inertia, kg·m²", "приведенный момент инерции, кг·м²", 1.0),
+    "accelerations": ("acceleration, rad/s²", 1.0),
+    "jerks": ("jerk, rad/s³", 1.0),
+    "powers": ("power, kW", 1e3),
+    "heat": ("heat, kJ", 1e3),
+    "slip_power": ("slip power, kW", 1e3),
+    "heat_per_area": ("heat per area, kJ/m²", 1e3),
+    "slip_power_per_area": ("slip power per area, kW/m²", 1e3),
+    "temperatures": ("temperature, °C", 1.0),
+    "states": ("states", 1.0),
+    "vehicle_speed": ("speed of vehicle, m/s", 1.0),
+    "vehicle_acceleration": ("acceleration of vehicle, m/s²", 1.0),
+    "vehicle_jerk": ("jerk of vehicle, m/s³", 1.0),
+    "ratio": ("speed ratio", 1.0),
+    "efficiency": ("efficiency", 1.0),
+    "reduced_inertia": ("reduced inertia, kg·m²", 1.0),
 }
-"""Tables that somebody may ask for: in both languages, by what their values are divided."""
+"""Tables that somebody may ask for: their text, by what their values are divided."""
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
@@ -43,11 +43,11 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
     Links and springs that are many stand behind what every shift is judged by.
     """
-    words = "speed, rpm", "скорость, об/мин"
+    words = "speed, rpm"
     speeds = panels_of("speed", words, RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
         *speeds[:1],
-        *panels_of("slip", ("slip, rpm", "скольжение, об/мин"), RAD_PER_RPM, _slips(motion)),
+        *panels_of("slip", "slip, rpm", RAD_PER_RPM, _slips(motion)),
         *_carried(motion),
         *_output(case, motion),
         *_heat(motion),
@@ -114,7 +114,7 @@ def _carried(motion: Motion) -> list[MotionPanel]:
         MotionLine((name,), motion.torques[:, place], capacity=_finite(capacities.get(name)))
         for place, name in loaded(motion)
     ]
-    words = "torque of elements, N·m", "моменты элементов, Н·м"
+    words = "torque of elements, N·m"
     return panels_of("torque", words, 1.0, lines, by_size=True)
 
 
@@ -141,18 +141,18 @@ def _elastic(case: Transmission, motion: Motion) -> Iterator[tuple[int, str]]:
             yield place, name
 
 
-def _kinds(springs: Collection[str], names: Sequence[str]) -> tuple[str, str]:
+def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
     """What these are together.
 
     >>> _kinds((), ["TC"])
-    ('torque of converters, N·m', 'моменты гидротрансформаторов, Н·м')
+    'torque of converters, N·m'
     """
     of = [name in springs for name in names]
     if all(of):
-        return "torque of springs, N·m", "моменты пружин, Н·м"
+        return "torque of springs, N·m"
     if not any(of):
-        return "torque of converters, N·m", "моменты гидротрансформаторов, Н·м"
-    return "torque of springs, converters, N·m", "моменты пружин, ГТ, Н·м"
+        return "torque of converters, N·m"
+    return "torque of springs, converters, N·m"
 
 
 def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
@@ -160,12 +160,11 @@ def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
     roads = motion.beside.get("vehicle_acceleration", {})
     if roads:
         lines = [MotionLine((name,), one, _links(case, name)) for name, one in roads.items()]
-        english, russian, unit = _ASKED["vehicle_acceleration"]
-        return panels_of("acceleration", (english, russian), unit, lines)
+        return panels_of("acceleration", *_ASKED["vehicle_acceleration"], lines)
     torques = motion.beside.get("output_torque", {}).values()
     name = case.link_name(case.output)
     lines = [MotionLine((name,), one, (case.output,)) for one in torques]
-    words = "output torque, N·m", "момент на выходе, Н·м"
+    words = "output torque, N·m"
     return panels_of("output", words, 1.0, [one for one in lines if one.peak > 0])
 
 
@@ -198,7 +197,7 @@ def _heat(motion: Motion) -> list[MotionPanel]:
         if ends[table, name] <= least
         for line in MotionLine((name,), np.zeros(0), beside=beside(table, name)).labels
     ]
-    made = panels_of("heat", ("heat, kJ", "теплота, кДж"), 1e3, lines, by_size=True)
+    made = panels_of("heat", "heat, kJ", 1e3, lines, by_size=True)
     if made:
         made[0] = made[0]._replace(left_out=tuple(map(printable, small)))
     return made
@@ -218,14 +217,12 @@ def _asked(
         for name in line.names
     }
     for table, rows in motion.asked.items():
-        *words, unit = _ASKED[table]
         lines = [
             MotionLine((name,), values, _links(case, name))
             for name, values in rows.items()
             if (table, name) not in there
         ]
-        english, russian = words
-        yield from panels_of(table, (english, russian), unit, lines)
+        yield from panels_of(table, *_ASKED[table], lines)
 
 
 def _links(case: Transmission, name: str) -> tuple[int, ...]:

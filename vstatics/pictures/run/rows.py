@@ -26,11 +26,11 @@ ROW_NAME_WIDTH = 76.0
 BEFORE_ROW = 5.0
 """From a name to its row. [pt]"""
 
-PHASES: Mapping[Phase, tuple[str, str]] = {
-    "torque": ("torque phase", "фаза момента"),
-    "inertia": ("inertia phase", "фаза инерции"),
-    "slip": ("other slip", "прочее буксование"),
-    "part": ("(gear): without", "(передача): без"),
+PHASES: Mapping[Phase, str] = {
+    "torque": "torque phase",
+    "inertia": "inertia phase",
+    "slip": "other slip",
+    "part": "(gear): without",
 }
 """What they are called."""
 
@@ -76,18 +76,18 @@ class RunRows(NamedTuple):
         ink, aside = style.ink, ", ".join(map(short, self.common))
         sticks, slips = (_bar(ink, style, sticks=one) for one in (True, False))
         signs: list[Meaning] = [
-            (any(row.sticks for row in shown), "sticks", "сцеплено", sticks),
-            (any(row.slips for row in shown), "slips under torque", "буксует под моментом", slips),
+            (any(row.sticks for row in shown), "sticks", sticks),
+            (any(row.slips for row in shown), "slips under torque", slips),
         ]
-        for phase, words in PHASES.items():
-            english, russian = (f"{one} {aside}" if phase == "part" else one for one in words)
-            signs.append((phase in found, english, russian, _phase_look(phase, style)))
+        for phase, name in PHASES.items():
+            said = f"{style.text(name)} {aside}" if phase == "part" else name
+            signs.append((phase in found, said, _phase_look(phase, style)))
         return signs
 
 
 def name_width(names: Sequence[str], style: Style) -> float:
     """That names of rows need [pt]."""
-    labels = [*(_label(name) for name in names), style.text("gear", "передача")]
+    labels = [*(_label(name) for name in names), style.text("gear")]
     return max(map(width, labels)) + BEFORE_ROW
 
 
@@ -130,7 +130,7 @@ def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
     """The bar of gears; what happens between them, and beside them."""
     style = pen.style
     low += (GEAR_ROW_HEIGHT - GEAR_BAR_HEIGHT) / 2
-    _name(pen, low + GEAR_BAR_HEIGHT / 2, style.text("gear", "передача"))
+    _name(pen, low + GEAR_BAR_HEIGHT / 2, style.text("gear"))
     look = {"facecolor": mixed(style.ink, style.paper, 0.1), "edgecolor": style.ink, "width": 0.6}
     for piece in shown.gears:
         said = {"gear": piece.gear, "from": repr(piece.start), "to": repr(piece.end)}
@@ -140,7 +140,7 @@ def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
         said = {"phase": phase.phase, "from": repr(phase.start), "to": repr(phase.end)}
         own = pen.within("phase", **said)
         high = GEAR_BAR_HEIGHT / 3 if phase.phase == "torque" else GEAR_BAR_HEIGHT
-        name = f"{style.text(*PHASES[phase.phase])} {phase.gear}".strip()
+        name = f"{style.text(PHASES[phase.phase])} {phase.gear}".strip()
         _box(own, (phase.start, phase.end), (low, high), name, _phase_look(phase.phase, style))
     labels = [(piece.gear, piece.start, piece.end) for piece in shown.gears]
     labels += [(f"({one.gear})", one.start, one.end) for one in shown.phases if one.gear]
@@ -155,7 +155,7 @@ def _box(pen: Pen, span: Span, upright: Span, name: str, look: Look) -> None:
     """A piece of a bar, from its lower edge so high, that says from when till when it is."""
     (low, high), (left, right) = upright, map(pen.across, span)
     start, end = map(number, span)
-    said = f"{name}, {start}–{end} {pen.style.text('s', 'с')}"
+    said = f"{name}, {start}–{end} {pen.style.text('s')}"
     pen.box((left, low), (right - left, high), title=said, **look)
 
 
@@ -172,8 +172,8 @@ def _draw_row(pen: Pen, low: float, row: RunRow, numbers: Mapping[str, int]) -> 
     if row.states:
         colour = thing_look(numbers[row.name], style)["color"]
         for spans, does, sticks in (
-            (row.states.sticks, style.text("sticks", "сцеплено"), True),
-            (row.states.slips, style.text("slips", "буксует"), False),
+            (row.states.sticks, style.text("sticks"), True),
+            (row.states.slips, style.text("slips"), False),
         ):
             for span in spans:
                 said = f"{short(row.name)} {does}"
@@ -181,7 +181,7 @@ def _draw_row(pen: Pen, low: float, row: RunRow, numbers: Mapping[str, int]) -> 
     leaders = []
     for word in row.words:
         said = f"{event_text(word.event, style)}, {number(word.event.time)}"
-        said = f"{said} {style.text('s', 'с')}"
+        said = f"{said} {style.text('s')}"
         leaders.append(((word.at, rest if row.states is None else top), (word.at, top + 1.0)))
         leaders.append(((word.at, top + 1.0), (word.middle, top + 3.0)))
         pen.text(

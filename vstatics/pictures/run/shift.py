@@ -101,7 +101,7 @@ def draw(
     if len(motion.time) < 2 or all(panel.kind == "heat" for panel in shown):
         raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
     content = _content(results, motion, shown, style)
-    name = printable(title(results.case, style.text("run over time", "движение во времени")))
+    name = printable(title(results.case, style.text("run over time")))
     return list(_pages(content, name, style))
 
 
@@ -197,7 +197,7 @@ def _draw_panels(
     named = [word.event.time for row in content.rows.rows for word in row.words]
     for panel in (*upper, *drawn):
         draw_verticals(panel, named)
-    drawn[-1].name("bottom", pen.style.text("time, s", "время, с"), TIME_SCALE_HEIGHT - 10)
+    drawn[-1].name("bottom", pen.style.text("time, s"), TIME_SCALE_HEIGHT - 10)
 
 
 def _signs(content: _Content, style: Style) -> list[Meaning]:
@@ -206,8 +206,8 @@ def _signs(content: _Content, style: Style) -> list[Meaning]:
     limited = any(line.capacity is not None for line in lines)
     return [
         *content.rows.meanings(style),
-        (limited, "capacity", "наибольший момент", {"color": style.ink, **CAPACITY}),
-        (striped, *TURN_TOGETHER, striped_look(style)),
+        (limited, "capacity", {"color": style.ink, **CAPACITY}),
+        (striped, TURN_TOGETHER, striped_look(style)),
     ]
 
 
@@ -218,16 +218,16 @@ def _notes(
     said = []
     if unseen:
         names = ", ".join(map(short, unseen))
-        said.append(f"{style.text('without a row', 'без строки')}: {names}")
+        said.append(f"{style.text('without a row')}: {names}")
     unnamed = len(motion.events) - sum(len(row.words) for row in rows.rows)
     if unnamed > 0:
-        said.append(f"{style.text('events without a word', 'событий без подписи')}: {unnamed}")
+        said.append(f"{style.text('events without a word')}: {unnamed}")
     if motion.stopped is not None:
-        stopped = style.text("the run was stopped", "расчёт остановлен")
+        stopped = style.text("the run was stopped")
         said.append(f"{stopped}: {printable(motion.stopped.message)[:200]}")
     for panel in shown:
         if panel.left_out:
-            of = style.text(panel.english, panel.russian).split(", ")[0]
+            of = style.text(panel.text).split(", ")[0]
             names = ", ".join(panel.left_out)
-            said.append(f"{of}, {style.text('left out', 'не показаны')}: {names}")
+            said.append(f"{of}, {style.text('left out')}: {names}")
     return "; ".join(said)

@@ -181,7 +181,7 @@ def meanings(state: SchemeState, style: Style) -> list[Meaning]:
     piece = {"facecolor": style.paper, "edgecolor": style.soft, "hatch": "////"}
     is_pale, pale = state.idle or state.idle_links, {"color": style.faint}
     return [
-        (state.engaged, "engaged", "включён", {"facecolor": style.engaged}),
-        (state.pieces, "turns as one piece", "вращается как одно целое", piece),
-        (is_pale, "carries no torque", "без момента", pale),
+        (state.engaged, "engaged", {"facecolor": style.engaged}),
+        (state.pieces, "turns as one piece", piece),
+        (is_pale, "carries no torque", pale),
     ]

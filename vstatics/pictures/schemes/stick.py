@@ -47,10 +47,9 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     if sheet is None:
         yield from axes_figures(results, scheme, axes, style, shown)
         return
-    subject = style.text("stick diagram", "кинематическая схема")
+    subject = style.text("stick diagram")
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
-        "механизмы как план. ряды: простые при u < 0, с парными сателлитами при u > 0",
     )
     is_bare = any(one.element is None and "carrier" in one.members for one in drawn.devices)
     for gears in shown:

@@ -58,7 +58,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     >>> sorted(text.get_text() for text in figure.texts)
     ['1', '2', '3', 'D1', 'Structure', 'T1', 'first', 'second', 'third', 'u = −2']
     """
-    scheme, subject = scheme_of(results.case), style.text("structure", "структура")
+    scheme, subject = scheme_of(results.case), style.text("structure")
     made = rows(scheme, style)
     for gears in shown:
         told = told_of(results, scheme, style, gears, subject=subject)
@@ -96,7 +96,7 @@ def _head(told: SchemeTold, rows: Sequence[SchemeRow], style: Style) -> tuple[fl
     least = title_width(told.name) + 2 * WIDE_MARGIN if style.titled else 0.0
     wide = max(*(_size(row)[0] for row in rows), min(least, style.width))
     look = {"color": style.ink, "linestyle": FURTHER}
-    further = len(rows) > 1, "goes on in another row", "продолжается в другом ряду", look
+    further = len(rows) > 1, "goes on in another row", look
     signs = [*meanings(told.state, style), further]
     return wide, sheet_head(told.name, told.note, signs, wide - 2 * WIDE_MARGIN, style)
 

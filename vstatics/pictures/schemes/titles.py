@@ -11,7 +11,7 @@ from vstatics.numerics.traced import plain
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.pictures.sheet.style import Style, number
-from vstatics.pictures.sheet.words import quantity, term, word
+from vstatics.pictures.sheet.words import quantity, word
 from vstatics.statics.results import Results
 
 
@@ -38,11 +38,11 @@ def titles_of(
     for device in scheme.devices:
         facts = ", ".join(filter(None, _facts(results.case, device, style)))
         joins = ", ".join(
-            f"{word(member, style)} = {scheme.name(link) if link else term('housing', style)}"
+            f"{word(member, style)} = {scheme.name(link) if link else style.text('housing')}"
             for member, link in device.members.items()
         )
         own = {one: value for one, value in next(torques, {}).items() if value}
-        carried = f"{term('torque', style)} " if own else ""
+        carried = f"{style.text('torque')} " if own else ""
         carried += ", ".join(
             f"{word(one, style)} {number(value)}".strip() for one, value in own.items()
         )

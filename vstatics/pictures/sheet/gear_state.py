@@ -14,7 +14,7 @@ from vstatics.statics.roles import Role, mechanism_roles
 from vstatics.statics.state import GearState
 from vstatics.statics.status import Status
 
-NOT_DETERMINED = Status("missing", "not determined", "не определена", "")
+NOT_DETERMINED = Status("missing", "not determined", "")
 """Some speed is free."""
 
 

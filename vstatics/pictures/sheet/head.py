@@ -19,8 +19,15 @@ SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
 BELOW: Look = {"va": "top", "linespacing": LINE_HEIGHT}
 """How lines of text are written below a height."""
 
-Meaning = tuple[object, str, str, Look]
-"""Whether a sign occurs, what it means in English and in Russian; its look is that of a line, or
+
+class NameInKey(str):
+    """A name of the case in a key, which no language changes."""
+
+    __slots__ = ()
+
+
+Meaning = tuple[object, str, Look]
+"""Whether a sign occurs, what it means in English; its look is that of a line, or
 of an area if it has a ``facecolor``."""
 
 
@@ -71,18 +78,22 @@ class SheetHead(NamedTuple):
         return pen
 
 
+def _in_key(said: str, style: Style) -> str:
+    return said if isinstance(said, NameInKey) else style.text(said)
+
+
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
     """What stands over a picture in a width [pt]; a page has titles of its own.
 
     >>> look = {"color": "#000000"}
-    >>> found = sheet_head("", "", [(1, "gear", "передача", look), (0, "", "", {})], 99.0, Style())
+    >>> found = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())
     >>> [[sign.text for sign in row] for row in found.rows]
     [['gear']]
     """
     rows: list[list[KeySign]] = []
-    for sign in (KeySign(style.text(*said), look) for occurs, *said, look in meanings if occurs):
+    for sign in (KeySign(_in_key(said, style), look) for occurs, said, look in meanings if occurs):
         last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from vstatics.statics.results import Language
 from vstatics.tables.numbers import typeset
+from vstatics.texts import Language, translated
 
 FONT = "DejaVu Sans"
 """It comes with matplotlib and has Cyrillic letters."""
@@ -78,7 +78,7 @@ class Style(NamedTuple):
 
     Parameters
     ----------
-    language : {"en", "ru"}
+    language : {"en", "de", "ru"}
         Of axes and titles; names are those of the case.
     dark : bool
         Light on dark, for a screen.
@@ -109,13 +109,13 @@ class Style(NamedTuple):
     height: float = math.inf
     excited: Excitation = Excitation()
 
-    def text(self, english: str, russian: str) -> str:
-        """A text in the language of the picture.
+    def text(self, english: str, /, **places: object) -> str:
+        """A text in the language of the picture; see `vstatics.texts`.
 
-        >>> Style("ru").text("efficiency", "КПД")
+        >>> Style("ru").text("efficiency")
         'КПД'
         """
-        return russian if self.language == "ru" else english
+        return translated(english, self.language, **places)
 
     @property
     def paper(self) -> str:

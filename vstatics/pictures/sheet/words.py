@@ -1,4 +1,4 @@
-"""Words of pictures that do not come from the case, in two languages."""
+"""Words of pictures that do not come from the case."""
 
 from __future__ import annotations
 
@@ -7,76 +7,32 @@ from vstatics.pictures.sheet.style import Style, number
 from vstatics.statics.status import Status
 
 KINDS = {
-    "stick": ("Stick diagram", "Кинематическая схема"),
-    "structure": ("Structure", "Структурная схема"),
-    "flow": ("Power flow", "Потоки мощности"),
-    "lever": ("Lever diagram", "Рычажная схема"),
-    "efficiency": ("Efficiency", "КПД"),
-    "plan": ("Kinematic plan", "Кинематический план"),
-    "modes": ("Natural modes", "Собственные формы"),
-    "campbell": ("Campbell diagram", "Диаграмма Кэмпбелла"),
-    "response": ("Response", "Отклик"),
-    "dump": ("Dumped clutch", "Резкое включение сцепления"),
-    "shift": ("Run over time", "Ход во времени"),
-    "traction": ("Wheel force", "Сила тяги"),
-    "sawtooth": ("Engine speed over road speed", "Частота вращения двигателя по скорости"),
-    "steps": ("Steps between gears", "Шаги между передачами"),
+    "stick": "Stick diagram",
+    "structure": "Structure",
+    "flow": "Power flow",
+    "lever": "Lever diagram",
+    "efficiency": "Efficiency",
+    "plan": "Kinematic plan",
+    "modes": "Natural modes",
+    "campbell": "Campbell diagram",
+    "response": "Response",
+    "dump": "Dumped clutch",
+    "shift": "Run over time",
+    "traction": "Wheel force",
+    "sawtooth": "Engine speed over road speed",
+    "steps": "Steps between gears",
 }
 """What a kind of picture is called, where it stands by itself."""
-ELEMENTS = {
-    "sun": "солнце",
-    "ring": "эпицикл",
-    "carrier": "водило",
-    "small_sun": "солнце м.",
-    "large_sun": "солнце б.",
-    "sun2": "солнце 2",
-    "ring2": "эпицикл 2",
-    "left": "левое",
-    "right": "правое",
-    "worm": "червяк",
-    "wheel": "колесо",
-    "first": "первое",
-    "second": "второе",
-    "third": "третье",
-    "mechanism": "механизм",
-    "variator": "вариатор",
-    "converter": "гидротрансф.",
-    "clutch": "фрикцион",
-    "brake": "тормоз",
-    "dog_clutch": "зубчатая муфта",
-    "freewheel": "муфта своб. хода",
-    "held": "опора",
-    "link": "звено",
-    "planet": "сателлит",
-    "idler": "паразитное к.",
-    "planetary": "план. ряд",
-    "double_planet": "парные сателлиты",
-    "stepped": "двухвенц. сателлит",
-    "ravigneaux": "ряд Равиньо",
-    "planet_group": "группа сателлитов",
-    "bevel": "конич. дифф.",
-    "bevel_pair": "конич. пара",
-    "gear_pair": "пара колёс",
-    "internal_pair": "внутр. пара",
-    "chain": "цепь",
-    "belt": "ремень",
-    "shaft": "вал",
-    "spring": "пружина",
-}
-"""Members of elements and their kinds."""
-TERMS = {
-    "speed": "скорость",
-    "torque": "момент",
-    "power": "мощность",
-    "lost": "потери",
-    "efficiency": "КПД",
-    "housing": "корпус",
-    "family": "семейство",
-    "gear": "передача",
-}
-"""What several pictures tell of."""
+ELEMENTS = (
+    *("sun", "ring", "carrier", "small_sun", "large_sun", "sun2", "ring2", "left", "right"),
+    *("worm", "wheel", "first", "second", "third", "mechanism", "variator", "converter"),
+    *("clutch", "brake", "dog_clutch", "freewheel", "held", "link", "planet", "idler"),
+    *("planetary", "double_planet", "stepped", "ravigneaux", "planet_group", "bevel"),
+    *("bevel_pair", "gear_pair", "internal_pair", "chain", "belt", "shaft", "spring"),
+)
+"""Members of elements and their kinds; other names are those of a case."""
 
-TURN_TOGETHER = "striped: links turn together", "полосы: звенья вращаются вместе"
+TURN_TOGETHER = "striped: links turn together"
 """What stripes of a line mean."""
 
 
@@ -86,12 +42,8 @@ def word(name: str, style: Style) -> str:
     >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
     ('small sun', 'солнце м.')
     """
-    return style.text(name.replace("_", " "), ELEMENTS.get(name, name))
-
-
-def term(name: str, style: Style) -> str:
-    """One of `TERMS` in the language of a picture."""
-    return style.text(name, TERMS[name])
+    said = name.replace("_", " ")
+    return style.text(said) if name in ELEMENTS else said
 
 
 def quantity(name: str, value: float, style: Style) -> str:
@@ -100,17 +52,17 @@ def quantity(name: str, value: float, style: Style) -> str:
     >>> quantity("speed", 0.5, Style("ru"))
     'скорость 0.500'
     """
-    return f"{term(name, style)} {number(value)}"
+    return f"{style.text(name)} {number(value)}"
 
 
 def fault(status: Status, style: Style) -> str:
     """What keeps a gear from being calculated."""
-    return style.text(status.english, status.russian)
+    return style.text(status.english)
 
 
 def gear_title(gear: str, style: Style) -> str:
     """How a gear is called."""
-    return f"{term('gear', style)} {gear}"
+    return f"{style.text('gear')} {gear}"
 
 
 def title(case: Transmission, subject: str) -> str:

@@ -84,7 +84,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     panels = [_curves(numbers(sweep, name), across, shown, style) for name in names]
     if not any(np.isfinite(one.y).any() for panel in panels for one in panel):
         raise CaseError("E433", "no row of the sweep has a number to draw")
-    more = style.text("lines are drawn, of", "линий показано из")
+    more = style.text("lines are drawn, of")
     note = f"{len(shown)} {more} {len(every)}" * (len(shown) < len(every))
     known = across[np.isfinite(across)]
     scale = AxisScale(*_apart(float(known.min()), float(known.max())))

@@ -74,10 +74,10 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     least = max(HISTOGRAM_SIZE[0], words) + HISTOGRAM_GAP
     across = max(1, int((style.width - 2 * MARGIN + HISTOGRAM_GAP) // least))
     rows = [shown[at : at + across] for at in range(0, len(shown), across)]
-    said = style.text("Histograms", "Гистограммы")
-    note = f"{len(set(sweep.variants))} {style.text('variants', 'вариантов')}"
+    said = style.text("Histograms")
+    note = f"{len(set(sweep.variants))} {style.text('variants')}"
     if len(shown) < len(every):
-        note += f"; {style.text('columns', 'столбцов')}: {len(shown)} / {len(every)}"
+        note += f"; {style.text('columns')}: {len(shown)} / {len(every)}"
     figures, wide = [], (style.width - 2 * MARGIN + HISTOGRAM_GAP) / across
     head = sheet_head(said, note, _key(style), style.width - 2 * MARGIN, style).high
     for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
@@ -104,11 +104,11 @@ def _histograms(sweep: WrittenSweep, asked: DrawnColumns) -> Iterator[Histogram]
                 yield histogram(", ".join(filter(None, (name, part.name))), values)
 
 
-def _key(style: Style) -> list[tuple[object, str, str, Look]]:
+def _key(style: Style) -> list[tuple[object, str, Look]]:
     parts = ", ".join(f"{100 * part:g}" for part in PARTS)
     return [
-        (True, "mean", "среднее", _mean(style)),
-        (True, f"{parts} % are below", f"ниже {parts} %", _quantile(style)),
+        (True, "mean", _mean(style)),
+        (True, style.text("{parts} % are below", parts=parts), _quantile(style)),
     ]
 
 

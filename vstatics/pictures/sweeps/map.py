@@ -83,7 +83,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
         raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
     surfaces = [
         _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))._replace(
-            instead=f"{style.text('no number', 'чисел нет')}: {said_of(sweep, one)}"
+            instead=f"{style.text('no number')}: {said_of(sweep, one)}"
         )
         for one in parts(sweep, asked, (x, y))
     ]
@@ -93,8 +93,8 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     levels = contour_levels(every)
     ends = _ends(surfaces, "x"), _ends(surfaces, "y")
     limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
-    limit = "limit of operation", "граница работы"
-    meanings = [(limits, *limit, _limit_look(style))]
+    limit = "limit of operation"
+    meanings = [(limits, limit, _limit_look(style))]
     named = f"{z}: {x}, {y}"
     columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
     wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)

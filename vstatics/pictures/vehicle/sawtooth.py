@@ -38,14 +38,14 @@ def draw(
     """
     made = driven(results, gears, style)
     every = [made, *(driven(one, gears, style) for one in alike)]
-    said = style.text("engine speed over road speed", "частота вращения двигателя по скорости")
+    said = style.text("engine speed over road speed")
     names = (
-        style.text("road speed, km/h", "скорость, км/ч"),
-        style.text("engine speed, rpm", "частота вращения, об/мин"),
+        style.text("road speed, km/h"),
+        style.text("engine speed, rpm"),
     )
     key = [
-        (True, "shifts at the last speed of the engine", "переключения", _tooth(style)),
-        (True, "first speed of the engine", "наименьшая частота вращения", _first(style)),
+        (True, "shifts at the last speed of the engine", _tooth(style)),
+        (True, "first speed of the engine", _first(style)),
     ]
     up = AxisScale(0.0, max(one.pull.last for one in every) / RAD_PER_RPM)
     fastest = max(one.fastest for one in every)
@@ -77,7 +77,7 @@ def _draw_gear(pen: Pen, made: DrivenVehicle, gear: DrivenGear) -> None:
     per_speed = made.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
     own = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
     end = pen.across(KMH * gear.largest_speed), pen.up(made.pull.last / RAD_PER_RPM)
-    unit = pen.style.text("rpm per km/h", "об/мин на км/ч")
+    unit = pen.style.text("rpm per km/h")
     said = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
     own.line((0.0, 0.0), end, title=said, **gear.look)
 

@@ -59,15 +59,15 @@ def draw(
         max(one.ratios[0] for one in every), min(one.ratios[-1] for one in every), is_log=True
     )
     laws = _laws(own, style)
-    names = [style.text("gears", "передачи"), *(name for name, _ in laws)]
+    names = [style.text("gears"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
     numbers = [number(own.sign * ratio) for ratio in own.ratios]
     upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
     ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
     low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + BETWEEN_LAWS) + ends
-    said = style.text("steps between gears", "шаги между передачами")
-    spread = style.text("spread", "диапазон")
+    said = style.text("steps between gears")
+    spread = style.text("spread")
     note = f"{spread} {number(own.ratios[0] / own.ratios[-1])}"
     high = low + STEP_ROW_HEIGHT + LEADER + LINE_HEIGHT * SIZE
     pen = headed(title(results.case, said), note, [], (style.width, high), style)
@@ -107,10 +107,10 @@ def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
 def _laws(own: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
     """Geometric steps; progressive ones where a factor between steps is to be seen."""
     equal, growing = geometric(own.ratios), progressive(own.ratios)
-    geometric_name = style.text("geometric", "геометрич.")
+    geometric_name = style.text("geometric")
     found = [(f"{geometric_name} {number(equal.steps[0])}", equal)]
     if len(own.names) > 2:
-        name = style.text("progressive", "прогрессивн.")
+        name = style.text("progressive")
         found.append((f"{name} ×{number(growing.growth)}", growing))
     return found
 
@@ -124,7 +124,7 @@ def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
         said = f"{gear_title(name, style)}: {number(own.sign * ratio)}"
         if other:
             data["step"] = f"{ratio / other:.9g}"
-            said += f", {style.text('step', 'шаг')} {number(ratio / other)}"
+            said += f", {style.text('step')} {number(ratio / other)}"
         cell = pen.within("step", **data)
         x = pen.across(ratio)
         if other:

@@ -55,21 +55,21 @@ def draw(
     made = driven(results, gears, style)
     every = [made, *(driven(one, gears, style) for one in alike)]
     largest, fastest = max(map(_highest, every)), max(one.fastest for one in every)
-    unit, name = (1.0, style.text("N", "Н"))
+    unit, name = (1.0, style.text("N"))
     if largest >= 10 * KILO:
-        unit, name = (KILO, style.text("kN", "кН"))
+        unit, name = (KILO, style.text("kN"))
     up = AxisScale(0.0, largest / unit * (1 + ROOM_OVER_LINES))
-    said = style.text("wheel force over road speed", "сила тяги по скорости")
+    said = style.text("wheel force over road speed")
     names = (
-        style.text("road speed, km/h", "скорость, км/ч"),
-        style.text(f"wheel force, {name}", f"сила тяги, {name}"),
+        style.text("road speed, km/h"),
+        style.text("wheel force, {name}", name=name),
     )
     slopes = [f"{slope} %" for slope in SLOPES]
     room = width_of([LineEnd(0.0, (one,)) for one in slopes])
     key = [
-        (True, "resistance on a slope", "сопротивление на подъёме", _road(style)),
-        (True, *_power(made.pull.largest_power), _hyperbola(style)),
-        (True, "largest speed on the level", "наибольшая скорость", _fastest(style)),
+        (True, "resistance on a slope", _road(style)),
+        (True, _power(made.pull.largest_power, style), _hyperbola(style)),
+        (True, "largest speed on the level", _fastest(style)),
     ]
     pen = speed_panel(title(results.case, said), key, fastest, up, names, room, 0.0, style)
     _draw_road(pen, made, unit)
@@ -109,10 +109,9 @@ def _fastest(style: Style) -> Look:
     return look | {"markerfacecolor": style.paper}
 
 
-def _power(power: float) -> tuple[str, str]:
-    """What the hyperbola is, in two languages."""
-    said = number(power / KILO)
-    return f"all power of the engine, {said} kW", f"вся мощность двигателя, {said} кВт"
+def _power(power: float, style: Style) -> str:
+    """What the hyperbola is."""
+    return style.text("all power of the engine, {power} kW", power=number(power / KILO))
 
 
 def _draw_road(pen: Pen, made: DrivenVehicle, unit: float) -> None:
@@ -124,7 +123,7 @@ def _draw_road(pen: Pen, made: DrivenVehicle, unit: float) -> None:
         if slope == 0:
             data["force_at_100"] = f"{made.vehicle.resistance(HUNDRED):.9g}"
         forces = made.vehicle.resistance(speeds / KMH, sine(slope)) / unit
-        said = pen.style.text("resistance at", "сопротивление при")
+        said = pen.style.text("resistance at")
         pen.within("line", **data).plot(
             speeds, forces, title=f"{said} {slope} %", zorder=0.8, **_road(pen.style)
         )
@@ -138,7 +137,7 @@ def _draw_hyperbola(pen: Pen, made: DrivenVehicle, unit: float) -> None:
     slowest = KMH * power / unit / pen.y.high
     speeds = np.geomspace(slowest, max(pen.x.high, 2 * slowest), POINTS_OF_LINE)
     own = pen.within("line", name="hyperbola", power=f"{power:.9g}")
-    said = pen.style.text(*_power(power))
+    said = _power(power, pen.style)
     own.plot(speeds, KMH * power / speeds / unit, title=said, zorder=0.9, **_hyperbola(pen.style))
 
 

@@ -22,16 +22,16 @@ if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
     from vstatics.torsion.clutch.gear_dump import GearDump
 
-_WORDS: Mapping[DumpCase, tuple[str, str]] = {
-    "A1": ("the clutch slips, the wheels are clamped", "сцепление скользит, колёса зажаты"),
-    "A2": ("the clutch slips, the wheels roll", "сцепление скользит, колёса катятся"),
-    "A3": ("the clutch slips, then the tyres", "скользят сцепление, затем шины"),
-    "B1": ("the clutch grabs, the wheels are clamped", "сцепление схватывает, колёса зажаты"),
-    "B2": ("the clutch grabs, the wheels roll", "сцепление схватывает, колёса катятся"),
-    "B3": ("the clutch grabs, the tyres slip", "сцепление схватывает, шины скользят"),
-    "V1": ("the clutch grabs and breaks away", "сцепление схватывает и срывается"),
-    "V2": ("the clutch breaks away, then the tyres", "срываются сцепление, затем шины"),
-    "V3": ("the tyres break away, then the clutch", "срываются шины, затем сцепление"),
+_WORDS: Mapping[DumpCase, str] = {
+    "A1": "the clutch slips, the wheels are clamped",
+    "A2": "the clutch slips, the wheels roll",
+    "A3": "the clutch slips, then the tyres",
+    "B1": "the clutch grabs, the wheels are clamped",
+    "B2": "the clutch grabs, the wheels roll",
+    "B3": "the clutch grabs, the tyres slip",
+    "V1": "the clutch grabs and breaks away",
+    "V2": "the clutch breaks away, then the tyres",
+    "V3": "the tyres break away, then the clutch",
 }
 """What happens in the cases of the source."""
 DUMP_ROW, BAR_HEIGHT, THIN_BAR_HEIGHT = 35.0, 9.0, 4.0
@@ -106,16 +106,14 @@ def _figure(results: Results, found: Sequence[GearDump], scale: AxisScale, style
     wide = style.width - left - WORDS_WIDTH - 2 * MARGIN
     high = DUMP_ROW * len(found)
     link = found[0].to
-    subject = style.text(
-        f"clutch dumped, torques on {link}", f"резкое включение сцепления, моменты на {link}"
-    )
+    subject = style.text("clutch dumped, torques on {link}", link=link)
     size = style.width, high + TORQUE_SCALE_HEIGHT
     pen = headed(title(results.case, subject), "", _signs(found, scale, style), size, style)
     panel = pen.panel((left, TORQUE_SCALE_HEIGHT), (wide, high), scale)
     torques = ticks(0.0, scale.high, max(2, int(wide / 44.0)))
     panel.scale("bottom", torques, grid=True)
     panel.frame("left", "bottom")
-    panel.name("bottom", style.text("torque, N·m", "момент, Н·м"), 12.0 + 1.5 * height(""))
+    panel.name("bottom", style.text("torque, N·m"), 12.0 + 1.5 * height(""))
     for place, (one, name) in enumerate(zip(found, names, strict=True)):
         middle = high - (place + 0.5) * DUMP_ROW
         look: Look = {"va": "center", "linespacing": LINE_HEIGHT}
@@ -125,8 +123,8 @@ def _figure(results: Results, found: Sequence[GearDump], scale: AxisScale, style
             own.text(4.0, middle, wrapped(one.error, wide - 8.0), **look)
             continue
         _draw_gear(own, middle, one.made)
-        largest = f"{number(one.made.max_torque)} {style.text('N·m', 'Н·м')}"
-        happens = f"{one.made.case}: {style.text(*_WORDS[one.made.case])}"
+        largest = f"{number(one.made.max_torque)} {style.text('N·m')}"
+        happens = f"{one.made.case}: {style.text(_WORDS[one.made.case])}"
         said = f"{largest}\n{wrapped(happens, WORDS_WIDTH)}"
         panel.text(wide + MARGIN, middle, said, **look)
     return pen.figure
@@ -138,12 +136,12 @@ def _signs(found: Sequence[GearDump], scale: AxisScale, style: Style) -> list[Me
     tyres = any(one.tyres_break_at <= scale.high for one in made)
     most, least = _bars(style)
     return [
-        (True, "largest torque", "наибольший момент", most),
-        (True, "between disc and gearbox", "между диском и коробкой", least),
-        (True, "of the clutch that slips", "скользящего сцепления", looks.slips),
-        (clutch, "the stuck clutch breaks away", "срыв сцепления", looks.clutch),
-        (tyres, "the tyres break away", "срыв шин", looks.tyres),
-        (True, "first approximation", "первое приближение", looks.simplified),
+        (True, "largest torque", most),
+        (True, "between disc and gearbox", least),
+        (True, "of the clutch that slips", looks.slips),
+        (clutch, "the stuck clutch breaks away", looks.clutch),
+        (tyres, "the tyres break away", looks.tyres),
+        (True, "first approximation", looks.simplified),
     ]
 
 
@@ -155,10 +153,10 @@ def _bars(style: Style) -> tuple[Look, Look]:
 def _draw_gear(pen: Pen, middle: float, made: DumpTorque) -> None:
     """The bars of a gear about an ordinate [pt], with its limits."""
     style, looks = pen.style, _Limits.of(pen.style)
-    (most, least), unit = _bars(style), style.text("N·m", "Н·м")
+    (most, least), unit = _bars(style), style.text("N·m")
     low = middle - BAR_HEIGHT / 2 + 2.0
     reach = pen.across(made.max_torque)
-    factor = style.text("dynamic factor", "динамический коэффициент")
+    factor = style.text("dynamic factor")
     largest = f"{number(made.max_torque)} {unit}, {factor} {number(made.dynamic_factor)}"
     pen.box((0.0, low), (reach, BAR_HEIGHT), title=largest, **most)
     behind = f"{number(made.input_shaft_torque)} {unit}"

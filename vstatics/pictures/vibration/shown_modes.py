@@ -47,5 +47,5 @@ def why_none(gear: GearModes, style: Style) -> str:
     """What stands in the place of the modes of a gear that has none."""
     for status in (TIED_UP, CONFLICT):
         if gear.error.startswith(status.english):
-            return style.text(status.english, status.russian)
-    return gear.error or style.text("no natural frequency", "нет собственных частот")
+            return style.text(status.english)
+    return gear.error or style.text("no natural frequency")

@@ -459,7 +459,7 @@ const core = (train, gear) => {
 
   const state = findState(), { lossy, speeds, ideal, withDrag, drag } = state;
   if (state.locked) outside("locked by friction");
-  if (![speeds, ideal, withDrag, lossy.solved].every(({ certain }) => certain)) outside("rounding");
+  if (![speeds, ideal, withDrag, lossy.solved].every(({ certain }) => certain)) outside("lost in rounding");
   const turns = (power, n) => !state.idle[n] && isLossy(mechanisms[n]) && power !== 0 && abs(power) < TURNING;
   if (lossy.powers.some(turns)) outside("a power turns");
 

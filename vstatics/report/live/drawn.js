@@ -81,7 +81,8 @@
     const why = ({ own, gear, isStick, isBroken }, told) => {
       if (!own && !isStick) return isBroken ? pale.base : pale.stays;
       if (gear < 0) return "";
-      if (told[gear].outside) return `outside: run the program (${told[gear].outside})`;
+      const reason = told[gear].outside;
+      if (reason) return `outside: run the program (${reason})`;
       if (base[gear].outside || !same(told[gear].holds, base[gear].holds) || !same(told[gear].idle, base[gear].idle)) return pale.parts;
       return isBroken ? pale.base : "";
     };

@@ -7,7 +7,7 @@ their event ``input`` knows what changes.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -17,8 +17,13 @@ from vstatics.report.live.numbers import digits_of
 from vstatics.sweep.variants.path_numbers import case_path, known_paths, own_number_at
 from vstatics.sweep.variants.targets import OF_MECHANISM
 from vstatics.tables.html import Markup, tag
+from vstatics.texts import spoken, tr
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
+_BY_LINK = ("speeds", "torques")
+"""Numbers that have the name of a link behind them."""
+_PARTS = ("load", "mesh_efficiency")
+"""Of a case, in the place of a name."""
 _REACH = 2.0
 """A slider goes so many times as far as its number."""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
@@ -136,16 +141,37 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
     """
     for owner, group in groupby(fields, lambda one: one.owner):
         rows = (_row(one, fixed=fixed) for one in group)
-        yield tag("fieldset", tag("legend", owner), *rows)
+        yield tag("fieldset", tag("legend", _owner(owner)), *rows)
+
+
+def _owner(owner: str) -> str:
+    """What has numbers: a name, or a part of the case that this program names."""
+    kind, _, gear = owner.partition(".")
+    return f"{_word(kind)}.{gear}" if gear else _word(owner) if owner in _PARTS else owner
+
+
+def _name(words: Sequence[str]) -> str:
+    """A number of something; behind given speeds and torques stands the name of a link.
+
+    >>> _name(["teeth", "small_sun"]), _name(["speeds", "ratio"])
+    ('teeth small_sun', 'speeds ratio')
+    """
+    kind, *others = words
+    return " ".join([_word(kind), *(others if kind in _BY_LINK else map(_word, others))])
+
+
+def _word(key: str) -> str:
+    """A key of a case as it stands there, else in the language of the page."""
+    return key if spoken() == "en" else tr(key.replace("_", " "))
 
 
 def _row(field: PageField, *, fixed: bool) -> Markup:
     low, high = map(digits_of, field.limits)
     value, step = digits_of(field.value), "1" if field.whole else "any"
-    name = field.path.removeprefix(f"{field.owner}.").replace(".", " ")
+    name = _name(field.path.removeprefix(f"{field.owner}.").split("."))
     common = {"data_path": field.path, "step": step, "value": value, "disabled": fixed}
-    unit = f", {field.unit}" if field.unit else ""
-    label = f"{field.path}{unit}"
+    unit = f", {tr(field.unit)}" if field.unit else ""
+    label = f"{field.path if spoken() == 'en' else f'{_owner(field.owner)} {name}'}{unit}"
     return tag(
         "div",
         tag("label", f"{name}{unit}", for_=f"field-{field.path}"),

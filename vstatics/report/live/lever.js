@@ -42,6 +42,7 @@
     return [`M${start} ${y}L${neck} ${y}`, `M${end} ${y}L${neck} ${y - 3}L${neck} ${y + 3}z`];
   };
 
+  const isParted = (places) => places.some(([old, now]) => places.some(([one, other]) => old === one && now !== other));
   const inTurn = (text, pairs) => { // two points of one place may part
     let from = 0;
     for (const [old, now] of pairs) {
@@ -114,7 +115,7 @@
         else if (of === "said") titled(element, [[number(given.speed), number(value.speed)], [number(given.torque), number(torque)]]);
         else if (of === "name") {
           const places = Object.keys(one.nodes).map((n) => [number(one.nodes[n].position), number(now.own[n].position)]);
-          for (const title of element.querySelectorAll("title")) own.text(title, inTurn(own.first(title), places));
+          for (const title of element.querySelectorAll("title")) own.text(title, (isParted(places) ? inTurn : renumber)(own.first(title), places));
         }
         else if (of === "pair") text(element, renumber(own.first(element.querySelector("text")), [[number(pairRatio(one, base)), number(pairRatio(one, told))]]));
         else if (of === "carried") {

@@ -36,7 +36,7 @@
 
   const mark = (number, of) => { // of what holds or does not
     if (number === "" || number === "0") return number === "" ? "\u2013" : "\u00b7";
-    return of === "idle" ? "idle" : "\u25cf";
+    return of === "idle" ? c.words.idle : "\u25cf";
   };
 
   const isSame = (a, b) => a === b || (a !== "" && b !== "" && Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)));

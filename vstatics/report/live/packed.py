@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from importlib.resources import files
 
 from vstatics.tables.html import Markup, tag
+from vstatics.texts import tr
 
 _SECTION = re.compile(r'(?=<section (?:class="[^"]*" )?id=")')
 _HEADED = re.compile(r'(<section [^>]*id="([^"]*)"[^>]*><h2>.*?</h2>)(.*)(</section>)', re.DOTALL)
@@ -57,7 +58,7 @@ def packed(page: str, kept: frozenset[str]) -> str:
     told = Markup(base64.b64encode(deflated).decode())
     script = Markup((files(__package__) / "unpack.js").read_text(encoding="utf-8"))
     scripts = tag("script", told, type="text/plain", id="packed") + tag("script", script)
-    return f"{main}{end}{tag('noscript', _NO_SCRIPT)}{scripts}{rest}"
+    return f"{main}{end}{tag('noscript', tr(_NO_SCRIPT))}{scripts}{rest}"
 
 
 def repeated(text: bytes) -> Iterator[bytes]:

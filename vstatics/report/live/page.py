@@ -16,7 +16,7 @@ from typing import Any
 
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import Transmission
-from vstatics.report.html_page import PageFrame, about, choice, framed
+from vstatics.report.html_page import PageFrame, about, choice, framed, in_language
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
 from vstatics.report.live.packed import packed
@@ -27,6 +27,7 @@ from vstatics.report.sections import Part, sections
 from vstatics.report.tools import toolbar
 from vstatics.report.tools.toolbar import compact
 from vstatics.tables.html import Markup, joined, tag
+from vstatics.texts import tr
 
 _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
@@ -57,9 +58,9 @@ def live_page(material: Material) -> str:
     (2, 1)
     """
     case = material.results.case
-    known = lowered(case) | {"digits": material.digits}
+    known = lowered(case) | {"digits": material.digits, "words": {"idle": tr("idle")}}
     fields = [*live_fields(case, known["numbers"])]
-    revert = tag("button", "Revert", id="revert", type="button")
+    revert = tag("button", tr("Revert"), id="revert", type="button")
     told = toolbar.tools_of(case, digits=material.digits)
     change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert, told])
     texts: dict[str, int] = {}
@@ -79,8 +80,8 @@ def live_page(material: Material) -> str:
         scripts=[toolbar.SCRIPT, *(runs.SCRIPTS if moves else ())],
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
-            tag("script", _resource("core.js"), id="core"),
-            *(tag("script", _resource(name)) for name in _SCRIPTS),
+            tag("script", in_language(_resource("core.js")), id="core"),
+            *(tag("script", in_language(_resource(name))) for name in _SCRIPTS),
         ),
         style=joined(toolbar.STYLE, _resource("live.css"), runs.STYLE if moves else ""),
     )

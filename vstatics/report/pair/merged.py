@@ -14,6 +14,7 @@ from vstatics.comparison.numbers import ATOL, RTOL, Difference, is_same
 from vstatics.report.live.numbers import digits_of
 from vstatics.tables.grid import Cell, Column, Grid, text
 from vstatics.tables.written_results import Figure
+from vstatics.texts import heading, tr
 
 DIFFERS, CHANGE = "differs", "change"
 """The class of what is not the same, and what heads a row that tells by how much."""
@@ -122,12 +123,12 @@ def _lines(
             yield level, _line(row, label, same)
     head = _of_case((one or other or [None])[0] or Cell(""), labels[0 if one else 1])
     if not (one and other):
-        said = f"not in {labels[1 if one else 0]}"
+        said = tr("not in {case}", case=labels[1 if one else 0])
         yield level + 1, [head._replace(text=said), *[Cell("")] * len(same)]
     elif not all(same):
         told = zip(same[1:], one[1:], other[1:], strict=True)
         changes = (Cell("") if equal else _change(*cells) for equal, *cells in told)
-        yield level + 1, [head._replace(text=CHANGE), Cell(""), *changes]
+        yield level + 1, [head._replace(text=CHANGE, is_said=True), Cell(""), *changes]
 
 
 def _line(row: Sequence[Cell | None], label: str, same: Sequence[bool]) -> list[Cell]:
@@ -172,4 +173,7 @@ def _head(
     column = next(one[key][1] for one in columns if key in one)
     if len(own) == len(labels):
         return column
-    return column._replace(over=f"{column.over} only in {own[0]}".strip())
+    # what has something over it is not translated any more
+    says = column.heading if column.over or column.is_name else heading(column.heading)
+    over = f"{tr(column.over)} {tr('only in {case}', case=own[0])}".strip()
+    return column._replace(heading=says, over=over)

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from vstatics.comparison.compare import compare
 from vstatics.comparison.layout import shown_values
 from vstatics.comparison.verdicts import CaseVerdict
-from vstatics.errors import CaseError, Problem, plural
+from vstatics.errors import CaseError, Problem
 from vstatics.extras import require
 from vstatics.pictures import pages
 from vstatics.pictures.pair import PairedCase, pair_pages
@@ -18,7 +18,7 @@ from vstatics.report.asked import SECTIONS, AskedPage
 from vstatics.report.html_page import PageFrame, framed, stamped
 from vstatics.report.material import UNNAMED, Material, Naming, gather
 from vstatics.report.overview import alerts
-from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, Pictures, inline
+from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, Pictures, in_spoken, inline
 from vstatics.report.pair.merged import merged
 from vstatics.report.parts import figures
 from vstatics.report.sections import Part, gears_grid
@@ -27,9 +27,10 @@ from vstatics.report.tools.marks import RELATIVE
 from vstatics.statics.results import Results
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall
 from vstatics.summary.grids import grids as summary_grids
-from vstatics.tables.grid import Grid, grid_of, text
+from vstatics.tables.grid import Cell, Grid, grid_of, text
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, joined, table, tables, tag, terms
+from vstatics.texts import heading, tr
 
 ON_ONE_SCALE = ("steps", "efficiency")
 """Pictures of both that have a scale in common."""
@@ -83,9 +84,10 @@ def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) ->
     parts = [
         Part(name, shown) for name, one in _sections(both, verdict).items() if (shown := [*one])
     ]
-    title = f"{first.title} and {second.title}"
+    title = tr("{first} and {second}", first=first.title, second=second.title)
     if first.title == second.title:
-        title = f"{first.title}: {first.file} and {second.file}"
+        both_files = tr("{first} and {second}", first=first.file, second=second.file)
+        title = f"{first.title}: {both_files}"
     document = {one.label: {"file": one.file, **one.material.document} for one in both}
     frame = PageFrame(
         panel=toolbar.toolbar(),
@@ -126,7 +128,12 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
         SECTIONS["largest"]: tables(of(LARGEST)),
         SECTIONS["shifts"]: tables(of(OF_SHIFTS)),
         SECTIONS["tables"]: tables([*of(others), *_results(both)]),
-        SECTIONS["conventions"]: [terms(both[0].material.document["conventions"].items())],
+        SECTIONS["conventions"]: [
+            terms(
+                (tr(name.replace("_", " ")), tr(said))
+                for name, said in both[0].material.document["conventions"].items()
+            )
+        ],
     }
 
 
@@ -166,7 +173,7 @@ def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Marku
     yield table(_merged(both, [_figures(one.material) for one in both]), headed=False)
     for one in both:
         if one.material.messages:
-            yield tag("h3", f"Messages of {one.label}")
+            yield tag("h3", tr("Messages of {case}", case=one.label))
             yield from (tag("div", shown) for shown in alerts(one.material.messages))
         case, own = one.material.results.case, one.material
         yield toolbar.tools_of(case, one.label, own.digits)
@@ -187,13 +194,14 @@ def _figures(material: Material) -> Grid:
         (f"largest element torque, {RELATIVE}", [*torques, math.nan][0]),
         ("largest circulation, % of the input power", 100 * max(shares, default=math.nan)),
     ]
-    return grid_of("Figures", ["figure", "value"], rows).with_digits(material.digits)
+    said = ((Cell(heading(name)), value) for name, value in rows)
+    return grid_of("Figures", ["figure", "value"], said).with_digits(material.digits)
 
 
 def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
     """What is other in the cases, by paths as of a sweep."""
     if not verdict.case:
-        yield tag("p", "The cases are the same, but perhaps for names and descriptions.")
+        yield tag("p", tr("The cases are the same, but perhaps for names and descriptions."))
         return
     rows = [[path, *shown_values(old, new)] for path, old, new in verdict.case]
     rows = [["\N{EN DASH}" if one == "null" else one for one in row] for row in rows]
@@ -207,7 +215,12 @@ def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
     for one, own, others in zip(both, names, reversed(names), strict=True):
         alone = [name for name in own if name not in others]
         if alone:
-            said = f"Only {one.label} has {plural('gear', len(alone))} {', '.join(alone)}."
+            said = tr(
+                "Only {case} has gear {names}.|Only {case} has gears {names}.",
+                case=one.label,
+                names=", ".join(alone),
+                count=len(alone),
+            )
             yield tag("p", said, class_="note")
 
 
@@ -216,26 +229,26 @@ def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
     try:
         require("plot", "a picture")
     except CaseError as error:
-        yield tag("p", f"There are no pictures: {error}")
+        yield tag("p", tr("There are no pictures: {why}", why=error))
         return
     yield tag("div", *(_stick(one) for one in both), class_="two")
     pair = [PairedCase(f"{one.title}, {one.file}", one.material.results) for one in both]
     for kind in ON_ONE_SCALE:
         try:
-            made = pair_pages(pair, kind, "svg", PAGE)
+            made = pair_pages(pair, kind, "svg", in_spoken(PAGE))
         except CaseError as error:
-            yield from figures(Drawn(kind, [], " ".join(str(error).split())), NAMES[kind])
+            yield from figures(Drawn(kind, [], " ".join(str(error).split())), tr(NAMES[kind]))
             continue
-        sheets = [inline(svg, f"{kind}-{n}", NAMES[kind]) for n, svg in enumerate(made)]
-        yield from figures(Drawn(kind, sheets), NAMES[kind])
+        sheets = [inline(svg, f"{kind}-{n}", tr(NAMES[kind])) for n, svg in enumerate(made)]
+        yield from figures(Drawn(kind, sheets), tr(NAMES[kind]))
 
 
 def _stick(one: PagedCase) -> Markup:
     """The stick diagram of no gear, or its structure."""
     try:
-        kind, made = "stick", pages(one.material.results, "stick", "svg", HALF)
+        kind, made = "stick", pages(one.material.results, "stick", "svg", in_spoken(HALF))
     except CaseError:
-        kind, made = "structure", pages(one.material.results, "structure", "svg", HALF)
-    name = f"{one.label}: {NAMES[kind].lower()}"
+        kind, made = "structure", pages(one.material.results, "structure", "svg", in_spoken(HALF))
+    name = f"{one.label}: {tr(NAMES[kind])}"
     sheets = [inline(svg, f"{one.label}-{kind}-{n}", name) for n, svg in enumerate(made)]
     return tag("div", *figures(Drawn(kind, sheets), name), data_case=one.label)

@@ -14,6 +14,7 @@ from vstatics.pictures.sheet.labels import widest
 from vstatics.pictures.sheet.style import SIZE
 from vstatics.report.page_pictures import PAGE
 from vstatics.tables.html import Markup, joined, tag
+from vstatics.texts import heading, tr
 
 BESIDE = 8.0
 """Between a lever, the names of its points and the speeds. [pt]"""
@@ -72,7 +73,7 @@ def _lever(case: Transmission, cell: LeverCell) -> Markup:
         viewBox=f"0 0 {_length(wide)} {_length(high)}",
         width=_length(LARGER * wide),
         role="img",
-        aria_label=f"Lever {cell.lever.name}",
+        aria_label=tr("Lever {name}", name=cell.lever.name),
         data_from=_length(start),
         data_to=_length(start + ACROSS),
     )
@@ -116,5 +117,5 @@ def moving_speeds(links: tuple[str, ...]) -> Markup:
         )
         for name in links
     )
-    head = tag("tr", tag("th", "link", scope="col"), tag("th", "speed, rpm", scope="col"))
+    head = tag("tr", *(tag("th", heading(one), scope="col") for one in ("link", "speed, rpm")))
     return tag("table", tag("thead", head), tag("tbody", joined(*rows)), class_="speeds-now")

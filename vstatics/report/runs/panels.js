@@ -73,7 +73,8 @@
       if (leftOut.length) {
         const item = document.createElement("li");
         item.className = "note";
-        item.textContent = `left out, as they are small: ${leftOut.join(", ")}`;
+        const names = leftOut.join(", ");
+        item.textContent = `left out, as they are small: ${names}`;
         legend.append(item);
       }
       const limits = lines.flatMap((line) => ("capacity" in line ? [scaled(line.capacity)] : []));
@@ -104,7 +105,7 @@
       const told = moving.map((element) => [this.legend(legend, element.name, "engaged", false), element]);
       const count = moving.length + (gears.length > 0);
       const splits = () => Array.from({ length: count }, (_, n) => count - n - 0.5);
-      const names = [...(gears.length ? ["gear"] : []), ...moving.map(({ name }) => (name.length > 10 ? `${name.slice(0, 9)}\u2026` : name))];
+      const names = [...(gears.length ? [this.run.record.words.gear] : []), ...moving.map(({ name }) => (name.length > 10 ? `${name.slice(0, 9)}\u2026` : name))];
       const draw = (plotted) => {
         const { ctx } = plotted, bar = ([low, high], row, colour, part) => {
           const left = plotted.valToPos(Math.max(low, this.run.low), "x", true), right = plotted.valToPos(Math.min(high, this.run.high), "x", true);
@@ -197,7 +198,7 @@
         cursor.hidden = time < this.run.low || time > this.run.high;
         cursor.style.transform = `translateX(${plotted.valToPos(time, "x")}px)`;
         for (const [element, of, per, unit, heading] of told) {
-          if (states) { element.textContent = this.run.state(of, time); continue; }
+          if (states) { element.textContent = this.run.record.words[this.run.state(of, time)]; continue; }
           const value = this.run.at(of, time);
           element.textContent = `${shown(value / per)}${unit ? `\u00a0${unit}` : ""}`;
           element.dataset.heading = heading;

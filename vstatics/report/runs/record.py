@@ -21,11 +21,14 @@ from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.motion import Event, Motion
 from vstatics.statics.results import Results
 from vstatics.tables.names import written
+from vstatics.texts import tr
 
 MOST_NUMBERS = 25_000
 """Of all columns together: with as many a page has 270 kilobytes more."""
 NO_RANGE = 1e-9
 """What changes less, by the largest of its table, does not change but for rounding."""
+WORDS = ("gear", "open", "sticks", "slips")
+"""What the script calls a gear, and the states of shift elements."""
 _TABLES = {
     "speed": "speeds",
     "slip": "slips",
@@ -139,6 +142,7 @@ def _told(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
         "panels": [_panel(one, motion, numbers, columns) for one in shown],
         "gears": gear_pieces(element_sets(results), motion),
         "events": [*map(_event, motion.events)],
+        "words": {one: tr(one) for one in WORDS},
     }
 
 
@@ -154,18 +158,20 @@ def _packed(values: Floats) -> str:
 
 
 def _event(event: Event) -> dict[str, Any]:
-    what = f"step {event.step}" if event.event == "step" else event.word or event.event
+    what = event.word or event.event
+    what = tr("step {number}", number=event.step) if event.event == "step" else tr(what)
     return {"time": event.time, "told": f"{event.element} {what}"}
 
 
 def _panel(
     panel: MotionPanel, motion: Motion, numbers: Mapping[str, int], columns: _RunColumns
 ) -> dict[str, Any]:
-    what, _, unit = panel.english.rpartition(", ")
+    said = tr(panel.text)
+    what, _, unit = said.rpartition(", ")
     lines = [told for line in panel.lines for told in _lines(panel, line, motion, numbers, columns)]
     return {
         "kind": panel.kind.replace("_", "-"),
-        "title": what or panel.english,
+        "title": what or said,
         "unit": unit if what else "",
         "per": panel.unit,
         "lines": lines,

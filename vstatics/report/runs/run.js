@@ -103,8 +103,9 @@
     show() {
       const time = this.under ?? this.now, { record, box } = this;
       this.slider.value = time;
-      this.slider.setAttribute("aria-valuetext", `${time.toFixed(4)} s`);
-      box.querySelector(".time-now").textContent = time.toFixed(4);
+      const at = time.toFixed(4);
+      this.slider.setAttribute("aria-valuetext", `${at} s`);
+      box.querySelector(".time-now").textContent = at;
       box.dataset.time = time;
       this.words(time);
       this.panels.show(time);
@@ -119,9 +120,10 @@
     }
 
     words(time) {
-      const gear = this.record.gears.find(([, low, high]) => low <= time && time <= high);
-      const event = this.record.events.findLast((one) => one.time <= time);
-      const said = [gear ? `gear ${gear[0]}` : "", event ? `${event.told} at ${event.time.toFixed(4)} s` : ""].filter(Boolean).join("; last: ");
+      const [gear] = this.record.gears.find(([, low, high]) => low <= time && time <= high) ?? [];
+      const event = this.record.events.findLast((one) => one.time <= time), told = event?.told, at = event?.time.toFixed(4);
+      const last = event ? `${told} at ${at} s` : "";
+      const said = gear === undefined ? last : event ? `gear ${gear}; last: ${last}` : `gear ${gear}`;
       const line = this.box.querySelector(".gear-now");
       if (line.textContent !== said) line.textContent = said;
     }
@@ -129,7 +131,8 @@
     element(row, time) {
       const element = this.record.elements.find(({ name }) => name === row.dataset.element);
       const [state, slip, torque] = row.querySelectorAll("td");
-      state.textContent = row.dataset.state = this.state(element, time);
+      row.dataset.state = this.state(element, time);
+      state.textContent = this.record.words[row.dataset.state];
       for (const [cell, column, per] of [[slip, element.slip, RPM], [torque, element.torque, 1]]) {
         const value = this.at(column, time);
         cell.textContent = shown(value * per);

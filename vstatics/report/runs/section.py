@@ -13,6 +13,7 @@ from vstatics.report.runs.record import page_run, recorded
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup, tag
+from vstatics.texts import heading, tr
 
 _KEYS = (
     "Keys: left and right go to the instant before and after, with Shift to the event; page up "
@@ -45,20 +46,23 @@ def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
         "input", type="range", id="time", step="any", min=start, max=end, value=start,
         aria_describedby="run-keys",
     )  # fmt: skip
-    label = tag("label", "Time, s", for_="time")
+    label = tag("label", tr("Time, s"), for_="time")
     now = tag(
         "div",
         _states(motion),
-        tag("div", *figures(stick, "Stick diagram at this time"), class_="stick-now"),
+        tag("div", *figures(stick, tr("Stick diagram at this time")), class_="stick-now"),
         moving_speeds(motion.links),
         tag("div", *moving_levers(results.case), class_="levers-now"),
         class_="run-now",
     )
-    told = (
-        f"The page has {len(run.motion.time)} of {len(motion.time)} instants, with all digits. "
+    told = tr(
+        "The page has {kept} of {all} instants, with all digits. "
         "Between them it draws straight lines and reads numbers from these, which are within "
-        f"{run.off:.1g} of the range of each. Save CSV writes its instants within what is zoomed, "
-        "for the panels that are open, in SI units as vstatics simulate does."
+        "{off} of the range of each. Save CSV writes its instants within what is zoomed, "
+        "for the panels that are open, in SI units as vstatics simulate does.",
+        kept=len(run.motion.time),
+        all=len(motion.time),
+        off=f"{run.off:.1g}",
     )
     return tag(
         "div",
@@ -66,13 +70,16 @@ def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
         tag("p", class_="gear-now", role="status"),
         tag(
             "div",
-            *(tag("button", said, type="button", data_run=name) for name, said in _BUTTONS.items()),
+            *(
+                tag("button", tr(said), type="button", data_run=name)
+                for name, said in _BUTTONS.items()
+            ),
             class_="run-buttons",
         ),
         now,
         tag("div", class_="run-panels"),
         tag("p", told, class_="note"),
-        tag("p", _KEYS, class_="note", id="run-keys"),
+        tag("p", tr(_KEYS), class_="note", id="run-keys"),
         class_=f"{SCREEN} run-moves",
         hidden=True,
         data_record=_data(recorded(results, run.motion)),
@@ -90,5 +97,5 @@ def _states(motion: Motion) -> Markup:
         tag("tr", tag("th", name, scope="row"), *(tag("td") for _ in heads[1:]), data_element=name)
         for name in motion.elements
     )
-    head = tag("tr", *(tag("th", one, scope="col") for one in heads))
+    head = tag("tr", *(tag("th", heading(one) if one else "", scope="col") for one in heads))
     return tag("table", tag("thead", head), tag("tbody", *rows), class_="states-now")

@@ -14,7 +14,7 @@
       row.hidden = !every && !head.dataset.links.split(" ").some((place) => own.includes(links[place]));
       hidden += row.hidden;
     }
-    told.textContent = text === "" ? "" : own.length ? `${hidden} ${hidden === 1 ? "row" : "rows"} hidden` : `no link ${text}`;
+    told.textContent = text === "" ? "" : own.length ? `rows hidden: ${hidden}` : `no link ${text}`;
     document.getElementById("names-of-links").replaceChildren(...[...names].map((name) => new Option(name, name)));
   };
 

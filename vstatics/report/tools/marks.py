@@ -153,7 +153,7 @@ def _with_units(grid: Grid) -> Grid:
 
 def _unit(column: Column) -> dict[str, str]:
     for unit, words in UNITS.items():
-        if column.heading.endswith(f", {words.en}"):
+        if column.heading.endswith(f", {words.text}"):
             return {"unit": unit}
     scaled = _RELATIVE.get(column.heading)
     return {"scaled": scaled} if scaled else {}

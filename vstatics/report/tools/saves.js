@@ -84,10 +84,10 @@
   addEventListener("click", ({ target }) => { if (target.matches?.("button[data-save]")) save(target); });
 
   const button = (kind, name) => {
-    const made = document.createElement("button");
-    Object.assign(made, { type: "button", className: "copy", textContent: kind.toUpperCase() });
+    const made = document.createElement("button"), form = kind.toUpperCase();
+    Object.assign(made, { type: "button", className: "copy", textContent: form });
     made.dataset.save = kind;
-    made.setAttribute("aria-label", `Save ${kind.toUpperCase()}: ${name}`);
+    made.setAttribute("aria-label", `Save ${form}: ${name}`);
     return made;
   };
 

@@ -15,6 +15,7 @@ from vstatics.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 from vstatics.statics.physical import gear_scales
 from vstatics.tables.html import Markup, tag
 from vstatics.tables.quantities import QUANTITIES, UNITS
+from vstatics.texts import tr
 
 US = {"Nm": "lbf*ft", "kW": "hp"}
 """What stands in the United States in place of a unit."""
@@ -29,18 +30,19 @@ def toolbar() -> Markup:
     >>> made.count("<option "), made.count('type="search"'), made.count("data-save=")
     (3, 1, 1)
     """
-    options = (tag("option", said, value=key) for key, said in CHOICES.items())
+    options = (tag("option", tr(said), value=key) for key, said in CHOICES.items())
     return tag(
         "div",
-        tag("label", "Units ", tag("select", *options, id="units")),
+        tag("label", tr("Units"), " ", tag("select", *options, id="units")),
         tag(
             "label",
-            "Rows of link ",
+            tr("Rows of link"),
+            " ",
             tag("input", type="search", id="links", list="names-of-links", autocomplete="off"),
         ),
         tag("datalist", id="names-of-links"),
         tag("output", id="hidden-rows", role="status"),
-        tag("button", "Save the page's results as JSON", type="button", data_save="json"),
+        tag("button", tr("Save the page's results as JSON"), type="button", data_save="json"),
         tag("script", compact(_known()), type="application/json", id="known"),
         id="tools",
         class_="tools screen",
@@ -83,7 +85,7 @@ def _known() -> dict[str, Any]:
     return {
         "results": {name: one for name, one in results.items() if one["unit"]},
         "decimals": decimals,
-        "words": {key: one.en for key, one in UNITS.items()} | {"": RELATIVE},
+        "words": {key: tr(one.text) for key, one in UNITS.items()} | {"": tr(RELATIVE)},
         "places": {key: one.decimals for key, one in UNITS.items()},
         "us": {key: [1 / unit(word)[1], word] for key, word in US.items()},
     }

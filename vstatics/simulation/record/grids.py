@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text
+from vstatics.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text, word
+from vstatics.texts import tr
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
@@ -56,8 +57,10 @@ def _events(motion: Motion) -> Grid:
     rows: list[Row] = []
     shown = _energies(motion)
     for event in motion.events:
-        word = f"step {event.step}" if event.step else event.word or event.event
-        cells: Row = [exact(event.time, digits=9), event.element, word]
+        said = word(event.word or event.event)
+        if event.step:
+            said = Cell(tr("step {number}", number=event.step))
+        cells: Row = [exact(event.time, digits=9), event.element, said]
         cells.append(shown(event.energy if event.event == "impact" else None))
         rows.append(cells[: 3 + with_energy])
     columns = [Column("time [s]"), text("element"), text("event"), Column("energy [J]")]
@@ -74,7 +77,7 @@ def _energy(motion: Motion) -> Grid:
     shown, shown_by_area = _energies(motion), _of_kind(per_area.values())
 
     def add(name: str, value: float, level: int = 1) -> None:
-        cells: Row = [name, shown(value)]
+        cells: Row = [word(name) if level == 1 else name, shown(value)]
         if per_area:
             cells.append(shown_by_area(per_area.get(name) if level > 1 else None))
         rows.append(cells)

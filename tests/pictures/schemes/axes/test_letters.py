@@ -14,7 +14,7 @@ from tests.pictures.schemes.axes.letters import under_letters
 from vstatics.model.transmission import Transmission
 from vstatics.pictures import render
 from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
-from vstatics.statics.results import Language
+from vstatics.texts import Language
 
 QUICK = ("toyota-p410", "dual-clutch-wheels", "power-split")
 SLOW = ("two-stage", "moskvich412", "driveline-8hp70")

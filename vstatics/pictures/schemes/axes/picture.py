@@ -44,7 +44,7 @@ def figures(
     letters = AxesLetters.of(found, scheme)
     low, high = letters.extent(found)
     for gears in shown:
-        subject = style.text("stick diagram", "кинематическая схема")
+        subject = style.text("stick diagram")
         told = told_of(results, scheme, style, gears, subject=subject)
         size = style.width, (high[1] - low[1]) / found.letters
         head = sheet_head(

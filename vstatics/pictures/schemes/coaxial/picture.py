@@ -36,7 +36,7 @@ class CoaxialSheet(NamedTuple):
         """What the title says besides: crossings, an output that can't leave along the axis."""
         found = crossings_told(crossings_of(self.layout), style)
         if not self.layout.own.train.end:
-            found.append(style.text("output through the housing", "выход через корпус"))
+            found.append(style.text("output through the housing"))
         return found + order_told(self.layout, style)
 
     def rows(self, room: float) -> Iterator[CoaxialRow]:
@@ -74,14 +74,13 @@ def crossings_told(count: int, style: Style) -> list[str]:
     >>> crossings_told(2, Style()), crossings_told(0, Style())
     (['2 crossings'], [])
     """
-    text = f"{count} crossing{'s' * (count > 1)}", f"пересечений: {count}"
-    return [style.text(*text)] if count else []
+    return [style.text("{count} crossing|{count} crossings", count=count)] if count else []
 
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
     """What a title says where sets do not stand as they should."""
-    text = "sets in another order", "ряды в ином порядке"
-    return [] if layout.is_ordered else [style.text(*text)]
+    text = "sets in another order"
+    return [] if layout.is_ordered else [style.text(text)]
 
 
 def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:
@@ -121,7 +120,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     least = title_width(named) + 2 * WIDE_MARGIN if style.titled else 0.0
     wide = max(*(wide for wide, _ in sizes), min(least, style.width))
     look: Look = {"color": style.ink, "linestyle": FURTHER}
-    further = len(rows) > 1, "goes on in another row", "продолжается в другом ряду", look
+    further = len(rows) > 1, "goes on in another row", look
     signs = [*meanings(state, style), further]
     head = sheet_head(named, note, signs, wide - 2 * WIDE_MARGIN, style)
     top = sum(high for _, high in sizes)

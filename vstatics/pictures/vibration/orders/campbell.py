@@ -69,16 +69,16 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
     style, several = sheet.style, len(sheet.gears) > 1
     common = any(len(one.modes) == len(sheet.gears) for one in sheet.shared)
     alone = any(len(one.modes) < len(sheet.gears) for one in sheet.shared)
-    of_all = ("natural frequency of all gears", "собственная частота всех передач")
+    of_all = "natural frequency of all gears"
     if not several:
-        of_all = ("natural frequency", "собственная частота")
+        of_all = "natural frequency"
     fires, others = (any(one.fires is so for one in sheet.orders) for so in (True, False))
     plain, firing = (order_look(Order(1.0, so), style) for so in (False, True))
     return [
-        (common, *of_all, _mode_look(style, is_common=True)),
-        (alone, "of some gears", "некоторых передач", _mode_look(style, is_common=False)),
-        (others, "order n×", "порядок n×", plain),
-        (fires, "order that fires", "порядок вспышек", firing),
+        (common, of_all, _mode_look(style, is_common=True)),
+        (alone, "of some gears", _mode_look(style, is_common=False)),
+        (others, "order n×", plain),
+        (fires, "order that fires", firing),
         *running_sign(sheet.running, style),
         *dot_signs(sheet.meetings, style),
     ]
@@ -113,7 +113,7 @@ def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
 
 
 def _title(sheet: CampbellSheet) -> str:
-    subject = sheet.style.text("Campbell diagram", "диаграмма Кэмпбелла")
+    subject = sheet.style.text("Campbell diagram")
     return title(sheet.case, subject)
 
 
@@ -171,12 +171,12 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
     pen.scale("bottom", speeds, [f"{one:g}" for one in speeds], grid=True)
     pen.scale("left", hertz, texts, grid=True)
     pen.frame()
-    rpm = style.text("rpm", "об/мин")
-    said = style.text(f"speed of {sheet.input}, {rpm}", f"скорость {sheet.input}, {rpm}")
+    rpm = style.text("rpm")
+    said = style.text("speed of {input}, {rpm}", input=sheet.input, rpm=rpm)
     if not sheet.input or width(said) >= wide:  # a link with a long name is the input
-        said = style.text(f"speed of the input, {rpm}", f"скорость входа, {rpm}")
+        said = style.text("speed of the input, {rpm}", rpm=rpm)
     pen.name("bottom", said, 28)
-    pen.name("left", style.text("frequency, Hz", "частота, Гц"), widest(texts) + 16)
+    pen.name("left", style.text("frequency, Hz"), widest(texts) + 16)
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
@@ -186,7 +186,7 @@ def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
         if mode.frequency <= sheet.top:
             y, names = pen.up(mode.frequency), json.dumps(mode.gears, ensure_ascii=False)
             own = pen.within("mode", mode=str(mode.number), gears=names)
-            said = style.text(f"mode {mode.number}", f"форма {mode.number}")
+            said = style.text("mode {number}", number=mode.number)
             which = ", ".join(mode.gears)
             said = f"{said}, {gear_title(which, style)}: {sheet.hertz(mode.frequency)}"
             common = len(mode.modes) == len(sheet.gears)
@@ -208,11 +208,11 @@ def _draw_meeting(pen: Pen, met: Meeting, sheet: CampbellSheet) -> None:
         rpm=f"{speed:.12g}",
         participation=f"{mode.participation:.12g}",
     )
-    rpm, share = style.text("rpm", "об/мин"), style.text("participation", "участие")
-    said = style.text(f"mode {mode.number}", f"форма {mode.number}")
+    rpm, share = style.text("rpm"), style.text("participation")
+    said = style.text("mode {number}", number=mode.number)
     said = f"{gear_title(mode.gear, style)}, {said}, {met.order.name}: {speed:.0f} {rpm}"
     said = f"{said}, {sheet.hertz(mode.frequency)}, {share} {mode.participation:.2g}"
     if mode.damping_ratio:
-        said = f"{said}, {style.text('damping ratio', 'затухание')} {mode.damping_ratio:.3f}"
+        said = f"{said}, {style.text('damping ratio')} {mode.damping_ratio:.3f}"
     at = pen.across(speed), pen.up(mode.frequency)
     own.line(at, title=said, **dot_look(met, style))

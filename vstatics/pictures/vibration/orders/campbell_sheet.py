@@ -61,7 +61,7 @@ class CampbellSheet(NamedTuple):
 
     def hertz(self, frequency: float) -> str:
         """A frequency with its unit."""
-        return f"{number(frequency)} {self.style.text('Hz', 'Гц')}"
+        return f"{number(frequency)} {self.style.text('Hz')}"
 
     @property
     def order_ends(self) -> list[LineEnd]:
@@ -77,16 +77,14 @@ class CampbellSheet(NamedTuple):
         met = {one.mode.number for one in self.meetings}
         excited = {one.number for one in self.modes if one.is_excited}
         every = sorted({one.number for one in self.modes})
-        for numbers, english, russian in (
+        for numbers, english in (
             (
                 [n for n in every if n not in excited],
                 "the input stands in mode",
-                "вход стоит в форме",
             ),
             (
                 [n for n in every if n in excited - met],
                 "no order meets mode",
-                "порядки не доходят до",
             ),
         ):
             if numbers:
@@ -94,11 +92,10 @@ class CampbellSheet(NamedTuple):
                 shown = [f"{n} ({self.hertz(hz)})" for n, hz in zip(numbers, lowest, strict=True)]
                 if len(shown) > MOST_NAMED:
                     shown = [shown[0], "…", shown[-1]]
-                notes.append(f"{style.text(english, russian)} {', '.join(shown)}")
+                notes.append(f"{style.text(english)} {', '.join(shown)}")
         if len(self.gears) > 1:
             english = "gears whose frequencies differ by less than 0.5 % are drawn as one"
-            russian = "передачи, частоты которых различаются менее чем на 0.5 %, показаны вместе"
-            notes.append(style.text(english, russian))
+            notes.append(style.text(english))
         return "; ".join([*self.said, *notes])
 
 

@@ -59,29 +59,26 @@ def dot_signs(met: Sequence[Meeting], style: Style) -> Iterator[Meaning]:
     rates = [one.mode.damping_ratio for one in met]
     least = min(one.mode.participation for one in met)
     is_damped = any(rates)
-    full = "resonance, participation of the input 1", "резонанс, участие входа 1"
-    yield (True, *full, _look(1.0, 0.0, style, fires=False))
+    full = "resonance, participation of the input 1"
+    yield (True, full, _look(1.0, 0.0, style, fires=False))
     for part in (0.1, 0.01):
-        yield (least < 5 * part, f"{part:g}", f"{part:g}", _look(part, 0.0, style, fires=False))
-    for occurs, rate, english, russian in (
+        yield (least < 5 * part, f"{part:g}", _look(part, 0.0, style, fires=False))
+    for occurs, rate, english in (
         (
             any(one < LITTLE_DAMPED for one in rates),
             0.0,
-            f"damping ratio below {LITTLE_DAMPED:g}",
-            f"затухание до {LITTLE_DAMPED:g}",
+            style.text("damping ratio below {ratio:g}", ratio=LITTLE_DAMPED),
         ),
         (
             any(LITTLE_DAMPED <= one < MUCH_DAMPED for one in rates),
             LITTLE_DAMPED,
-            f"damping ratio to {MUCH_DAMPED:g}",
-            f"затухание до {MUCH_DAMPED:g}",
+            style.text("damping ratio to {ratio:g}", ratio=MUCH_DAMPED),
         ),
         (
             any(one >= MUCH_DAMPED for one in rates),
             MUCH_DAMPED,
-            f"damping ratio from {MUCH_DAMPED:g} on",
-            f"затухание от {MUCH_DAMPED:g}",
+            style.text("damping ratio from {ratio:g} on", ratio=MUCH_DAMPED),
         ),
     ):
         look = _look(0.3, rate, style, fires=False)
-        yield (is_damped and occurs, english, russian, look)
+        yield (is_damped and occurs, english, look)

@@ -79,9 +79,7 @@ class GearStrip(NamedTuple):
         for one in names:
             look: Look = {"ha": "center", "va": "top", "rotation": 90 * upright}
             pen.text(one.at, -4.0, one.text, **look)
-        pen.text(
-            wide / 2, high + 4, style.text("modes by gear", "формы"), ha="center", color=style.soft
-        )
+        pen.text(wide / 2, high + 4, style.text("modes by gear"), ha="center", color=style.soft)
         ends = self._ends
         every = math.ceil(height_of(ends) / high)
         beside(pen, "right", ends[:: max(every, 1)])

@@ -197,12 +197,12 @@ def _table(
     if not rows:
         return None
     headings = [
-        style.text("mode", "форма"),
-        *[style.text("gears", "передачи")] * (len(every) > 1),
-        style.text("Hz", "Гц"),
-        style.text("partici-\npation", "участие"),
-        *[style.text("damping\nratio", "затуха-\nние")] * is_damped,
-        *(f"{one.name}\n{style.text('rpm', 'об/мин')}" for one in orders),
+        style.text("mode"),
+        *[style.text("gears")] * (len(every) > 1),
+        style.text("Hz"),
+        style.text("partici-\npation"),
+        *[style.text("damping\nratio")] * is_damped,
+        *(f"{one.name}\n{style.text('rpm')}" for one in orders),
     ]
     fires = [False] * (len(headings) - len(orders)) + [one.fires for one in orders]
     return ResonanceTable(headings, fires, rows, style)
@@ -239,7 +239,7 @@ def gear_run(names: Sequence[str], every: Sequence[str], style: Style) -> str:
     'all'
     """
     if len(names) == len(every):
-        return style.text("all", "все")
+        return style.text("all")
     found: list[list[str]] = []
     for name in names:
         place = every.index(name)

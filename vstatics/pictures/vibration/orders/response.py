@@ -121,12 +121,14 @@ def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, in
 def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
     """Title and key."""
     style = sheet.style
-    link = sheet.link or style.text("the input", "входа")
+    link = sheet.link or style.text("the input")
     subject = style.text(
-        f"amplitude of {link} by a torque of 1 N·m on it",
-        f"амплитуда {link} от момента 1 Н·м на нём",
+        "amplitude of {link} by a torque of 1 N·m on it",
+        link=link,
     )
-    signs: list[Meaning] = [(True, *_order_words(one), sheet.look(one)) for one in sheet.orders]
+    signs: list[Meaning] = [
+        (True, _order_words(one, style), sheet.look(one)) for one in sheet.orders
+    ]
     signs += running_sign(sheet.running, style)
     return sheet_head(title(results.case, subject), "", signs, style.width - 2 * MARGIN, style)
 
@@ -177,7 +179,7 @@ def _figure(
     pen.text(
         MARGIN,
         middle,
-        style.text("amplitude, rad", "амплитуда, рад"),
+        style.text("amplitude, rad"),
         rotation=90,
         ha="center",
         va="center",
@@ -185,10 +187,9 @@ def _figure(
     return pen.figure
 
 
-def _order_words(order: Order) -> tuple[str, str]:
-    """What a line is, in two languages."""
-    fires = (", fires", ", вспышки") if order.fires else ("", "")
-    return f"{order.name}{fires[0]}", f"{order.name}{fires[1]}"
+def _order_words(order: Order, style: Style) -> str:
+    """What a line is."""
+    return f"{order.name}{style.text(', fires')}" if order.fires else order.name
 
 
 def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
@@ -227,10 +228,10 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     pen.scale("bottom", speeds, [f"{one:g}" for one in speeds] if is_lowest else [], grid=True)
     pen.frame()
     if is_lowest:
-        rpm = style.text("rpm", "об/мин")
-        said = style.text(f"speed of {sheet.link}, {rpm}", f"скорость {sheet.link}, {rpm}")
+        rpm = style.text("rpm")
+        said = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
         if not sheet.link or width(said) > wide:  # gears have links of their own, or a long name
-            said = style.text(f"speed, {rpm}", f"скорость, {rpm}")
+            said = style.text("speed, {rpm}", rpm=rpm)
         pen.name("bottom", said, 12.0 + 1.5 * height(""))
 
 
@@ -252,8 +253,8 @@ def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseShe
     if mode.participation <= LEAST_PARTICIPATION or not low <= value <= high:
         return
     style = sheet.style
-    said = style.text(f"mode {mode.number}", f"форма {mode.number}")
-    rpm, rad = style.text("rpm", "об/мин"), style.text("rad", "рад")
+    said = style.text("mode {number}", number=mode.number)
+    rpm, rad = style.text("rpm"), style.text("rad")
     said = f"{line.order.name}, {said}: {speed:.0f} {rpm}, {number(10.0**value)} {rad}"
     dot = {"marker": "o", "markersize": 2.2, "zorder": 3, "color": sheet.look(line.order)["color"]}
     pen.line((pen.across(float(line.speeds[at])), pen.up(float(value))), title=said, **dot)

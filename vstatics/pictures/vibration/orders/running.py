@@ -18,12 +18,12 @@ def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
     """
     if len(speeds) == 1:
         at = f"{speeds[0]:.0f}"
-        said = f"the input runs at {at} rpm", f"вход вращается с {at} об/мин"
-        yield (True, *said, _line_look(style))
+        said = style.text("the input runs at {at} rpm", at=at)
+        yield (True, said, _line_look(style))
     elif speeds:
         low, high = (f"{speeds[place]:.0f}" for place in (0, -1))
-        said = f"the input runs, {low} to {high} rpm", f"вход вращается, {low}–{high} об/мин"
-        yield (True, *said, _band_look(style))
+        said = style.text("the input runs, {low} to {high} rpm", low=low, high=high)
+        yield (True, said, _band_look(style))
 
 
 def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:

@@ -27,8 +27,8 @@ GROUND_HEIGHT = 24.0
 """From a link up to the housing. [pt]"""
 LEGEND_SIGN = 22.0
 """From the left of a sign to its meaning. [pt]"""
-_ELASTIC = ("rigid", "жёсткая связь"), ("elastic, by number", "упругая, с номером")
-_HEAVY = ("without inertia", "без инерции"), ("with inertia", "с инерцией")
+_ELASTIC = "rigid", "elastic, by number"
+_HEAVY = "without inertia", "with inertia"
 """What signs mean, from below."""
 ROOMY_PITCH = 12.0
 """With less from link to link there are no numbers of springs. [pt]"""
@@ -157,7 +157,7 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look
 def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
     """What the marks of the row mean, two lines above an ordinate, up to an abscissa [pt]."""
     style = pen.style
-    texts = [style.text(*said) for said in (_ELASTIC if elastic else _HEAVY)]
+    texts = [style.text(said) for said in (_ELASTIC if elastic else _HEAVY)]
     left = right - LEGEND_SIGN - widest(texts)
     for row, text in enumerate(texts):
         y = low + row * height("")

@@ -53,8 +53,8 @@ NOTE_GAP = 4.0
 """Between the note on a gear and its links. [pt]"""
 AMPLITUDE_SCALE_WIDTH = 16.0
 """For the ends of the scale of amplitudes. [pt]"""
-ELASTIC = "elastic energy", "энергия упругих звеньев"
-KINETIC = "kinetic energy", "кинетическая энергия"
+ELASTIC = "elastic energy"
+KINETIC = "kinetic energy"
 """What the bars are."""
 GEAR_GAP = 30.0
 """Between gears. [pt]"""
@@ -143,13 +143,13 @@ def _part(results: Results, gear: int, found: GearModes, style: Style) -> _GearM
         return _GearModesPart(head, why_none(found, style), None, [])
     links = mode_links(results, gear, found)
     marks = {name: str(place) for place, name in enumerate(springs(links), 1)}
-    note = style.text("amplitudes of links, the largest is 1", "амплитуды звеньев, наибольшая 1")
-    for those, english, russian in (
-        (links.resting, "these stand", "неподвижны"),
-        (links.idle, "without load", "без нагрузки"),
+    note = style.text("amplitudes of links, the largest is 1")
+    for those, english in (
+        (links.resting, "these stand"),
+        (links.idle, "without load"),
     ):
         if those:
-            note += f"; {style.text(english, russian)}: {', '.join(those)}"
+            note += f"; {style.text(english)}: {', '.join(those)}"
     colours = {
         name: style.colour(link - 1) for name, link in zip(links.names, links.numbers, strict=True)
     }
@@ -170,12 +170,12 @@ def _row(
     """A mode; springs have marks, links their colours."""
     marks, colours = marked
     said = [
-        style.text(f"mode {place}", f"форма {place}"),
-        f"{number(mode.frequency)} {style.text('Hz', 'Гц')}",
-        f"{number(mode.omega)} {style.text('rad/s', 'рад/с')}",
+        style.text("mode {place}", place=place),
+        f"{number(mode.frequency)} {style.text('Hz')}",
+        f"{number(mode.omega)} {style.text('rad/s')}",
     ]
     if found.damped and math.isfinite(mode.damping_ratio):
-        said.append(f"{style.text('damping', 'затухание')} {mode.damping_ratio:.4f}")
+        said.append(f"{style.text('damping')} {mode.damping_ratio:.4f}")
     return _ModeRow(
         mode,
         "    ".join(said),
@@ -193,7 +193,7 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     least = max(map(least_width, links), default=0.0)
     count = max((len(one.names) for one in links), default=1)
     elastic, kinetic = (
-        max([width(style.text(*said)), SHARE_BAR_WIDTH, *map(shares_width, shares)])
+        max([width(style.text(said)), SHARE_BAR_WIDTH, *map(shares_width, shares)])
         for said, shares in (
             (ELASTIC, [row.elastic for row in rows]),
             (KINETIC, [row.kinetic for row in rows]),
@@ -237,7 +237,7 @@ def _page_head(results: Results, wide: float, style: Style) -> float:
 
 
 def _title(results: Results, style: Style) -> str:
-    return title(results.case, style.text("natural modes", "собственные формы"))
+    return title(results.case, style.text("natural modes"))
 
 
 def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Figure:
@@ -286,7 +286,7 @@ def _draw_mode(
     y = top
     both = (row.elastic, row.kinetic)
     for end, said, shares in zip(columns.ends, (ELASTIC, KINETIC), both, strict=True):
-        pen.text(end, y, style.text(*said), va="top", ha="right", color=style.soft)
+        pen.text(end, y, style.text(said), va="top", ha="right", color=style.soft)
         draw_shares(pen, end, y - SAID_HEIGHT, shares)
         if columns.stacked:
             y -= height("") + shares_height(shares) + BETWEEN_SHARES

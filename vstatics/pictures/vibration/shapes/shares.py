@@ -64,7 +64,7 @@ def largest_shares(
         found.append(Share(wrapped(said, SHORT_NAME), shares[name], colour))
     rest = round(sum(shares.values()) - sum(one.part for one in found), 9)
     if rest >= LEAST_SHARE / 2:
-        found.append(Share(style.text("others", "прочие"), rest, style.soft))
+        found.append(Share(style.text("others"), rest, style.soft))
     return found
 
 

@@ -1,0 +1,139 @@
+"""Exercises: what is blank is what `run` calculates, and drawn teeth can be put together."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import CASES, MZKT, vstatics
+from vstatics import load, solve
+from vstatics.elements.drawing import Drawing
+from vstatics.elements.teeth.doubtful_teeth import misfits
+from vstatics.explain.drawn_numbers import drawn_numbers
+
+SHOWN = [
+    *(str(CASES / f"{one}.yaml") for one in ("zf-8hp70", "differential", "ravigneaux-gf4a")),
+    str(MZKT),
+]
+DRAWN = (
+    "zf-8hp70",
+    "ravigneaux-aod",
+    "ravigneaux-gf4a",
+    "simpson-th400",
+    "ford-10r80",
+    "gm-thm440",
+)
+
+
+def solution(case: str, *options: str) -> dict[str, Any]:
+    made: dict[str, Any] = json.loads(
+        vstatics("explain", case, "--solution", "-f", "json", *options).out
+    )
+    return made
+
+
+@pytest.mark.parametrize("case", SHOWN)
+@pytest.mark.parametrize("seed", [(), ("--seed", "5")])
+def test_a_blank_has_the_value_that_run_gives(
+    case: str, seed: tuple[str, ...], tmp_path: Path
+) -> None:
+    """Of the case that the solution carries, which is calculated again from its file."""
+    gear = load(case).gears[0].name
+    made = solution(case, "--gear", gear, *seed)
+    assert list(made) == ["case", "gear", "seed", "blanks"]
+    assert (made["gear"], made["seed"]) == (gear, int(seed[1]) if seed else None)
+    assert len(made["blanks"]) >= 10
+    assert [one["number"] for one in made["blanks"]] == [*range(1, len(made["blanks"]) + 1)]
+    written = tmp_path / "case.json"
+    written.write_text(json.dumps(made["case"]), encoding="utf-8")
+    result = json.loads(vstatics("run", str(written), "-f", "json").out)
+    place = result["gears"].index(gear)
+    case_of_result = load(written)
+    rows = result.get("rows") or rows_of(case_of_result)
+    for one in made["blanks"]:
+        values = result[one["table"]]
+        values = values if one["row"] is None else values[rows[one["table"]].index(one["row"])]
+        assert values[place] == one["value"], one
+
+
+def rows_of(case: Any) -> dict[str, list[str]]:
+    """Names of the rows of a case of mechanisms, as docs/results.md has them."""
+    devices = [one.name for one in (*case.shift_elements, *case.mechanisms)]
+    mechanisms = [one.name for one in case.mechanisms]
+    elements = [one.name for one in case.shift_elements]
+    torques = [*devices, "Mx"]
+    return {
+        "W": case.link_names,
+        "WFRI": elements,
+        "AMLG": torques,
+        "AMLGP": torques,
+        **dict.fromkeys(("WSAT", "IX", "losses"), mechanisms),
+    }
+
+
+def test_even_a_pair_of_wheels_has_ten_blanks(tmp_path: Path) -> None:
+    case = tmp_path / "pair.yaml"
+    case.write_text("links: 2\nmechanisms: {P: {first: 1, second: 2, ratio: -2}}\ngears: {g: []}\n")
+    assert len(solution(str(case), "--gear", "g")["blanks"]) >= 10
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "latex"])
+def test_a_worksheet_is_its_solution_without_numbers(form: str) -> None:
+    """Both have the same blanks in the same order; the line stands where the number is."""
+    common = "explain", SHOWN[0], "--gear", "2", "-f", form
+    sheet = vstatics(*common, "--worksheet").out.replace("\\", "")
+    solved = vstatics(*common, "--solution").out.replace("\\", "").replace("$", "")
+    blanks = re.findall(r"\[(\d+)\] ____", sheet)
+    assert blanks == [str(one) for one in range(1, len(blanks) + 1)]
+    numbers = re.findall(r"\[(\d+)\] -?\d*\.?\d+", solved)
+    assert numbers == blanks
+    assert "____" not in solved
+
+
+@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_drawn_teeth_can_be_put_together_and_change_the_ratios(name: str, seed: int) -> None:
+    case = load(CASES / f"{name}.yaml")
+    drawn = drawn_numbers(case, seed)
+    assert isinstance(drawn.drawing, Drawing)
+    for one in drawn.drawing.elements:
+        assert list(misfits(one)) == [], one
+    before, after = solve(case).ratio, solve(drawn).ratio
+    assert (abs(after / before - 1) > 1e-6).any()
+    assert ((after > 0) == (before > 0)).all()
+
+
+def test_a_seed_gives_the_same_again_and_another_one_other_numbers() -> None:
+    one, again, other = (
+        vstatics("explain", SHOWN[1], "--gear", "2", "--solution", "--seed", seed).out
+        for seed in ("3", "3", "5")
+    )
+    assert one == again != other
+
+
+def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
+    case = SHOWN[0]
+    assert vstatics("explain", case, "--worksheet").status == 2
+    assert vstatics("explain", case, "--seed", "3").status == 2
+    assert vstatics("explain", case, "--worksheet", "--gear", "1", "-f", "json").status == 2
+
+
+def test_a_gear_without_numbers_is_no_exercise(tmp_path: Path) -> None:
+    case = tmp_path / "tied.yaml"
+    case.write_text(
+        "links: 2\nshift_elements: {A: [1, housing], B: [2, housing]}\n"
+        "mechanisms: {P: {first: 1, second: 2, ratio: -2}}\ngears: {g: [A, B], h: []}\n"
+    )
+    said = vstatics("explain", str(case), "--gear", "g", "--worksheet")
+    assert said.status == 1
+    assert "has no numbers to ask for" in said.all
+
+
+def test_an_exercise_speaks_the_language() -> None:
+    text = vstatics("explain", SHOWN[0], "--gear", "1", "--worksheet", "--lang", "ru").out
+    assert "Скорости звеньев [W]" in text
+    assert "передаточное отношение" in text

@@ -1,0 +1,76 @@
+"""A case with other numbers, drawn at random: teeth that can be assembled, ratios near its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+from random import Random
+
+from vstatics.elements.drawing import Drawing, drawing_of
+from vstatics.elements.element import Element
+from vstatics.elements.group import group_of
+from vstatics.elements.teeth.doubtful_teeth import fitting
+from vstatics.elements.teeth.layout import Teeth
+from vstatics.model.parts import Law, Mechanism
+from vstatics.model.transmission import Transmission
+
+NEAREST = 40
+"""Teeth are drawn among so many that fit, those that change least."""
+FARTHEST = 0.25
+"""By such a part a ratio changes at most."""
+
+
+def drawn_numbers(case: Transmission, seed: int) -> Transmission:
+    """The same structure with other teeth, and other ratios of what has none.
+
+    Ratios of 1 stay, as shafts have them; so do those that follow a law.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> drawn = drawn_numbers(case, 7).mechanisms[0].ratio
+    >>> drawn == drawn_numbers(case, 7).mechanisms[0].ratio, -3.2 < drawn < -1.8
+    (True, True)
+    """
+    random = Random(seed)  # noqa: S311 - for exercises
+    drawing = drawing_of(case)
+    if not isinstance(drawing, Drawing):
+        return case.replace(mechanisms=[_with_ratio(one, random) for one in case.mechanisms])
+    elements = [_with_teeth(one, random) for one in drawing.elements]
+    own = [_with_ratio(one, random) for one in drawing.mechanisms]
+    return case.replace(drawing=replace(drawing, elements=elements, mechanisms=own))
+
+
+def _with_ratio(one: Mechanism, random: Random) -> Mechanism:
+    if isinstance(one.ratio, Law) or abs(one.ratio) == 1 or one.kind:
+        return one
+    drawn = one.ratio * (1 + random.uniform(-FARTHEST, FARTHEST))
+    if (abs(drawn) > 1) != (abs(one.ratio) > 1):  # what is reduced stays so
+        drawn = 2 * one.ratio - drawn
+    return one._replace(ratio=float(f"{drawn:.3g}"))
+
+
+def _with_teeth(element: Element, random: Random) -> Element:
+    found = list(islice(fitting(element), NEAREST))
+    return _changed(element, random.choice(found)) if found else element
+
+
+def _changed(element: Element, teeth: Teeth) -> Element:
+    """An element with other teeth: by the index of a wheel, or the name of a rim or wheel."""
+    if element.rims:
+        wheels = [
+            one._replace(teeth=teeth.get(index, one.teeth))
+            for index, one in enumerate(element.wheels)
+        ]
+        rims = {
+            planet: {rim: teeth.get(rim, count) for rim, count in own.items()}
+            for planet, own in element.rims.items()
+        }
+        return replace(element, wheels=wheels, rims=rims)
+    members = dict[object, str]()
+    if any(isinstance(key, int) for key in teeth):
+        members |= {index: one.member for index, one in enumerate(group_of(element).wheels)}
+    named = {members.get(key, key): count for key, count in teeth.items()}
+    kept = {name: named.get(name, count) for name, count in element.teeth.items()}
+    return replace(element, teeth=kept)

@@ -1,0 +1,232 @@
+"""A gear as an exercise: its numbers left blank, and the same with numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from vstatics.elements.drawing import drawing_of
+from vstatics.errors import CaseError
+from vstatics.model.parts import Law
+from vstatics.statics.results import Results
+from vstatics.tables.answer import plain_data
+from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
+from vstatics.tables.grids import structural_zeros
+from vstatics.tables.names import ROWS
+from vstatics.tables.quantities import Table
+from vstatics.tables.values import tables
+from vstatics.texts import tr
+from vstatics.writers import result_json
+
+ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
+"""Tables whose numbers are asked for, in the order in which they are calculated."""
+MORE = ("power_balance",)
+"""One that is asked for, too, where these have less than `LEAST` numbers."""
+LEAST = 10
+NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}
+"""What the only number of a table is called."""
+LINE = "____"
+
+
+class Blank(NamedTuple):
+    """A number that is asked for."""
+
+    number: int
+    """From 1."""
+    table: str
+    """Its key in the JSON of a result."""
+    row: str | None
+    """Of the table; None where it has one number for each gear."""
+    value: float
+    """As it is there."""
+
+
+class GearExercise(NamedTuple):
+    """A gear whose numbers are asked for."""
+
+    results: Results
+    place: int
+    """Of the gear, from 0."""
+    seed: int | None
+    """By which its numbers were drawn."""
+    shown: Sequence[Table]
+    """The tables that have a blank."""
+    blanks: Sequence[Blank]
+
+    @property
+    def gear(self) -> str:
+        """Its name."""
+        return self.results.case.gears[self.place].name
+
+    def document(self) -> dict[str, Any]:
+        """The solution as plain data; `case` is a case that can be run."""
+        return {
+            "case": result_json.document(self.results)["case"],
+            "gear": self.gear,
+            "seed": self.seed,
+            "blanks": [plain_data(one) for one in self.blanks],
+        }
+
+
+def worksheet(results: Results, index: int, seed: int | None = None) -> GearExercise:
+    """The exercise of a gear of one case.
+
+    What the scheme makes 0 is not asked for, nor is the speed of the input, unless there is
+    little else.
+
+    Parameters
+    ----------
+    index : int
+        Of the gear, from 0.
+    seed : int, optional
+        By which numbers of the case were drawn.
+
+    Raises
+    ------
+    CaseError
+        If the gear has no numbers.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> made = worksheet(solve(case), 0)
+    >>> made.blanks[1]
+    Blank(number=2, table='W', row='3', value=0.2857142857142857)
+    """
+    by_key = {one.quantity.key: one for one in tables(results)}
+    wanted = [by_key[key] for key in ASKED if key in by_key]
+    found = list(_blanks(results, index, wanted, telling=True))
+    if len(found) < LEAST:
+        wanted += [by_key[key] for key in MORE]
+        found = list(_blanks(results, index, wanted, telling=False))
+    if not found:
+        gear = results.case.gears[index].name
+        raise CaseError(
+            "E910", f"gear {gear} has no numbers to ask for; ask for another with --gear"
+        )
+    keys = {one.table for one in found}
+    shown = [one for one in wanted if one.quantity.key in keys]
+    return GearExercise(results, index, seed, shown, found)
+
+
+def _blanks(
+    results: Results, index: int, wanted: Sequence[Table], *, telling: bool
+) -> Iterator[Blank]:
+    """The numbers of a gear; those alone that tell something, if so."""
+    case, number = results.case, 0
+    the_input = case.link_name(case.gear_input(case.gears[index]))
+    for one in wanted:
+        zero = structural_zeros(one, results)[:, index].tolist()
+        for row, value, is_zero in zip(one.rows, one.values[:, index].tolist(), zero, strict=True):
+            is_given = one.quantity.key == "W" and row == the_input
+            if math.isnan(value) or (telling and (is_zero or is_given)):
+                continue
+            number += 1
+            is_one = one.quantity.rows == "one"
+            kind = one.quantity.kind
+            yield Blank(number, one.quantity.key, None if is_one else row, kind(value))
+
+
+def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
+    """What is given of the case, then the tables with their blanks.
+
+    Parameters
+    ----------
+    solved : bool
+        Whether the numbers stand in them.
+    """
+    yield from _given(sheet)
+    for one in sheet.shown:
+        quantity = one.quantity
+        own = [blank for blank in sheet.blanks if blank.table == quantity.key]
+        decimals = quantity.decimals
+
+        def cell(blank: Blank, decimals: int = decimals) -> Cell:
+            if not solved:
+                return Cell(f"[{blank.number}] {LINE}")
+            number = (
+                whole(blank.value) if isinstance(blank.value, int) else exact(blank.value, decimals)
+            )
+            return number._replace(text=f"[{blank.number}] {number.text}")
+
+        yield _asked(one, own, cell)
+
+
+def _asked(one: Table, blanks: Sequence[Blank], cell: Callable[[Blank], Cell]) -> Grid:
+    quantity = one.quantity
+    if quantity.rows == "one":
+        name = word(NAMES.get(quantity.key, quantity.title))
+        rows: list[Values] = [(name, cell(blank)) for blank in blanks]
+        head = "quantity"
+    else:
+        rows = [(blank.row, cell(blank)) for blank in blanks]
+        head = "torque of" if quantity.rows == "torques" else ROWS[quantity.rows].one
+    columns = [text(head), Column("value")]
+    return grid_of(f"{quantity.title} [{quantity.key}]", columns, rows, key=quantity.key)
+
+
+def _given(sheet: GearExercise) -> Iterator[Grid]:
+    """What the numbers follow from: the gear, its parts, how they are joined."""
+    case = sheet.results.case
+    gear = case.gears[sheet.place]
+    names = [one.name for one in case.shift_elements]
+    engaged = [names[number - 1] for number in gear.engaged]
+    said = tr("engaged {names}", names=", ".join(engaged)) if engaged else tr("nothing engaged")
+    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
+    drawing = drawing_of(case)
+    data = result_json.document(sheet.results)["case"]
+    if drawing is not None and drawing.elements:
+        rows: list[Values] = [
+            (one.name, word(one.kind.replace("_", " ")), *_members(data["elements"][one.name]))
+            for one in drawing.elements
+        ]
+        headings = ["element", "kind", "links", "teeth", "efficiency"]
+        yield grid_of("Elements", headings, rows, optional=["teeth", "efficiency"])
+    if drawing is None or drawing.mechanisms:
+        own = case.mechanisms if drawing is None else drawing.mechanisms
+        rows = [
+            (
+                one.name,
+                *(case.link_name(link) for link in (one.first, one.second)),
+                case.link_name(one.third) if one.third else "-",
+                *(tr("by a law") if isinstance(n, Law) else n for n in (one.ratio, one.efficiency)),
+            )
+            for one in own
+        ]
+        headings = ["mechanism", "first", "second", "third", "ratio", "efficiency"]
+        yield grid_of("Mechanisms", headings, rows)
+    rows = [
+        (
+            one.name,
+            *(case.link_name(link) if link else tr("housing") for link in one.links),
+            word("engaged" if number in gear.engaged else "open"),
+        )
+        for number, one in enumerate(case.shift_elements, 1)
+    ]
+    if rows:
+        yield grid_of("Shift elements", ["shift element", "first", "second", "state"], rows)
+    outside = [
+        (case.link_name(case.gear_input(gear)), word("input")),
+        (case.link_name(case.gear_output(gear)), word("output")),
+    ]
+    yield grid_of("Ports", ["link", "port"], outside)
+
+
+def _members(data: Mapping[str, Any]) -> tuple[str, str, Any]:
+    """Links by member, teeth by wheel, and the efficiency of an element, as they are told."""
+    rest = ("kind", "teeth", "planets", "efficiency", "rims", "suns", "rings", "meshes")
+    links = [
+        f"{tr(key.replace('_', ' '))} {one}"
+        for key, one in data.items()
+        if key not in rest and isinstance(one, str | int)
+    ]
+    wheels = [(key, one) for key, one in data.get("teeth", {}).items()]
+    for part in ("suns", "rings"):
+        for wheel in data.get(part, ()):
+            links.append(f"{tr(part)}: {wheel['link']}")
+            wheels.append((str(wheel["link"]), wheel["teeth"]))
+    wheels += [(rim, one) for own in data.get("rims", {}).values() for rim, one in own.items()]
+    teeth = ", ".join(f"{tr(key.replace('_', ' '))} {one}" for key, one in wheels)
+    return ", ".join(links), teeth, data.get("efficiency", "")
