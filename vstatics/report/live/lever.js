@@ -9,8 +9,8 @@
     const nodes = Object.values(lever.nodes), known = new Map();
     const third = nodes.find(({ position }) => position === 0)?.link;
     const own = lever.devices.flatMap((device) => c.devices[device].mechanisms).filter((n) => c.mechanisms[n].links[2] === third);
-    const isFirst = (link) => own.some((n) => c.mechanisms[n].links[0] === link) && !own.some((n) => c.mechanisms[n].links[1] === link);
-    for (const { link, position } of nodes) if (position === 0 || (position === 1 && !isFirst(link))) known.set(link, position); // a first link is there by its ratio
+    const isByRatio = (link) => own.some((n) => c.mechanisms[n].links[0] === link && nodes.some((one) => one.link === c.mechanisms[n].links[1] && one.position === 1));
+    for (const { link, position } of nodes) if (position === 0 || (position === 1 && !isByRatio(link))) known.set(link, position);
     for (let round = 0; round < own.length; round += 1) {
       for (const n of own) {
         const [one, other] = c.mechanisms[n].links;
