@@ -116,7 +116,7 @@ def fitting(element: Element) -> Iterator[Teeth]:
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
     >>> next(fitting(Element("P", "planetary", members, teeth, planets=4)))
-    {'planet': 23, 0: 30, 1: 76}
+    {'planet': 22, 0: 30, 1: 74}
     """
     subject = _subject(element)
     if subject is None:

@@ -119,7 +119,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
     """The number of each thing but links, by which it has its colour in all panels.
 
-    >>> numbers_of(["A", "B"], [MotionPanel("heat", "", "", 1.0, (MotionLine(("P1",), None),))])
+    >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}
     """
     others = (
