@@ -11,7 +11,8 @@ from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, fi
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
 from vstatics.synthesis.boxes.search.ranges import divide, reached
-from vstatics.synthesis.boxes.search.sequences import SequenceRoom, sequence_found
+from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
+from vstatics.synthesis.boxes.search.sequences.search import sequence_found
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
@@ -96,7 +97,7 @@ def sequences_of_ports(
     for number in range(count):
         different = _different(table, port, sets[number], room)
         put(room.cells.ratio_of, room.sequences.ratio_of)
-        put(room.cells.chains.used, room.sequences.used)
+        put(room.cells.chains.used, room.sequences.chains.used)
         length, is_open = sequence_found(room.parts[:different], asked, room.sequences)
         if length > 0:
             room.lengths[found] = length

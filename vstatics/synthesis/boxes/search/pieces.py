@@ -25,7 +25,7 @@ from vstatics.synthesis.boxes.search.engaged import (
 from vstatics.synthesis.boxes.search.joining import set_room
 from vstatics.synthesis.boxes.search.kernel import Room, boxes_of_ports, sequences_of_ports
 from vstatics.synthesis.boxes.search.ranges import lines
-from vstatics.synthesis.boxes.search.sequences import Sequence, sequence_room
+from vstatics.synthesis.boxes.search.sequences.room import sequence_of, sequence_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.shifts import neighbours
 from vstatics.synthesis.boxes.search.solving import cell_room
@@ -249,16 +249,6 @@ def _asked(search: BoxSearch) -> Asked:
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
-def _sequence(search: BoxSearch) -> Sequence:
-    """The gears besides the targets, in logarithms."""
-    wanted = search.sequence
-    if wanted is None:
-        return Sequence(0, 0, 0.0, 0.0, 0.0, 0.0, falling=False)
-    low, high = map(math.log, wanted.spread)
-    least, most = map(math.log, wanted.steps)
-    return Sequence(wanted.least, wanted.most, low, high, least, most, wanted.falling)
-
-
 def _shifts(search: BoxSearch) -> Integers:
     """The targets between which one element is to change."""
     in_turn = search.singly and search.sequence is None
@@ -270,13 +260,14 @@ def _room(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = _asked(search)
+    wanted = sequence_of(search.sequence, singly=search.singly)
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets, _shifts(search)),
-        sequences=sequence_room(table, asked, _sequence(search), sets),
+        sequences=sequence_room(table, asked, wanted, sets),
         lengths=np.zeros(most, np.int64),
-        gears=np.zeros((most, targets + _sequence(search).most), np.int64),
+        gears=np.zeros((most, targets + wanted.most), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
