@@ -53,7 +53,7 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
 
 
 def _named(box: ListedBox, drawn: Collection[int]) -> str:
-    return box_link(box) if box.number in drawn else f"box {box.number}"
+    return box_link(box) if box.number in drawn else tr("box {number}", number=box.number)
 
 
 def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
@@ -65,12 +65,17 @@ def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
             "div",
             _named(box, drawn),
             f": {' '.join(list(box.elements)[box.brakes :])}, ",
-            f"loss {exact(100 * box.loss).text} %, torque {exact(box.torque).text}, ",
-            f"drag {exact(box.drag).text}",
+            ", ".join(f"{tr(name)} {figure}" for name, figure in _important(box)),
         )
         for box in boxes
     ]
     return Cell(tag("details", tag("summary", str(len(boxes))), *lines))
+
+
+def _important(box: ListedBox) -> Iterator[tuple[str, str]]:
+    yield "loss", f"{exact(100 * box.loss).text} %"
+    yield "torque", exact(box.torque).text
+    yield "drag", exact(box.drag).text
 
 
 def family_grid(listing: BoxListing) -> Grid:
@@ -133,7 +138,7 @@ def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
     yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
     more = (one.with_digits(digits) for one in (element_grid(box), set_grid(box)))
-    said = "Torques, slips, speeds, losses and drag by gear"
+    said = tr("Torques, slips, speeds, losses and drag by gear")
     yield tag("details", tag("summary", said), line_of(_facts(box)), *map(table, more))
 
 
@@ -169,15 +174,16 @@ def _of(values: Mapping[str, float], name: str) -> Cell:
 
 def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
     """What is told of the box as a whole besides."""
-    yield "skip shifts", str(box.skip_shifts)
-    yield "torque of both signs", ", ".join(box.reversing) or "none"
-    yield "may be one-way", ", ".join(box.one_way) or "none"
-    yield "ratios beyond", ", ".join(exact(one).text for one in box.beyond) or "none"
+    none = tr("none")
+    yield tr("skip shifts"), str(box.skip_shifts)
+    yield tr("torque of both signs"), ", ".join(box.reversing) or none
+    yield tr("may be one-way"), ", ".join(box.one_way) or none
+    yield tr("ratios beyond"), ", ".join(exact(one).text for one in box.beyond) or none
 
 
 def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     if box.known:
-        yield "known as", box.known
+        yield tr("known as"), box.known
     named = {
         "mean loss [%]": 100 * box.loss,
         "largest torque": box.torque,
@@ -191,4 +197,4 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     yield tr("it is"), ", ".join(tr(name) for name, holds in marks.items() if holds) or "-"
     yield tr("scheme"), box.code
     for sets in box.ravigneaux.values():
-        yield tr("Ravigneaux"), tr(" and ").join(sets)
+        yield tr("Ravigneaux"), ", ".join(sets)

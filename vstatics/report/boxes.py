@@ -16,7 +16,8 @@ from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
 from vstatics.report.sections import Part
-from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
+from vstatics.synthesis.boxes.listing import BoxListing, WantedOfBoxes, drawn_boxes
+from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears
 from vstatics.tables.answer import plain_data
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
@@ -101,8 +102,44 @@ def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
 
 
 def _about(listing: BoxListing) -> Iterator[Markup]:
-    targets = (f"{name} {gear.target:g}" for name, gear in listing.boxes[0].gears.items())
-    yield tag("p", typeset(tr("Wanted: {targets}.", targets=", ".join(targets))), class_="told")
+    if listing.wanted:
+        targets = "; ".join(_asked(listing.wanted))
+        yield tag("p", typeset(tr("Wanted: {targets}.", targets=targets)), class_="told")
+
+
+def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
+    """What was asked of the gears, in words."""
+    ratios = [_ratio(*ends, tolerance=wanted.tolerance) for ends in wanted.ratios]
+    if not wanted.gears:
+        middles = [_middle(*ends) for ends in wanted.ratios]
+        names = names_of_gears(middles)
+        yield ", ".join(f"{names[place]}: {ratios[place]}" for place in in_order(middles))
+        return
+    least, most = wanted.gears
+    count = str(most) if least == most else _range(least, most)
+    yield tr("forward gears: {number}", number=count)
+    for text, ends in (("spread {range}", wanted.spread), ("steps {range}", wanted.steps)):
+        if ends:
+            yield tr(text, range=_range(*ends))
+    if wanted.falling:
+        yield tr("no step larger than the one below it")
+    if ratios:
+        yield tr("besides: {ratios}", ratios=", ".join(ratios))
+
+
+def _ratio(low: float, high: float, *, tolerance: float) -> str:
+    """A wanted ratio: a range, or a number where it is one within the tolerance."""
+    if math.isclose(abs(math.log(high / low)), 2 * tolerance, rel_tol=1e-6):
+        return f"{_middle(low, high):g}"
+    return _range(low, high)
+
+
+def _middle(low: float, high: float) -> float:
+    return math.copysign(math.sqrt(low * high), low)
+
+
+def _range(low: float, high: float) -> str:
+    return tr("{low} to {high}", low=f"{low:g}", high=f"{high:g}")
 
 
 def _line(listing: BoxListing) -> Markup:

@@ -29,7 +29,8 @@ from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
 from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
-from vstatics.synthesis.boxes.listing import BoxListing, listed_box
+from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
+from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
@@ -193,9 +194,12 @@ def test_filters_of_what_is_so() -> None:
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
     search, box = ZF_6HP_SEARCH, ZF_6HP
     found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),)))
+    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),), 0, wanted_of(search)))
     Draft202012Validator(schema(BoxListing)).validate(document)
     assert (document["searched"], document["found"], document["families"]) == (1234, 1, 1)
+    for target, (low, high) in zip(search.targets, document["wanted"]["ratios"], strict=True):
+        assert low < target < high
+    assert listing_of(document).wanted == wanted_of(search)
     [one] = document["boxes"]
     assert one["held"] == found[0].found.box.held
     # L0 large sun, L1 rear carrier, L3 small sun, L5 front carrier, L6 input: C, D, B, E, A
