@@ -348,7 +348,7 @@ def combinations(
 
     Source
     ------
-    docs/synthesis.md.
+    docs/synthesis-method.md.
 
     Examples
     --------
