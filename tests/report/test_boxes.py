@@ -76,6 +76,17 @@ def test_the_page_tells_what_was_wanted_and_not_what_the_first_box_has(
     assert said in words(boxes_page(listing))
 
 
+def test_a_gear_within_its_range_is_not_off() -> None:
+    document = simpson()
+    first, last = document["wanted"]["ratios"][0], document["boxes"][0]["gears"]["1"]
+    low, high = last["target"] / 1.2, last["target"] * 1.2
+    document["wanted"]["ratios"][0] = [low, high]
+    assert first[0] < last["target"] < first[1]
+    own = [words(row) for row in rows(page(document), "diagrams")]
+    assert own[0].endswith(f"{last['ratio']:.3f} {low:g} to {high:g}")
+    assert [len(row.split()) - row.count("●") for row in own[1:]] == [4, 4, 4]  # target, off
+
+
 def test_a_page_without_what_was_wanted_does_not_guess() -> None:
     document = simpson()
     del document["wanted"]

@@ -10,7 +10,15 @@ from vstatics.errors import CaseError
 from vstatics.extras import missing
 from vstatics.pictures.sheet.style import Style
 from vstatics.report.asked import EVERYTHING
-from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
+from vstatics.report.box_parts import (
+    all_grid,
+    asked_range,
+    asked_ratio,
+    box_link,
+    family_grid,
+    middle,
+    shown_box,
+)
 from vstatics.report.html_page import framed, stamped
 from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
@@ -109,37 +117,22 @@ def _about(listing: BoxListing) -> Iterator[Markup]:
 
 def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
     """What was asked of the gears, in words."""
-    ratios = [_ratio(*ends, tolerance=wanted.tolerance) for ends in wanted.ratios]
+    ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
     if not wanted.gears:
-        middles = [_middle(*ends) for ends in wanted.ratios]
+        middles = [middle(ends) for ends in wanted.ratios]
         names = names_of_gears(middles)
         yield ", ".join(f"{names[place]}: {ratios[place]}" for place in in_order(middles))
         return
     least, most = wanted.gears
-    count = str(most) if least == most else _range(least, most)
+    count = str(most) if least == most else asked_range((least, most))
     yield tr("forward gears: {number}", number=count)
     for text, ends in (("spread {range}", wanted.spread), ("steps {range}", wanted.steps)):
         if ends:
-            yield tr(text, range=_range(*ends))
+            yield tr(text, range=asked_range(ends))
     if wanted.falling:
         yield tr("no step larger than the one below it")
     if ratios:
         yield tr("besides: {ratios}", ratios=", ".join(ratios))
-
-
-def _ratio(low: float, high: float, *, tolerance: float) -> str:
-    """A wanted ratio: a range, or a number where it is one within the tolerance."""
-    if math.isclose(abs(math.log(high / low)), 2 * tolerance, rel_tol=1e-6):
-        return f"{_middle(low, high):g}"
-    return _range(low, high)
-
-
-def _middle(low: float, high: float) -> float:
-    return math.copysign(math.sqrt(low * high), low)
-
-
-def _range(low: float, high: float) -> str:
-    return tr("{low} to {high}", low=f"{low:g}", high=f"{high:g}")
 
 
 def _line(listing: BoxListing) -> Markup:
@@ -194,4 +187,4 @@ def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator
             from vstatics.pictures.boxes.stick import stick_diagram
 
             svg = stick_diagram(case, "")
-        yield from shown_box(box, svg, digits)
+        yield from shown_box(box, svg, digits, listing.wanted)

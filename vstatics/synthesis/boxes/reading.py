@@ -87,9 +87,7 @@ def listing_of(document: Any) -> BoxListing:
     problems: list[Problem] = []
     searched = _read(int, document.get("searched"), "searched", problems)
     given_up = _read(int, document.get("given_up", 0), "given_up", problems)
-    wanted: WantedOfBoxes | None = None
-    if "wanted" in document:
-        wanted = _read(WantedOfBoxes, document["wanted"], "wanted", problems)
+    wanted = _wanted(document["wanted"], problems) if "wanted" in document else None
     for number, given in enumerate(document["boxes"], 1):
         if len(problems) >= MOST_WRONG:
             break
@@ -97,6 +95,17 @@ def listing_of(document: Any) -> BoxListing:
     if problems:
         raise ReadError(problems[:MOST_WRONG])
     return BoxListing(searched, tuple(boxes), given_up, wanted)
+
+
+def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
+    """What was asked, if it is that; what is wrong with it is told."""
+    found: WantedOfBoxes = _read(WantedOfBoxes, given, "wanted", problems)
+    for name in ("gears", "spread", "steps"):
+        ends = getattr(found, name)
+        if len(ends) not in (0, 2):
+            message = f"wanted.{name}: read {type_and_value([*ends])}, expected two numbers or none"
+            problems.append(Problem("E807", message))
+    return found
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
@@ -129,8 +138,8 @@ _EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
     tuple[int, ...]: ("a list of counts", lambda one: _is_list(int, one)),
     tuple[float, ...]: ("a list of numbers", lambda one: _is_list(float, one)),
     tuple[tuple[float, ...], ...]: (
-        "a list of lists of numbers",
-        lambda one: isinstance(one, list) and all(_is_list(float, part) for part in one),
+        "a list of ranges, each two numbers of one sign, the smaller one first",
+        lambda one: isinstance(one, list) and all(map(_is_range, one)),
     ),
     dict: ("an object", lambda one: isinstance(one, dict)),
 }
@@ -139,6 +148,13 @@ _EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
 
 def _is_list(kind: Any, given: Any) -> bool:
     return isinstance(given, list) and all(map(_EXPECTED[kind][1], given))
+
+
+def _is_range(given: Any) -> bool:
+    if not _is_list(float, given) or len(given) != 2:
+        return False
+    low, high = given
+    return bool(low * high > 0 and low < high)
 
 
 def _is_number(given: Any) -> bool:
