@@ -23,15 +23,14 @@ except KeyboardInterrupt:
     raise SystemExit(130) from None  # before it has done so
 
 # isort: split
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.extras import __version__, later
+from vstatics.extras import HIGHER, __version__, later
 from vstatics.model.parts import Damping, Load
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import from_dict, load, loads
+from vstatics.readers import load, loads
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -123,34 +122,19 @@ _LATER = {
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
-_METHODS = (
-    (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
-    (Results, "__getitem__", "vstatics.tables.names", "by_name"),
-    (Results, "_repr_html_", "vstatics.summary.pretty", "html"),
-    (Transmission, "part_numbers", "vstatics.sweep.variants.part_numbers", "part_numbers"),
-    (
-        Transmission,
-        "with_part_numbers",
-        "vstatics.sweep.variants.part_numbers",
-        "with_part_numbers",
-    ),
+HIGHER.update(
+    {
+        "by_name": "vstatics.tables.names",
+        "from_dict": "vstatics.readers",
+        "part_numbers": "vstatics.sweep.variants.part_numbers",
+        "plot": "vstatics.pictures.plotting",
+        "results_html": "vstatics.summary.pretty",
+        "to_dataframe": "vstatics.tables.dataframe",
+        "to_xarray": "vstatics.tables.dataset",
+        "with_part_numbers": "vstatics.sweep.variants.part_numbers",
+    }
 )
-"""Methods that come from rooms of which the rooms of model and results must know nothing."""
-
-
-def _method_of(module: str, function: str) -> Any:
-    """A method that is imported when it is called."""
-
-    def method(*given: Any, **named: Any) -> Any:
-        return getattr(import_module(module), function)(*given, **named)
-
-    method.__doc__ = f"See `{module}.{function}`."
-    return method
-
-
-for _of, _method, _module, _function in _METHODS:
-    setattr(_of, _method, _method_of(_module, _function))
-Transmission.from_dict = staticmethod(from_dict)  # type: ignore[method-assign]
+"""Methods that come from rooms of which those of their classes must know nothing."""
 
 
 __getattr__ = later(__name__, _LATER)
