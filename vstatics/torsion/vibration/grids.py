@@ -30,11 +30,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> [table.title for table in tables[3:]]
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
-    yield _rigid(gears)
-    if any(gear.modes for gear in gears):
-        yield _frequencies(gears)
-        yield _most(gears)
-    yield from _damped(gears)
+    yield from overview_grids(gears)
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
@@ -42,6 +38,15 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
             yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
             yield _by_mode(gear, "device", "shares of elastic energy", lambda m: m.elastic, _part)
+
+
+def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
+    """The tables of all gears together."""
+    yield _rigid(gears)
+    if any(gear.modes for gear in gears):
+        yield _frequencies(gears)
+        yield _most(gears)
+    yield from _damped(gears)
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
