@@ -41,12 +41,17 @@ from vstatics.sweep import sweep
 if TYPE_CHECKING:
     from vstatics.checking import check
     from vstatics.comparison.compare import compare
+    from vstatics.damage.devices import damages
+    from vstatics.damage.rayleigh import rayleigh_life
+    from vstatics.damage.resize import resized, resized_by_ratio
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
     from vstatics.examples import example
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.fatigue import Fatigue
+    from vstatics.model.vehicle import Vehicle
     from vstatics.pictures.plotting import plot
     from vstatics.report import write_report
     from vstatics.simulation.record.motion import Motion
@@ -55,6 +60,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
     from vstatics.summary import summarize
     from vstatics.summary.operation.cycles import cycle
+    from vstatics.sweep.variants.subject import load_varied
     from vstatics.writers.saving import save
 
 __all__ = [
@@ -63,6 +69,7 @@ __all__ = [
     "Damping",
     "Drawing",
     "Element",
+    "Fatigue",
     "Gear",
     "GearState",
     "Load",
@@ -78,19 +85,25 @@ __all__ = [
     "ShiftElement",
     "Spring",
     "Transmission",
+    "Vehicle",
     "VstaticsError",
     "__version__",
     "check",
     "compare",
     "cycle",
+    "damages",
     "distribution_matrix",
     "example",
     "explain_gear",
     "flows",
     "load",
     "load_scenario",
+    "load_varied",
     "loads",
     "plot",
+    "rayleigh_life",
+    "resized",
+    "resized_by_ratio",
     "save",
     "simulate",
     "solve",
@@ -103,17 +116,24 @@ _LATER = {
     "ClutchDump": "vstatics.model.clutch_dump",
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
+    "Fatigue": "vstatics.model.fatigue",
     "Motion": "vstatics.simulation.record.motion",
     "PlanetMass": "vstatics.elements.element",
     "Scenario": "vstatics.simulation.scenario.parts",
+    "Vehicle": "vstatics.model.vehicle",
     "check": "vstatics.checking",
     "compare": "vstatics.comparison.compare",
     "cycle": "vstatics.summary.operation.cycles",
+    "damages": "vstatics.damage.devices",
     "example": "vstatics.examples",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
+    "load_varied": "vstatics.sweep.variants.subject",
     "plot": "vstatics.pictures.plotting",
+    "rayleigh_life": "vstatics.damage.rayleigh",
+    "resized": "vstatics.damage.resize",
+    "resized_by_ratio": "vstatics.damage.resize",
     "save": "vstatics.writers.saving",
     "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.summary",

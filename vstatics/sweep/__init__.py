@@ -47,7 +47,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     Parameters
     ----------
     case : Transmission or VariedScenario
-        A scenario comes from `sweep.scenario.load_varied`.
+        A scenario comes from `vstatics.load_varied`.
     vary : mapping of str to array_like or str, sequence of str, or str
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
