@@ -153,6 +153,7 @@ HIGHER.update(
         "part_numbers": "vstatics.sweep.variants.part_numbers",
         "plot": "vstatics.pictures.plotting",
         "plot_motion": "vstatics.pictures.plotting",
+        "plot_sweep": "vstatics.pictures.sweeps.plotting",
         "results_html": "vstatics.summary.pretty",
         "to_dataframe": "vstatics.tables.dataframe",
         "to_xarray": "vstatics.tables.dataset",

@@ -11,7 +11,7 @@ from vstatics.errors import nearest
 from vstatics.extras import require
 from vstatics.jobs.page_files import replace_pages
 from vstatics.pictures import OF_RUNS, PICTURES, pages, picture, render
-from vstatics.pictures.sheet.files import FORMATS
+from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import checked_width
 from vstatics.pictures.sheet.style import (
     PAGE_HEIGHT,
@@ -72,14 +72,31 @@ class Picture:
         ReadError
             If a further page would overwrite a file that is none.
         """
-        form = format_of(os.fspath(path), FORMATS)
-        if form is None:
-            suffixes = ", ".join(known(FORMATS))
-            raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+        form = format_of_picture(path)
         results, kind, style, gears = self._drawn
         style = style._replace(height=PAGE_HEIGHT)
         drawn = pages(results, kind, form, style, gears, motion=self._motion)
         replace_pages(os.fspath(path), drawn)
+
+
+def format_of_picture(path: str | os.PathLike[str]) -> Format:
+    """By its suffix.
+
+    Raises
+    ------
+    ValueError
+        For another suffix.
+
+    Examples
+    --------
+    >>> format_of_picture("lever.PNG")
+    'png'
+    """
+    form = format_of(os.fspath(path), FORMATS)
+    if form is None:
+        suffixes = ", ".join(known(FORMATS))
+        raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+    return form
 
 
 def plot(  # noqa: PLR0913 - all but the first by name

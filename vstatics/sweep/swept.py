@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from vstatics.errors import CaseError, listed
-from vstatics.extras import require
+from vstatics.extras import AnyPicture, higher, require
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.sweep.chunk import STATUS, Chunk, joined
-from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.plan import SweepPlan, rounded
 from vstatics.sweep.tasks import SweepTask, calculate
 from vstatics.sweep.variants.numbered import VariantGrid
-from vstatics.tables.written_results import GEAR
+from vstatics.tables.written_results import GEAR, WrittenSweep
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,8 +30,8 @@ GIB = 2**30
 class Sweep(Iterator[Chunk]):
     """Variants of a case, calculated when they are asked for.
 
-    It is iterated once, by chunks; `to_dataframe` and `to_xarray` calculate all variants, whatever
-    has been iterated.
+    It is iterated once, by chunks; `to_dataframe`, `to_xarray` and `plot` calculate all variants,
+    whatever has been iterated.
 
     Parameters
     ----------
@@ -157,6 +157,48 @@ class Sweep(Iterator[Chunk]):
             for heading, column in zip(plan.headings, columns, strict=True)
         }
         return xr.Dataset(variables, varied | {name: list(plan.gears) for name in gears})
+
+    def plot(self, kind: str = "curves", **how: Any) -> AnyPicture:
+        """A picture, which a notebook shows: curves, a map or histograms of all variants.
+
+        It shows as many digits as are written: a limit is not missed by the last one.
+
+        Parameters
+        ----------
+        kind : {"curves", "map", "histogram"}
+            Columns over one varied number, contours over two, or how often numbers occur.
+        **how
+            Columns: `x`, `y`, `z` and `by` as of ``vstatics plot``; `width` [mm], `dark`, `lang`.
+
+        Raises
+        ------
+        CaseError
+            If matplotlib is missing, or memory could not hold the variants; when it is drawn, if
+            there is no such column.
+        ValueError
+            If there is no such kind.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, sweep
+        >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
+        >>> sweep(case, {"D1.ratio": "-4:-2:5"}, out="ratio[1]").plot("curves")
+        <SweepPicture curves of 5 rows>
+        """
+        if self.plan.where is None:
+            self._expect_room("a picture")
+        rows = self._rows()
+        columns = [*zip(self.plan.names, rows.values.T, strict=True)]  # noqa: PD011 - a chunk
+        columns += zip(self.plan.headings, rounded(rows.columns).T, strict=True)
+        written = WrittenSweep(
+            rows.variants.tolist(),
+            [STATUS[code] for code in rows.status],
+            {name: column.tolist() for name, column in columns},
+            self.plan.names,
+            [self.plan.gears[index] for index in rows.of_gear],
+        )
+        picture: AnyPicture = higher("plot_sweep")(written, kind, **how)
+        return picture
 
     def _placed(
         self, parts: Iterable[tuple[Integers, Chunk]], size: int
