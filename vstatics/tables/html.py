@@ -180,11 +180,15 @@ def shown(grids: Iterable[Grid]) -> Markup:
     """
 
     def short(grid: Grid) -> Markup:
-        more = len(grid.rows) - MOST_SHOWN
+        grid, more = grid.spoken, len(grid.rows) - MOST_SHOWN
+        levels = grid.levels or [1] * len(grid.rows)
+        rows = [
+            [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
+            for level, (first, *others) in zip(levels, grid.cells, strict=True)
+        ]  # a notebook has no style sheet that sets rows in
+        first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
         if more <= 0:
-            return table(grid)
-        levels = grid.levels[:MOST_SHOWN]
-        first = table(grid._replace(rows=grid.rows[:MOST_SHOWN], levels=levels))
+            return first
         return tag("section", first, tag("p", f"{grid.title}: {more} more rows"))
 
     return joined(*map(short, grids))

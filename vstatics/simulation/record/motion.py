@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, Literal, NamedTuple
 
 from vstatics.damage.devices import DeviceDamage
-from vstatics.errors import Problem
+from vstatics.errors import Problem, plural
 from vstatics.extras import AnyPicture, higher
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -133,6 +133,13 @@ class Motion(NamedTuple):
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
     beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
     case: Transmission | None = None
+
+    def __repr__(self) -> str:
+        """Of what, how long, and how much happened; not all its numbers."""
+        name = f" of {self.case.name!r}" if self.case and self.case.name else ""
+        end = f"{self.time[-1]:.6g} s, {len(self.events)} {plural('event', len(self.events))}"
+        stopped = ", stopped" if self.stopped else ""
+        return f"<Motion{name}: {end}{stopped}>"
 
     def _repr_html_(self) -> str:
         """Events, energy, largest torques, speeds reached, for a notebook."""

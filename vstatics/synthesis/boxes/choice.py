@@ -211,6 +211,10 @@ class BoxList(NamedTuple):
     given_up: int
     """Sets of elements that may be boxes, too, but could not be looked at to the end."""
 
+    def __repr__(self) -> str:
+        """How many there are; not all their numbers."""
+        return f"<BoxList: {len(self.boxes)} found, {self.searched} searched>"
+
     def _repr_html_(self) -> str:
         """How many there are, the Pareto list, the families, for a notebook."""
         return shown(higher("box_grids")(*self))

@@ -129,6 +129,11 @@ class GearModes(NamedTuple):
     slopes: Named = MappingProxyType({})
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
+    def __repr__(self) -> str:
+        """Of which gear, how many; not all their numbers."""
+        counts = f"{self.rigid_modes} rigid, {len(self.modes)} elastic"
+        return f"<GearModes {self.name!r}: {self.error or counts}>"
+
     def _repr_html_(self) -> str:
         """All tables of the gear, for a notebook."""
         return shown(higher("modes_grids")([self]))

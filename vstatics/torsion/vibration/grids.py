@@ -31,6 +31,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
     yield from overview_grids(gears)
+    yield from _damped(gears)
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
@@ -41,12 +42,11 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 
 def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """The tables of all gears together."""
+    """Frequencies of all gears, and where their energy is."""
     yield _rigid(gears)
     if any(gear.modes for gear in gears):
         yield _frequencies(gears)
         yield _most(gears)
-    yield from _damped(gears)
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
