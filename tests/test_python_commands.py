@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import json
 import re
 from pathlib import Path
@@ -84,8 +85,33 @@ def test_a_cycle_needs_a_vehicle() -> None:
         vstatics.cycle(vstatics.example("simpson"), "trace.csv")
 
 
+PUBLIC = [
+    (module, name)
+    for module in ("", ".elements", ".torsion", ".simulation", ".synthesis")
+    for name in importlib.import_module(f"vstatics{module}").__all__
+    if name != "__version__"
+]
+
+
+@pytest.mark.parametrize(("module", "name"), PUBLIC)
+def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
+    module: str, name: str
+) -> None:
+    """In the form of numpydoc."""
+    public = getattr(importlib.import_module(f"vstatics{module}"), name)
+    text = inspect.getdoc(public) or ""
+    if isinstance(public, type):
+        assert issubclass(public, Exception) or ">>>" in text
+        return
+    sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
+    signature = inspect.signature(public)
+    assert signature.return_annotation in (None, "None") or "Returns" in sections
+    assert {"Raises", "Examples"} <= sections
+    for argument in signature.parameters:
+        assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), argument
+
+
 def test_the_page_names_every_command() -> None:
-    """And public modules have what they say they have."""
     from vstatics.cli import main
 
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
@@ -101,10 +127,3 @@ def test_the_page_names_every_command() -> None:
     assert every <= named
     headings = re.findall(r"^## (.*)$", lines, re.MULTILINE)
     assert every - {"serve"} == {one for heading in headings for one in heading.split(", ")}
-    for module in ("elements", "torsion", "simulation", "synthesis"):
-        public = importlib.import_module(f"vstatics.{module}")
-        assert all(
-            getattr(public, name).__doc__
-            for name in public.__all__
-            if callable(getattr(public, name))
-        )

@@ -31,6 +31,13 @@ class Results(PhysicalResults):
 
     Its arrays, their axes and units are told in `ResultFields`; `PhysicalResults` has them in
     rpm, N*m and kW.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5, 0.98)], [Gear(name="drive")]))
+    >>> results, results.ratio, results["lossy_torques", "Mx", "drive"]
+    (<Results: gears drive>, array([-2.5]), -2.45)
     """
 
     __slots__ = ()

@@ -113,6 +113,17 @@ class Motion(NamedTuple):
         What pictures show besides, as of `record.beside`; none of the method `tarasik`.
     case : Transmission
         What moves, as `simulate` had it.
+
+    Examples
+    --------
+    >>> from vstatics import ShiftElement, Transmission
+    >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+    >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+    >>> motion = simulate(
+    ...     Scenario(case, 1.0, Start(speeds={1: 10.0}), {1: Capacity(constant(40.0))})
+    ... )
+    >>> motion, motion.speeds[[0, -1], 0].tolist()
+    (<Motion: 1 s, 1 event>, [10.0, 0.0])
     """
 
     time: Floats
