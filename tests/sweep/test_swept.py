@@ -92,3 +92,9 @@ def test_more_than_memory_holds_is_refused_before_it_is_calculated() -> None:
 def test_no_column_is_called_like_what_every_output_has(name: str) -> None:
     with pytest.raises(CaseError, match=f"`{name}` means something already"):
         sweep(DIFFERENTIAL, RATIOS, out=f"{name}=ratio[low]")
+
+
+def test_numbers_vary_in_the_order_in_which_they_are_given_texts_among_arrays() -> None:
+    found = sweep(DIFFERENTIAL, {"D.ratio": [-2, -3], "D.efficiency": ".9:1:3"}, out="ratio[low]")
+    assert found.plan.names == ("D.ratio", "D.efficiency")
+    assert found.to_xarray()["ratio[low]"].values.tolist() == [[3] * 3, [4] * 3]

@@ -114,9 +114,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     if sample is not None and method != "random":
         require("sample", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
-    texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
-    if not isinstance(vary, Mapping):
-        texts += [vary] if isinstance(vary, str) else vary
+    texts = () if isinstance(vary, Mapping) else (vary,) if isinstance(vary, str) else vary
     options = SweepOptions.of(
         vary=texts,
         zip=zip,
@@ -129,5 +127,4 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         coast=coast,
         idle=idle,
     )
-    numbers = {name: values for name, values in arrays.items() if not isinstance(values, str)}
-    return Sweep(build.plan(case, options, arrays=numbers, table=variants), jobs)
+    return Sweep(build.plan(case, options, arrays=arrays, table=variants), jobs)
