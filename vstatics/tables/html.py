@@ -166,6 +166,34 @@ def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
         yield from [tag("div", *shown, class_="side")] if narrow else shown
 
 
+MOST_SHOWN = 50
+"""Rows of a table in a notebook."""
+
+
+def shown(grids: Iterable[Grid]) -> Markup:
+    """Tables as a notebook shows them: of a long one the first rows, and how many there are.
+
+    >>> from vstatics.tables.grid import grid_of
+    >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
+    >>> shown([numbers]).count("<tr>"), shown([numbers])[-46:]
+    (51, '<p>Numbers &lt; 60: 10 more rows</p></section>')
+    """
+
+    def short(grid: Grid) -> Markup:
+        grid, more = grid.spoken, len(grid.rows) - MOST_SHOWN
+        levels = grid.levels or [1] * len(grid.rows)
+        rows = [
+            [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
+            for level, (first, *others) in zip(levels, grid.cells, strict=True)
+        ]  # a notebook has no style sheet that sets rows in
+        first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
+        if more <= 0:
+            return first
+        return tag("section", first, tag("p", f"{grid.title}: {more} more rows"))
+
+    return joined(*map(short, grids))
+
+
 def _is_narrow(grid: Grid) -> bool:
     grid = grid.spoken
     lines = [[one.heading for one in grid.columns], *grid.texts]

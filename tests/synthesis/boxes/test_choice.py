@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import permutations
 from typing import Any
 
@@ -23,7 +24,7 @@ from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.boxes.choice import BoxFilter, RankedBox, ranked
+from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
@@ -229,3 +230,15 @@ def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
     assert families.texts[0][:2] == ["1", "2"]
     assert families.texts[0][-9:][0] == "4.696"
     assert len(list(box_grids(7, [], 0))) == 1
+
+
+def test_a_notebook_shows_counts_the_pareto_list_and_families() -> None:
+    found = BoxList(7, ranked(SIMPSON_SEARCH, [FAST], BoxFilter()), 3)._repr_html_()
+    rows = [re.findall(r">([^<>]+)</t[dh]>", row) for row in found.split("<tr>")]
+    assert [row for row in rows if row[:1] in (["searched"], ["given up"], ["found"])] == [
+        ["searched", "7"],
+        ["given up", "3"],
+        ["found", "1"],
+    ]
+    assert "Pareto list" in found
+    assert ">2.479<" in found  # its first gear, as printed for the ZF 3HP 22
