@@ -2,7 +2,10 @@
 "use strict";
 (() => {
   const RPM = 30 / Math.PI, { Panels, shown, known } = globalThis.runPanels;
-  const numbers = (text) => new Float64Array(Uint8Array.from(atob(text), (one) => one.charCodeAt(0)).buffer);
+  const numbers = (text) => { // all first bytes stand together, then all second ones
+    const parts = atob(text), count = parts.length / 8;
+    return new Float64Array(Uint8Array.from(parts, (_, n) => parts.charCodeAt((n % 8) * count + (n >> 3))).buffer);
+  };
 
   // what is chosen outlives the section, which a page that is served replaces
   const kept = { time: null, low: null, high: null, closed: new Set(), focused: false };
