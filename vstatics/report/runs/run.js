@@ -33,6 +33,7 @@
       this.panels = new Panels(this, kept.closed);
       this.listen();
       this.show();
+      dispatchEvent(new Event("resize")); // what is too wide is a stop of the Tab key
       if (kept.focused) this.slider.focus({ preventScroll: true });
     }
 
