@@ -29,8 +29,9 @@ SIMPSON = (
 GM = (
     *("--sets", 3, "--elements", 5, "--engaged", 2),
     *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94", "-q"),
+    *("--meshed", 1, "--tolerance", 0.05),
 )
-"""Nine pieces of a second or less."""
+"""Three pieces."""
 
 
 @pytest.fixture(scope="module", autouse=True)
