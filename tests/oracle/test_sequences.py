@@ -16,8 +16,8 @@ import pytest
 from tests.oracle.boxes import HELD, Frame, Space, all_frames, triples
 from tests.oracle.test_boxes import Pairs, ratio
 from vstatics.synthesis.boxes.box import BoxSearch, WantedSequence
-from vstatics.synthesis.boxes.schemes import BoxScheme
-from vstatics.synthesis.boxes.search.pieces import _PortSearch
+from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 
 pytestmark = pytest.mark.slow  # they compile
@@ -97,7 +97,7 @@ def test_sequences_on_a_grid_are_found(space: Space, target: float | None, falli
         frame = frames[random.integers(len(frames))]
         scheme = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
         held = None if frame.held == HELD else frame.held
-        ports = _PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
+        ports = PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
         found = {frozenset(one.elements): one for one in ports.boxes(frame.input, frame.output)}
         some_found += len(found) > 0
         every = list(combinations(frame.possible, space.elements))

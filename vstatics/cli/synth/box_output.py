@@ -24,7 +24,7 @@ from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.grids import all_boxes, box_grids
 from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box, wanted_of
-from vstatics.synthesis.boxes.search.work import BoxWork
+from vstatics.synthesis.boxes.pieces.work import BoxWork
 from vstatics.tables.answer import as_json
 from vstatics.tables.grid import Grid
 from vstatics.writers.saving import case_data

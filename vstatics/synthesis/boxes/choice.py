@@ -260,7 +260,7 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.search.pieces import cut, found_in  # compiles
+    from vstatics.synthesis.boxes.pieces.found import found_in  # compiles
 
     low, high = search.bounds
     search = search._replace(
@@ -271,8 +271,6 @@ def find_boxes(
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
         raise CaseError("E802", message, ("efficiency",))
     search = wanted.narrowed(search)
-    pieces = [found_in(search, piece) for piece in range(cut(search))]
-    boxes = (measured(search, box, efficiency, weights) for piece in pieces for box in piece.boxes)
-    searched = sum(piece.searched for piece in pieces)
-    given_up = sum(piece.given_up for piece in pieces)
-    return BoxList(searched, ranked(search, boxes, wanted, by), given_up)
+    found = found_in(search)
+    boxes = (measured(search, box, efficiency, weights) for box in found.boxes)
+    return BoxList(found.searched, ranked(search, boxes, wanted, by), found.given_up)

@@ -13,7 +13,7 @@ from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.search.joining import SetRoom, choose, join
+from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
@@ -62,17 +62,34 @@ def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
     int
         How many there are; -1 if there is no room for them.
     """
+    return sets_after(table, port, room, 0, NO_END) if begun(table, port, room) else 0
+
+
+@compiled
+def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
+    """List what may join sets, and choose what comes first; whether there may be any."""
     if not _list_gears(table, port, room):
-        return 0
-    size = len(room.chosen)
+        return False
     room.sets[0] = 0
     room.seen[:] = 0
     choose(table, room, 0, 0, port.elements)
-    depth = count = 0
-    while depth >= 0:
+    return True
+
+
+@compiled
+def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
+    """More sets, after so many: with the combinations that come first before the `last` of them.
+
+    Not all, where the room allows no more steps.
+    """
+    size, depth = len(room.chosen), 0
+    while depth >= 0 and room.steps[0] < room.steps[1]:
+        room.steps[0] += 1
         if not join(room, depth):
             depth -= 1
             continue
+        if depth == 0 and room.branches[0] != ONE and room.tried[0] > last:
+            break
         members = _find_members(room, depth + 1)
         if not _may_have(table, port, room, members):
             continue

@@ -18,6 +18,8 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
 """All targets are reached, or there is room for one element only."""
+NO_END = 2**62
+"""A number that no count comes to."""
 
 
 class SetRoom(NamedTuple):
@@ -51,6 +53,8 @@ class SetRoom(NamedTuple):
     seen: Integers
     """The search in which a ratio was met last, shape (ratios,)."""
     match: MatchRoom
+    steps: Integers
+    """So often something joined or did not, and so often it may; shape (2,)."""
     found: Integers
     """Sets that were found, shape (most, size)."""
 
@@ -77,6 +81,7 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
         targets=zeros(of_set),
         seen=zeros(len(table.members)),
         match=match_room(targets),
+        steps=np.array([0, NO_END]),
         found=zeros(most, size),
     )
 

@@ -16,6 +16,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.engaged import Combinations, all_used
+from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
@@ -53,6 +54,8 @@ class SequenceRoom(NamedTuple):
     used: Integers
     """The places of elements that it uses, as bits, shape (combinations of a set,)."""
 
+    steps: Integers
+    """How many cells were looked at, and how many may be; shape (2,)."""
     parts: Floats
     """Numerators and denominators, shape (cells, ratios, 2, corners)."""
     low: Floats
@@ -99,6 +102,7 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
         wanted=wanted,
         ratio_of=np.zeros(ratios, np.int64),
         used=np.zeros(ratios, np.int64),
+        steps=np.array([0, NO_END]),
         parts=np.zeros((deep, ratios, 2, 2**sets)),
         low=np.zeros((deep, sets)),
         high=np.zeros((deep, sets)),
@@ -139,10 +143,11 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
         put(parts[ratio, 1], room.parts[0, ratio, 1])
     room.low[0] = asked.low
     room.high[0] = asked.high
-    looked, top, is_open = 0, 1, False
-    while top > 0 and looked < MOST_CELLS and best < wanted.most:
+    top, is_open = 1, False
+    end = min(room.steps[1], room.steps[0] + MOST_CELLS)
+    while top > 0 and room.steps[0] < end and best < wanted.most:
         top -= 1
-        looked += 1
+        room.steps[0] += 1
         cell = room.parts[top]
         for ratio in range(count):
             room.reach[ratio] = reached(cell[ratio, 0], cell[ratio, 1], asked.least, asked.most)
