@@ -116,7 +116,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
         top -= 1
         room.steps[0] += 1
         target = NONE
-        if is_left(parts, better, cells, top):
+        if is_left(parts, better, cells, room.match, top):
             target = _open_target(len(parts), room, top)
         if target == NONE:
             continue
