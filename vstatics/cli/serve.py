@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import gc
 import os
 import secrets
 from functools import cache, partial
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
 TOKEN_BYTES = 24
 """Of the secret part of the address, which has four characters for three of them."""
 MOST_PORT = 65535
+GARBAGE = 50_000
+"""New objects before Python looks for such as refer to each other alone: a state is as many."""
 
 
 @click.command()
@@ -106,6 +109,8 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
             loop.add_signal_handler(signal, stop.set)
 
     def ready(address: str) -> None:
+        gc.freeze()  # what stays; looking through it again and again made some saves wait
+        gc.set_threshold(GARBAGE)
         files.write_output(f"{address}\n", None)
         if opens:
             import webbrowser  # it looks for browsers

@@ -29,7 +29,7 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPT = _resource("serve.js")
+_OWN_SCRIPTS = (_resource("patches.js"), _resource("serve.js"))
 _STYLE = joined(toolbar.STYLE, _resource("serve.css"))
 
 
@@ -38,7 +38,7 @@ def _hashed(script: str) -> str:
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
-SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, _OWN_SCRIPT)
+SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, *_OWN_SCRIPTS)
 """All that a page may have."""
 
 POLICY = (
@@ -143,7 +143,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
     frame = PageFrame(
         choice=chosen,
         panel=joined(toolbar.toolbar(), _panel(state)),
-        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), _OWN_SCRIPT],
+        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), *_OWN_SCRIPTS],
         style=joined(_STYLE, run_scripts.STYLE if has_run else ""),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},

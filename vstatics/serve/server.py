@@ -111,6 +111,7 @@ class PageServer:
             await asyncio.sleep(LOOK_SECONDS)
             if self._states.is_old() and await self._in(self._numbers, self._look_again):
                 self._tell()
+                self._numbers.submit(self._file_state)  # what all who are told ask for
 
     def _look_again(self) -> bool:
         return self._states.look_again()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+from functools import cache
 from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError
@@ -17,6 +19,10 @@ from vstatics.serve.page import material_of
 if TYPE_CHECKING:
     from vstatics.report.material import Material
     from vstatics.serve.states import Calculate, Calculated
+
+
+GENTLE = 15
+"""How far the process of pictures stands back."""
 
 
 class Studio:
@@ -81,4 +87,12 @@ class StudioProcess:
 
 
 def _made(studio: Studio, item: tuple[Texts, str]) -> str | None:
+    _give_way()
     return studio.part(*item)
+
+
+@cache
+def _give_way() -> None:
+    """Let the process of a picture take what the numbers of a newer state leave."""
+    if hasattr(os, "nice"):
+        os.nice(GENTLE)
