@@ -94,7 +94,7 @@
 
   // the sections of an answer in their order: others leave, new ones come
   function arrange(wanted) {
-    const there = new Map(sections().map((one) => [heading(one).textContent, one]));
+    const there = new Map(sections().map((one) => [one.id, one]));
     for (const [name, one] of there) if (!(name in wanted)) one.remove();
     let before = null;
     for (const [name, html] of Object.entries(wanted)) {
@@ -135,10 +135,10 @@
   // numbers in their places where nothing else changes, else other sections; what changed
   function renew(answer) {
     const changed = new Set(), patched = [], parts = [];
-    const names = sections().map((one) => heading(one).textContent);
+    const names = sections().map((one) => one.id);
     if (names.join("\n") !== Object.keys(answer.sections).join("\n")) staying(() => arrange(answer.sections));
     for (const part of sections()) {
-      const html = answer.sections[heading(part).textContent];
+      const html = answer.sections[part.id];
       if (part.id === "change") change(part, answer.fields, html);
       else if (html !== last.get(part)) {
         const done = patch(part, html);
@@ -171,7 +171,7 @@
   async function learnFirst() {
     const answer = await ask("shown"), told = answer?.ok ? await answer.json() : {};
     for (const [part, nodes] of first) {
-      const html = told.sections?.[heading(part).textContent];
+      const html = told.sections?.[part.id];
       if (told.number !== shown || last.has(part) || !html || part.id === "change") continue;
       learn(part, html, nodes);
       last.set(part, html);

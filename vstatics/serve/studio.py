@@ -15,6 +15,7 @@ from vstatics.report.sections import Part
 from vstatics.serve.awaited import awaited_part
 from vstatics.serve.document_fields import Texts
 from vstatics.serve.page import material_of
+from vstatics.texts import Language, speaking
 
 if TYPE_CHECKING:
     from vstatics.report.material import Material
@@ -34,17 +35,24 @@ class Studio:
         As of `vstatics.serve.states.ShownStates`; it goes to another process.
     digits : int, optional
         After the point.
+    language : str
+        In which the page speaks.
     """
 
-    def __init__(self, calculate: Calculate, digits: int | None) -> None:
+    def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
         """Nothing is calculated yet."""
         self._calculate = calculate
         self._digits = digits
+        self._language = language
         self._texts: Texts | None = None
         self._made: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
         """A part by its name, as HTML; None if there is no such part."""
+        with speaking(self._language):
+            return self._part(texts, name)
+
+    def _part(self, texts: Texts, name: str) -> str | None:
         if texts != self._texts:
             self._texts, self._made = texts, None
             made = self._calculate(texts)
