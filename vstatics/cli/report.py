@@ -122,17 +122,14 @@ def report(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
     if watch:
-        parts = sections or gears or prints_all or stamp or output or live or lang != "en"
+        parts = sections or gears or prints_all or stamp or output or live
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
-            (
-                parts,
-                "--watch: it serves the whole page in English, without -o and a choice of parts",
-            ),
+            (parts, "--watch: it serves the whole page, without -o and a choice of parts"),
         )
         from vstatics.cli.serve import serve_page
 
-        return serve_page(cases[0], digits, settings)
+        return serve_page(cases[0], digits, lang, settings)
     assert output is not None  # noqa: S101 - it is required
     to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
     if len(cases) == 1 and (found := listing_in(cases[0])):
