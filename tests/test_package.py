@@ -156,6 +156,53 @@ def test_a_notebook_shows_the_table_of_the_gears_escaped() -> None:
     assert "<b>" not in many._repr_html_()
 
 
+@pytest.fixture(scope="module")
+def stopped() -> vstatics.Motion:
+    """A wheel of 2 kg*m^2 at 10 rad/s, which a brake of 40 N*m stops in 0.5 s: 100 J."""
+    from vstatics.simulation import Capacity, Scenario, Start, constant
+
+    case = Transmission(
+        1, [ShiftElement(1, name="<b>")], [], [], inertias={1: 2.0}, link_names=["<i>"]
+    )
+    brake = {1: Capacity(constant(40.0))}
+    return vstatics.simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake))
+
+
+def test_a_notebook_shows_what_happened_in_a_run_escaped(stopped: vstatics.Motion) -> None:
+    shown = stopped._repr_html_()
+    cells = re.findall(r"<t[dh][^>]*>([^<]*)</t[dh]>", shown)
+    event = cells.index("0.500000000")
+    assert cells[event : event + 3] == ["0.500000000", "&lt;b&gt;", "locks"]
+    assert cells[cells.index("heat") + 1] == "100.000"
+    assert not re.search("<[bi]>", shown)
+
+
+def test_a_notebook_shows_frequencies_of_gears_and_shapes_of_one() -> None:
+    """Two inertias of 2 kg*m^2 on 100 N*m/rad: omega^2 = 100/2 + 100/2."""
+    shaft = vstatics.Spring({1: 1, 2: -1}, stiffness=100.0, name="<b>")
+    gears = [Gear(name="low"), Gear(name="<i>")]
+    case = Transmission(2, [], [], gears, springs=[shaft], inertias={1: 2.0, 2: 2.0})
+    found = vstatics.torsion.modes(case)
+    both, one = found._repr_html_(), found[0]._repr_html_()
+    assert both.count(">10.000<") == 2
+    assert "amplitudes of links" in one
+    assert "amplitudes of links" not in both
+    assert not re.search("<[bi]>", both + one)
+
+
+def test_results_and_runs_have_their_pictures(stopped: vstatics.Motion) -> None:
+    """Those of `plot`, to the byte."""
+    pytest.importorskip("matplotlib")
+    results = vstatics.solve(vstatics.load(BOX))
+    lever = vstatics.plot(results, "lever", gear="R")._repr_svg_()
+    assert results.plot("lever", gear="R")._repr_svg_() == lever
+    own = vstatics.solve(stopped.case)  # type: ignore[arg-type]
+    run = vstatics.plot(own, "shift", motion=stopped, dark=True)._repr_svg_()
+    assert stopped.plot(dark=True)._repr_svg_() == run
+    with pytest.raises(ValueError, match="'lever' is no picture of a run"):
+        stopped.plot("lever")
+
+
 def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     results = vstatics.solve(vstatics.load(BOX))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -83,11 +85,37 @@ def test_a_cycle_needs_a_vehicle() -> None:
         vstatics.cycle(vstatics.example("simpson"), "trace.csv")
 
 
+PUBLIC = [
+    (module, name)
+    for module in ("", ".elements", ".torsion", ".simulation", ".synthesis")
+    for name in importlib.import_module(f"vstatics{module}").__all__
+    if name != "__version__"
+]
+
+
+@pytest.mark.parametrize(("module", "name"), PUBLIC)
+def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
+    module: str, name: str
+) -> None:
+    """In the form of numpydoc."""
+    public = getattr(importlib.import_module(f"vstatics{module}"), name)
+    text = inspect.getdoc(public) or ""
+    if isinstance(public, type):
+        assert issubclass(public, Exception) or ">>>" in text
+        return
+    sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
+    signature = inspect.signature(public)
+    assert signature.return_annotation in (None, "None") or "Returns" in sections
+    assert {"Raises", "Examples"} <= sections
+    for argument in signature.parameters:
+        assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), argument
+
+
 def test_the_page_names_every_command() -> None:
-    """And public modules have what they say they have."""
     from vstatics.cli import main
 
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+    lines = (ROOT / "docs/how-to/commands-in-python.md").read_text(encoding="utf-8")
     section = page.partition("\n## Every command\n")[2].partition("\n## ")[0]
     named = {
         word
@@ -95,11 +123,7 @@ def test_the_page_names_every_command() -> None:
         if row.startswith("| `")
         for word in row.split("|")[1].split("`")[1::2]
     }
-    assert {*main.list_commands(None)} - {"damage"} <= named  # type: ignore[arg-type]
-    for module in ("elements", "torsion", "simulation", "synthesis"):
-        public = importlib.import_module(f"vstatics.{module}")
-        assert all(
-            getattr(public, name).__doc__
-            for name in public.__all__
-            if callable(getattr(public, name))
-        )
+    every = {*main.list_commands(None)}  # type: ignore[arg-type]
+    assert every <= named
+    headings = re.findall(r"^## (.*)$", lines, re.MULTILINE)
+    assert every - {"serve"} == {one for heading in headings for one in heading.split(", ")}

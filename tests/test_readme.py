@@ -22,7 +22,8 @@ from typing import NamedTuple
 
 import pytest
 
-from vstatics.synthesis.boxes.search.pieces import prepare
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.pieces.found import prepare
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]
@@ -147,7 +148,7 @@ def check_python(block: Block, name: str, variables: dict[str, object]) -> Itera
 )
 def test_examples_print_what_they_show(name: str, folder: Path) -> None:
     if "$ vstatics synth box" in (ROOT / name).read_text(encoding="utf-8"):
-        prepare()  # to compile it takes longer than a command may
+        prepare(BoxSearch(1, 2, 1, (3.0, 1.0)))  # to compile it takes longer than a command may
     wrong: list[str] = []
     variables: dict[str, object] = {}
     for other in FILES_OF.findall((ROOT / name).read_text(encoding="utf-8")):

@@ -72,10 +72,16 @@ REFUSED = {
     "pandas": (
         "@ vstatics.solve(case).to_dataframe()",
         "@ next(iter(vstatics.sweep(case, {'P1.ratio': [-3]}))).to_dataframe()",
+        "@ vstatics.sweep(case, {'P1.ratio': [-3]}).to_dataframe()",
+    ),
+    "xarray": (
+        "@ vstatics.solve(case).to_xarray()",
+        "@ vstatics.sweep(case, {'P1.ratio': [-3]}).to_xarray()",
     ),
     "plot": (
         *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
         "@ vstatics.plot(vstatics.solve(case), 'stick')",
+        "@ vstatics.solve(case).plot('lever')",
     ),
     "torsion": (
         "vstatics sweep case.yaml --vary P1.ratio=-3,-2 --out 'omega[1,low]'",

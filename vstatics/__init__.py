@@ -23,15 +23,14 @@ except KeyboardInterrupt:
     raise SystemExit(130) from None  # before it has done so
 
 # isort: split
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.extras import __version__, later
+from vstatics.extras import HIGHER, __version__, later
 from vstatics.model.parts import Damping, Load
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import from_dict, load, loads
+from vstatics.readers import load, loads
 from vstatics.statics.matrix import distribution_matrix
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -42,12 +41,17 @@ from vstatics.sweep import sweep
 if TYPE_CHECKING:
     from vstatics.checking import check
     from vstatics.comparison.compare import compare
+    from vstatics.damage.devices import damages
+    from vstatics.damage.rayleigh import rayleigh_life
+    from vstatics.damage.resize import resized, resized_by_ratio
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
     from vstatics.examples import example
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
+    from vstatics.model.fatigue import Fatigue
+    from vstatics.model.vehicle import Vehicle
     from vstatics.pictures.plotting import plot
     from vstatics.report import write_report
     from vstatics.simulation.record.motion import Motion
@@ -56,6 +60,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
     from vstatics.summary import summarize
     from vstatics.summary.operation.cycles import cycle
+    from vstatics.sweep.variants.subject import load_varied
     from vstatics.writers.saving import save
 
 __all__ = [
@@ -64,6 +69,7 @@ __all__ = [
     "Damping",
     "Drawing",
     "Element",
+    "Fatigue",
     "Gear",
     "GearState",
     "Load",
@@ -79,19 +85,25 @@ __all__ = [
     "ShiftElement",
     "Spring",
     "Transmission",
+    "Vehicle",
     "VstaticsError",
     "__version__",
     "check",
     "compare",
     "cycle",
+    "damages",
     "distribution_matrix",
     "example",
     "explain_gear",
     "flows",
     "load",
     "load_scenario",
+    "load_varied",
     "loads",
     "plot",
+    "rayleigh_life",
+    "resized",
+    "resized_by_ratio",
     "save",
     "simulate",
     "solve",
@@ -104,17 +116,24 @@ _LATER = {
     "ClutchDump": "vstatics.model.clutch_dump",
     "Drawing": "vstatics.elements.drawing",
     "Element": "vstatics.elements.element",
+    "Fatigue": "vstatics.model.fatigue",
     "Motion": "vstatics.simulation.record.motion",
     "PlanetMass": "vstatics.elements.element",
     "Scenario": "vstatics.simulation.scenario.parts",
+    "Vehicle": "vstatics.model.vehicle",
     "check": "vstatics.checking",
     "compare": "vstatics.comparison.compare",
     "cycle": "vstatics.summary.operation.cycles",
+    "damages": "vstatics.damage.devices",
     "example": "vstatics.examples",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
+    "load_varied": "vstatics.sweep.variants.subject",
     "plot": "vstatics.pictures.plotting",
+    "rayleigh_life": "vstatics.damage.rayleigh",
+    "resized": "vstatics.damage.resize",
+    "resized_by_ratio": "vstatics.damage.resize",
     "save": "vstatics.writers.saving",
     "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.summary",
@@ -123,34 +142,25 @@ _LATER = {
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
-_METHODS = (
-    (Results, "to_dataframe", "vstatics.tables.dataframe", "to_dataframe"),
-    (Results, "__getitem__", "vstatics.tables.names", "by_name"),
-    (Results, "_repr_html_", "vstatics.summary.pretty", "html"),
-    (Transmission, "part_numbers", "vstatics.sweep.variants.part_numbers", "part_numbers"),
-    (
-        Transmission,
-        "with_part_numbers",
-        "vstatics.sweep.variants.part_numbers",
-        "with_part_numbers",
-    ),
+HIGHER.update(
+    {
+        "box_grids": "vstatics.synthesis.boxes.grids",
+        "by_name": "vstatics.tables.names",
+        "from_dict": "vstatics.readers",
+        "modes_grids": "vstatics.torsion.vibration.grids",
+        "motion_grids": "vstatics.simulation.record.grids",
+        "overview_grids": "vstatics.torsion.vibration.grids",
+        "part_numbers": "vstatics.sweep.variants.part_numbers",
+        "plot": "vstatics.pictures.plotting",
+        "plot_motion": "vstatics.pictures.plotting",
+        "plot_sweep": "vstatics.pictures.sweeps.plotting",
+        "results_html": "vstatics.summary.pretty",
+        "to_dataframe": "vstatics.tables.dataframe",
+        "to_xarray": "vstatics.tables.dataset",
+        "with_part_numbers": "vstatics.sweep.variants.part_numbers",
+    }
 )
-"""Methods that come from rooms of which the rooms of model and results must know nothing."""
-
-
-def _method_of(module: str, function: str) -> Any:
-    """A method that is imported when it is called."""
-
-    def method(*given: Any, **named: Any) -> Any:
-        return getattr(import_module(module), function)(*given, **named)
-
-    method.__doc__ = f"See `{module}.{function}`."
-    return method
-
-
-for _of, _method, _module, _function in _METHODS:
-    setattr(_of, _method, _method_of(_module, _function))
-Transmission.from_dict = staticmethod(from_dict)  # type: ignore[method-assign]
+"""What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 
 
 __getattr__ = later(__name__, _LATER)

@@ -22,7 +22,13 @@ SEVERITIES: dict[str, Severity] = {"E": "error", "W": "warning", "N": "note"}
 
 
 class Place(NamedTuple):
-    """A place in a text: file, line and column from 1, and the line itself."""
+    """A place in a text: file, line and column from 1, and the line itself.
+
+    Examples
+    --------
+    >>> str(Place("box.yaml", 7, 8))
+    'box.yaml:7:8'
+    """
 
     file: str
     line: int
@@ -187,7 +193,13 @@ def why_not_allowed(identity: str) -> str:
 
 
 class Problem(NamedTuple):
-    """One thing that is wrong or doubtful: what was read, what was expected."""
+    """One thing that is wrong or doubtful: what was read, what was expected.
+
+    Examples
+    --------
+    >>> str(Problem("E190", "unknown key `a`", place=Place("box.yaml", 7, 8)))
+    'box.yaml:7:8: error: unknown key `a` [E190]'
+    """
 
     id: str
     """Of its cause, whatever names it speaks of: a letter for the severity, and three digits."""

@@ -1,4 +1,7 @@
-"""The version and build of this package, and packages that only some outputs need: extras."""
+"""The version and build of this package, packages that only some outputs need: extras.
+
+What is imported later: names of a package, functions of higher rooms.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,12 @@ import os
 from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from vstatics.errors import CaseError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __version__ = "0.1.0"
 
@@ -19,6 +25,7 @@ EXTRAS = {
     "torsion": "scipy",
     "simulation": "scipy",
     "pandas": "pandas",
+    "xarray": "xarray",
     "formula": "sympy",
     "plot": "matplotlib",
     "xlsx": "openpyxl",
@@ -49,6 +56,40 @@ def later(package: str, modules: Mapping[str, str]) -> Callable[[str], Any]:
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return attribute
+
+
+class AnyPicture(Protocol):
+    """A `Picture`, of whose room those below know nothing."""
+
+    @property
+    def figure(self) -> Figure:
+        """The figure of matplotlib."""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write it to a file: SVG, PNG or PDF by the suffix."""
+
+    def _repr_svg_(self) -> str: ...
+
+
+HIGHER: dict[str, str] = {}
+"""By the name of a function the module that has it: the package says so in its `__init__`."""
+
+
+def higher(function: str) -> Any:
+    """A function of a room above, by which a class has a method although its room knows none.
+
+    Parameters
+    ----------
+    function : str
+        Its name. Where it is, is known to the package alone.
+
+    Examples
+    --------
+    >>> import vstatics
+    >>> higher("to_dataframe").__module__
+    'vstatics.tables.dataframe'
+    """
+    return getattr(import_module(HIGHER[function]), function)
 
 
 @cache

@@ -35,5 +35,4 @@ def test_a_page_is_written_or_served() -> None:
     case = str(CASES / "simpson.yaml")
     assert vstatics("report", case).status == 2
     assert vstatics("report", case, "--watch", "-o", "x.html").status == 2
-    assert vstatics("report", case, "--watch", "--lang", "de").status == 2
     assert vstatics("report", case, case, "--watch").status == 2

@@ -35,9 +35,10 @@ from tests.oracle.test_boxes import (
 from tests.synthesis.boxes.hand_boxes import FORD_10R, FORD_10R_SEARCH
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.least_form import identity, least_box
-from vstatics.synthesis.boxes.schemes import BoxScheme
-from vstatics.synthesis.boxes.search.pieces import _pieces, _PortSearch, cut
-from vstatics.synthesis.boxes.search.pieces import found_in as search_piece
+from vstatics.synthesis.boxes.pieces.cut import ranges
+from vstatics.synthesis.boxes.pieces.found import found_in as search_piece
+from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 
 pytestmark = pytest.mark.slow  # they compile
@@ -111,7 +112,7 @@ SMALL = {
 @pytest.mark.parametrize("space", SMALL.values(), ids=SMALL)
 def test_complete_lists_of_small_spaces(space: Space) -> None:
     search = asked(space)
-    pieces = [search_piece(search, piece) for piece in range(cut(search))]
+    pieces = [search_piece(search, piece, 3) for piece in range(3)]
     assert sum(piece.searched for piece in pieces) == searched(space)
     boxes = [box for frame in all_frames(space) for box in found_in(space, frame)]
     assert boxes
@@ -158,7 +159,7 @@ def test_what_shafts_without_a_set_give(given: dict[str, Any]) -> None:
         space = empty._replace(targets=tuple(sorted(gears)))
         code = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
         held = None if frame.held == HELD else frame.held
-        ports = _PortSearch(asked(space), BoxScheme(code, frame.meshed, held, ()))
+        ports = PortSearch(asked(space), BoxScheme(code, frame.meshed, held, ()))
         found = ports.boxes(frame.input, frame.output)
         found_some += len(found) > 0
         compare(space, found, found_in(space, frame))
@@ -168,8 +169,12 @@ def test_the_ten_speed_of_ford_is_found() -> None:
     """Its ratios and structure: cases/ford-10r80.yaml and the sources there."""
     known = least_box(FORD_10R)
     one = BoxScheme(FORD_10R.scheme, (False,) * 4, None, ((0, 7),))
-    found = _PortSearch(FORD_10R_SEARCH, one).boxes(0, 7)
+    found = PortSearch(FORD_10R_SEARCH, one).boxes(0, 7)
     assert identity(known) in [identity(least_box(box)) for box in found]
+
+
+PIECES = 40
+"""Each has a hundred choices of ports or more."""
 
 
 @pytest.mark.parametrize("built", [GM6, LEPELLETIER], ids=["6t70", "6hp26"])
@@ -177,9 +182,9 @@ def test_built_gearboxes_are_found(built: Built) -> None:
     """In the piece with the scheme, of which some other frames are compared, too."""
     search = asked(built.space)
     wanted = min(names(built.frame, built.elements))
-    pieces = _pieces(search)
+    pieces = [[*ranges(search, piece, PIECES)] for piece in range(PIECES)]
     [number] = [n for n, piece in enumerate(pieces) if any(map(wanted[0].__eq__, frames_of(piece)))]
-    found = {name_of(box): box for box in search_piece(search, number).boxes}
+    found = {name_of(box): box for box in search_piece(search, number, PIECES).boxes}
     assert wanted in found
     frames = list(frames_of(pieces[number]))
     for other in seeded(15).sample(frames, min(len(frames), 10)):

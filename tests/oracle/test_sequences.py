@@ -21,8 +21,8 @@ from tests.oracle.boxes import HELD, Frame, Space, all_frames, triples
 from tests.oracle.test_boxes import Pairs, ratio
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox, WantedSequence
 from vstatics.synthesis.boxes.figures.measured import measured
-from vstatics.synthesis.boxes.schemes import BoxScheme
-from vstatics.synthesis.boxes.search.pieces import _PortSearch
+from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 
 pytestmark = pytest.mark.slow  # they compile
@@ -199,7 +199,7 @@ def test_sequences_on_a_grid_are_found(space: str, singly: bool) -> None:
         for frame in chance.sample(frames, min(len(frames), 3)):
             scheme = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
             held = None if frame.held == HELD else frame.held
-            ports = _PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
+            ports = PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
             found = {frozenset(one.elements): one for one in ports.boxes(frame.input, frame.output)}
             assert not ports.given_up or own.sets > 2
             told = {

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from typing import Any
 
 import pytest
 
-from tests.synthesis.boxes.listed_boxes import many, simpson
+from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
+from tests.texts.test_pages import SYMBOLS, left, names, words_of
 from vstatics import CaseError
 from vstatics.report import boxes
 from vstatics.report.boxes import box_pages, boxes_page
+from vstatics.synthesis.boxes.box import BoxSearch, WantedSequence
+from vstatics.synthesis.boxes.listing import wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.texts import speaking
 
 
 def page(document: dict[str, Any], digits: int | None = None) -> str:
@@ -42,6 +47,57 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     assert len(rows(html, "diagrams")) == 4  # gears
     assert html.count("<svg") == 2
     assert 'id="box-1"' in html
+
+
+@pytest.mark.parametrize(
+    ("search", "said"),
+    [
+        (
+            BoxSearch(2, 4, 2, (1.0, 3.0, -2.0), tolerances=(0.01, math.log(2), 0.01)),
+            "Wanted: 1: 1.5 to 6, 2: 1, R: −2.",
+        ),
+        (
+            BoxSearch(
+                3, 5, 2, (-3.0,), sequence=WantedSequence(6, 8, (5, 7), (1.2, 1.8), falling=True)
+            ),
+            "Wanted: forward gears: 6 to 8; spread 5 to 7; steps 1.2 to 1.8; "
+            "no step larger than the one below it; besides: −3.",
+        ),
+        (
+            BoxSearch(2, 3, 1, (), sequence=WantedSequence(3, 3, (1, 1e6), (1.2, 1.8))),
+            "Wanted: forward gears: 3; steps 1.2 to 1.8.",
+        ),
+    ],
+)
+def test_the_page_tells_what_was_wanted_and_not_what_the_first_box_has(
+    search: BoxSearch, said: str
+) -> None:
+    listing = listing_of(simpson())._replace(wanted=wanted_of(search))
+    assert said in words(boxes_page(listing))
+
+
+def test_a_gear_within_its_range_is_not_off() -> None:
+    document = simpson()
+    first, last = document["wanted"]["ratios"][0], document["boxes"][0]["gears"]["1"]
+    low, high = last["target"] / 1.2, last["target"] * 1.2
+    document["wanted"]["ratios"][0] = [low, high]
+    assert first[0] < last["target"] < first[1]
+    own = [words(row) for row in rows(page(document), "diagrams")]
+    assert own[0].endswith(f"{last['ratio']:.3f} {low:g} to {high:g}")
+    assert [len(row.split()) - row.count("●") for row in own[1:]] == [4, 4, 4]  # target, off
+
+
+def test_a_page_without_what_was_wanted_does_not_guess() -> None:
+    document = simpson()
+    del document["wanted"]
+    assert "Wanted" not in words(page(document))
+
+
+@pytest.mark.parametrize("document", [many(5), zf_6hp()])
+def test_a_page_has_no_english_words(document: dict[str, Any]) -> None:
+    with speaking("ru"):
+        html = page(document)
+    assert left(words_of(html), {*names(document), *SYMBOLS}) == set()
 
 
 def test_boxes_of_one_core_are_one_row_that_unfolds() -> None:

@@ -29,7 +29,7 @@ def write(folder: Path, text: str = BOX) -> Path:
 
 def numbers_of(told: dict[str, Any], name: str) -> dict[str, str]:
     """The marked numbers of a result in a section, by gears."""
-    cells = told["sections"]["Gears"].split("<td")
+    cells = told["sections"]["gears"].split("<td")
     return {
         one.split('data-gear="')[1].split('"')[0]: one.split('data-number="')[1].split('"')[0]
         for one in cells

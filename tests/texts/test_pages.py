@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,13 +13,14 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, vstatics
+from tests.serve.windows import Program, Window
 from vstatics.report.live.page import OUTSIDE
 from vstatics.texts import table
 
 SYMBOLS = {
     *("eta", "first", "second", "third", "published", "null", "input", "output", "omega", "phi"),
     *("KLG", "AMLG", "AMLGP", "WFRI", "WSAT", "AMWZ", "AMWZP", "ETA", "CSV", "JSON", "YAML"),
-    *("dETA", "all", "YAML", "rad", "MESH", "MESHP", "SVG", "lbf", "vstatics", "simulate"),
+    *("dETA", "all", "YAML", "rad", "MESH", "MESHP", "SVG", "lbf", "vstatics", "simulate", "serve"),
 }
 """Letters of equations and keys, which no language changes."""
 SHOWN = tuple(str(CASES / one) for one in ("simpson.yaml", "mzkt7922.dat"))
@@ -144,6 +146,33 @@ def test_a_page_that_calculates_has_no_english_words(
     window.close()
     assert "Изменить" in page
     said = words_of(page).replace(OUTSIDE, "")
+    assert left(said, of_case(document_of(page))) == set()
+
+
+@pytest.mark.slow
+def test_a_page_that_is_served_has_no_english_words(browser: Any, tmp_path: Path) -> None:
+    """Nor do a picture that came later and a state that was shown in its place; errors stay."""
+    file = Path(shutil.copy(SHOWN[0], tmp_path))
+    running = Program(file, "serve", "--lang", "ru")
+    here = Window(browser, running)
+    here.until("document.querySelector('[data-awaited]:not(.pale) svg')")
+    text = file.read_text("utf-8")
+    file.write_text(text.replace("-73/35", "-74/35", 1), encoding="utf-8")
+    here.until("document.documentElement.dataset.revision > 1")
+    assert here.page.locator("main [data-changed]").count() > 0
+    here.page.evaluate("document.getElementById('equations').scrollIntoView()")
+    here.until("document.querySelector('#equations [data-awaited]:not(.pale) pre')")
+    file.write_text(text.replace("gears:", "gaers:"), encoding="utf-8")
+    here.state("error")
+    assert "simpson.yaml:" in (told := here.page.inner_text("#errors"))
+    assert "error: unknown" in told
+    here.page.evaluate("document.getElementById('errors').textContent = ''")
+    page = here.page.evaluate(SAID)
+    assert not here.errors
+    here.context.close()
+    assert running.end() == (0, "")
+    said = words_of(page).replace(OUTSIDE, "")
+    assert {"Сохранить", "Взять файл"} <= {*said.split("\n")}
     assert left(said, of_case(document_of(page))) == set()
 
 

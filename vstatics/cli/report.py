@@ -122,17 +122,14 @@ def report(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
     if watch:
-        parts = sections or gears or prints_all or stamp or output or live or lang != "en"
+        parts = sections or gears or prints_all or stamp or output or live
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
-            (
-                parts,
-                "--watch: it serves the whole page in English, without -o and a choice of parts",
-            ),
+            (parts, "--watch: it serves the whole page, without -o and a choice of parts"),
         )
         from vstatics.cli.serve import serve_page
 
-        return serve_page(cases[0], digits, settings)
+        return serve_page(cases[0], digits, lang, settings)
     assert output is not None  # noqa: S101 - it is required
     to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
     if len(cases) == 1 and (found := listing_in(cases[0])):
@@ -147,7 +144,8 @@ def report(
         own = "--sections, --gears, --all, --live: two cases have a page of their own"
         refuse((sections or gears or prints_all or live, own))
         with speaking(lang):
-            return _report_two(cases, output, digits, stamp, settings._replace(scenarios=True))
+            options = settings._replace(scenarios=True, of_runs=True)
+            return _report_two(cases, output, digits, stamp, options)
     # a page with sliders has no further pictures for print, which would not follow them
     asked = AskedPage(sections, gears, prints_all or live, stamp)
     to = to._replace(style=TextStyle(lang))
@@ -169,11 +167,11 @@ def _report_two(
     for label, outcome in zip("AB", arguments.calculate(cases, settings), strict=True):
         failed |= outcome.failed
         if outcome.results is not None:
-            from vstatics.report.pair.page import paged
+            from vstatics.report.pair.paged import paged
 
             file = os.path.basename(outcome.file)  # noqa: PTH119
-            naming = naming_of(outcome)
-            both.append(paged(label, outcome.results, file, outcome.problems, digits, naming))
+            naming, run = naming_of(outcome), run_of(outcome)
+            both.append(paged(label, outcome.results, file, outcome.problems, digits, naming, run))
     if len(both) == len(cases):
         from vstatics.report.pair.page import pair_page
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import gc
 import os
 import secrets
 from functools import cache, partial
@@ -18,6 +19,7 @@ from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.scenario_run import run_of
 from vstatics.errors import ReadError, of_file
 from vstatics.jobs.stopping import ENDING
+from vstatics.texts import Language, speaking
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -30,6 +32,8 @@ if TYPE_CHECKING:
 TOKEN_BYTES = 24
 """Of the secret part of the address, which has four characters for three of them."""
 MOST_PORT = 65535
+GARBAGE = 50_000
+"""New objects before Python looks for such as refer to each other alone: a state is as many."""
 
 
 @click.command()
@@ -43,8 +47,16 @@ MOST_PORT = 65535
 )
 @click.option("--open", "opens", is_flag=True, help="Open the page in a browser.")
 @formats.digits
+@arguments.language("the words of the page, but not of names and messages")
 @arguments.settings
-def serve(case: str, port: int, opens: bool, digits: int | None, settings: CaseOptions) -> int:
+def serve(
+    case: str,
+    port: int,
+    opens: bool,
+    digits: int | None,
+    lang: Language,
+    settings: CaseOptions,
+) -> int:
     """Serve the page of CASE to browsers of this computer, until Ctrl-C.
 
     The page is that of `vstatics report`, made anew when the file of the case, or one that it
@@ -59,15 +71,22 @@ def serve(case: str, port: int, opens: bool, digits: int | None, settings: CaseO
     Examples:
       vstatics serve gearbox.yaml --open
       vstatics serve upshift.yaml --port 8000
+      vstatics serve gearbox.yaml --lang de
 
     \b
     Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken; 2 wrong use.
     """
-    return serve_page(case, digits, settings, port, opens=opens)
+    return serve_page(case, digits, lang, settings, port, opens=opens)
 
 
 def serve_page(
-    case: str, digits: int | None, settings: CaseOptions, port: int = 0, *, opens: bool = False
+    case: str,
+    digits: int | None,
+    lang: Language,
+    settings: CaseOptions,
+    port: int = 0,
+    *,
+    opens: bool = False,
 ) -> int:
     """Serve the page of a case until a signal ends it.
 
@@ -87,10 +106,11 @@ def serve_page(
 
     calculate = partial(calculated, case, settings)
     make = partial(ShownStates, calculate, case, digits)
-    studio = StudioProcess(Studio(calculate, digits))
+    studio = StudioProcess(Studio(calculate, digits, lang))
     server = PageServer(make, studio, secrets.token_urlsafe(TOKEN_BYTES))
     try:
-        asyncio.run(_until_stopped(server, port, opens=opens))
+        with speaking(lang):
+            asyncio.run(_until_stopped(server, port, opens=opens))
     except OSError as error:
         why = os.strerror(error.errno) if error.errno else str(error)
         message = f"port {port} can't be listened on: {why}"
@@ -106,6 +126,8 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
             loop.add_signal_handler(signal, stop.set)
 
     def ready(address: str) -> None:
+        gc.freeze()  # what stays; looking through it again and again made some saves wait
+        gc.set_threshold(GARBAGE)
         files.write_output(f"{address}\n", None)
         if opens:
             import webbrowser  # it looks for browsers

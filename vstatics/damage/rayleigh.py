@@ -37,6 +37,11 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     per_unit : float
         Cycles in a unit of life: of a km, of a second.
 
+    Returns
+    -------
+    RayleighLife
+        Its integral [-], and the life in cycles, or in what `per_unit` is of.
+
     Raises
     ------
     ValueError

@@ -35,13 +35,30 @@ def resized(
 
     Parameters
     ----------
+    diameter : float
+        Before, in any unit of length.
     torque, repeats : float
         By those before. [-]
+    exponent : float, optional
+        Of the line of fatigue. [-]
+
+    Returns
+    -------
+    ResizedShaft
+        Its diameter in that unit, its compliance by the one before [-].
 
     Raises
     ------
     ValueError
         If there would be no such number.
+
+    Examples
+    --------
+    Eight times the torque, as often, is borne by twice the diameter:
+
+    >>> made = resized(42.0, torque=8.0, repeats=1.0)
+    >>> round(made.diameter, 9), round(made.compliance, 9)
+    (84.0, 0.0625)
     """
     factor = (math.log(torque) + math.log(repeats) / exponent) / 3
     if abs(factor) > LARGEST_LOGARITHM:
@@ -51,6 +68,25 @@ def resized(
 
 def resized_by_ratio(diameter: float, ratio: float, exponent: float = EXPONENT) -> ResizedShaft:
     """The same behind a reduction: torques by the ratio, so many times fewer cycles.
+
+    Parameters
+    ----------
+    diameter : float
+        Before, in any unit of length.
+    ratio : float
+        Of the reduction, above 0. [-]
+    exponent : float, optional
+        Of the line of fatigue. [-]
+
+    Returns
+    -------
+    ResizedShaft
+        Its diameter in that unit; compliances by the one before [-].
+
+    Raises
+    ------
+    ValueError
+        If there would be no such number.
 
     Examples
     --------

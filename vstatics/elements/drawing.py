@@ -84,6 +84,11 @@ def transmission(
     **others
         Further arguments of `Transmission`: gears, input, output, ...
 
+    Returns
+    -------
+    Transmission
+        Whose mechanisms and links follow from the drawing.
+
     Raises
     ------
     CaseError

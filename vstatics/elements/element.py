@@ -27,6 +27,11 @@ class CentralWheel(NamedTuple):
         A ring; a sun is external.
     rim : str
         The rim of a planet that it meshes with.
+
+    Examples
+    --------
+    >>> CentralWheel("ring", 2, 75, internal=True, rim="planet").teeth
+    75
     """
 
     member: str
@@ -47,6 +52,11 @@ class PlanetMass(NamedTuple):
         [kg]
     radius : float
         Of its pin around the axis of the set; needed with a mass. [m]
+
+    Examples
+    --------
+    >>> PlanetMass(0.001, mass=0.4, radius=0.06).inertia
+    0.001
     """
 
     inertia: float = 0.0
@@ -59,6 +69,11 @@ class MeshEfficiency(NamedTuple):
 
     The defaults of gear meshes are those of the published comparison of loss models;
     see docs/elements.md for all sources.
+
+    Examples
+    --------
+    >>> MeshEfficiency(external=0.985)
+    MeshEfficiency(external=0.985, internal=0.99, bevel=0.97)
     """
 
     external: float = 0.98
@@ -102,6 +117,12 @@ class Element:
         Of each of the `planets`, for vibration.
     ratios : mapping of sun to number
         Of a Ravigneaux set whose teeth are not known yet: to the ring with the carrier held. [-]
+
+    Examples
+    --------
+    >>> members = {"sun": 1, "ring": 2, "carrier": 3}
+    >>> Element("P", "planetary", members, {"sun": 30, "ring": 75}).teeth["ring"]
+    75
     """
 
     name: str

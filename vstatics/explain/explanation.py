@@ -91,10 +91,23 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     gear : int or str
         Its number from 1, or its name.
 
+    Returns
+    -------
+    Explanation
+        Matrix, speeds [-], torques [-], shares and the formula of the ratio, by names.
+
     Raises
     ------
     ValueError
         If there is no such gear, or the results are of arrays of variants.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> explained = explain_gear(solve(case), 1)
+    >>> explained.ratio, explained.formula.text
+    (3.5, '1 - u_D1')
 
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.

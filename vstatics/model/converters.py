@@ -12,6 +12,12 @@ class Converter(NamedTuple):
     """A torque converter between two links.
 
     ``M_P = lambda w_P |w_P|``, ``M_T = K M_P``, by the points i = w_T/w_P, K, lambda.
+
+    Examples
+    --------
+    >>> points = ((0.0, 2.2, 0.003), (0.85, 1.0, 0.002))
+    >>> Converter("TC", pump=1, turbine=2, points=points).links
+    (1, 2)
     """
 
     name: str

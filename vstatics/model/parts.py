@@ -26,6 +26,11 @@ class Damping(NamedTuple):
     loss_factor : float
         Of the material: at any frequency the damping torque is this part of the elastic one,
         so that a mode of this device alone has half of it as its damping ratio. [-]
+
+    Examples
+    --------
+    >>> Damping(loss_factor=0.1)
+    Damping(viscous=0.0, loss_factor=0.1)
     """
 
     viscous: float = 0.0
@@ -205,6 +210,12 @@ class ShiftElement(NamedTuple):
         Up to which part of its kinetic capacity it sticks, 1 or more. [-]
     friction : Friction, optional
         In a scenario its controls are then pressures.
+
+    Examples
+    --------
+    >>> clutch, brake = ShiftElement(1, 2, name="C"), ShiftElement(2, name="B")
+    >>> brake.second
+    0
     """
 
     first: int
@@ -275,6 +286,15 @@ class Mechanism(NamedTuple):
     points : sequence of (float, float) or (float, float, float)
         Of a converter: speed ratio, torque ratio ``M_second/M_first`` [-], and perhaps lambda, by
         which a `Converter` has its torque [N*m*s^2].
+
+    Examples
+    --------
+    A set with its ring held has the ratio 1 - u:
+
+    >>> from vstatics import Gear, ShiftElement, Transmission, solve
+    >>> sets = Mechanism(1, 2, 3, ratio=-2.5, name="set")
+    >>> solve(Transmission(3, [ShiftElement(2)], [sets], [Gear([1])])).ratio
+    array([3.5])
     """
 
     first: int
@@ -367,6 +387,13 @@ class Load(NamedTuple):
         [rpm]
     torque : float, optional
         [N*m]
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], [Gear()], load=Load(3000, 100))
+    >>> solve(pair).speeds_rpm, solve(pair).output_torque_Nm
+    (array([[ 3000., -1500.]]), array([-200.]))
     """
 
     speed: float | None = None
@@ -580,6 +607,15 @@ class Gear(NamedTuple):
     speed_ratios : mapping of int to float
         Number of a variator or converter among the mechanisms that the case gives, behind which
         its `converters` stand -> its speed ratio in this gear, in place of its own. [-]
+
+    Examples
+    --------
+    The ring of a set turns at half the input speed:
+
+    >>> from vstatics import Mechanism, Transmission, solve
+    >>> gear = Gear(speeds={2: 0.5}, name="split")
+    >>> solve(Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [gear])).speeds.round(3)
+    array([[1.   , 0.5  , 0.667]])
     """
 
     engaged: Sequence[int] = ()

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vstatics.errors import CaseError, nearest, plural
+from vstatics.extras import higher
 from vstatics.model.checks import problems
 from vstatics.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.model.part_checks import of_mechanism
@@ -183,19 +184,27 @@ class Transmission(TransmissionFields):
         made._set(**fields | {"mechanisms": others})
         return made
 
-    if TYPE_CHECKING:  # `vstatics/__init__` gives these, from the rooms that read and vary
+    @staticmethod
+    def from_dict(data: Mapping[str, Any]) -> Transmission:
+        """The transmission of plain data, with the keys of YAML and JSON.
 
-        @staticmethod
-        def from_dict(data: Mapping[str, Any]) -> Transmission:
-            """The transmission of plain data, with the keys of YAML and JSON."""
+        Raises
+        ------
+        ReadError
+            With all that is wrong with it, by its keys.
+        """
+        case: Transmission = higher("from_dict")(data)
+        return case
 
-        def part_numbers(self) -> Mapping[str, Any]:
-            """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
+    def part_numbers(self) -> Mapping[str, Any]:
+        """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
+        found: Mapping[str, Any] = higher("part_numbers")(self)
+        return found
 
-        def with_part_numbers(
-            self, numbers: Sequence[Any], values: Sequence[float]
-        ) -> Transmission:
-            """The case with other values of such numbers, in SI."""
+    def with_part_numbers(self, numbers: Sequence[Any], values: Sequence[float]) -> Transmission:
+        """The case with other values of such numbers, in SI."""
+        case: Transmission = higher("with_part_numbers")(self, numbers, values)
+        return case
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""

@@ -39,6 +39,11 @@ class Vehicle(NamedTuple):
         Torque with which the engine brakes, 0 or below; 0 where there are no points.
     fuel : str
         The file of the fuel map; nothing if there is none.
+
+    Examples
+    --------
+    >>> Vehicle(mass=1200, radius=0.3, rolling=0.012).drag_area
+    0.0
     """
 
     mass: float

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vstatics.errors import nearest
 from vstatics.extras import require
 from vstatics.jobs.page_files import replace_pages
-from vstatics.pictures import PICTURES, pages, picture, render
-from vstatics.pictures.sheet.files import FORMATS
+from vstatics.pictures import OF_RUNS, PICTURES, pages, picture, render
+from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import checked_width
 from vstatics.pictures.sheet.style import (
     PAGE_HEIGHT,
@@ -21,6 +21,7 @@ from vstatics.pictures.sheet.style import (
     Style,
 )
 from vstatics.statics.results import Results, expect_results
+from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import format_of, known
 from vstatics.texts import Language
 
@@ -71,14 +72,31 @@ class Picture:
         ReadError
             If a further page would overwrite a file that is none.
         """
-        form = format_of(os.fspath(path), FORMATS)
-        if form is None:
-            suffixes = ", ".join(known(FORMATS))
-            raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+        form = format_of_picture(path)
         results, kind, style, gears = self._drawn
         style = style._replace(height=PAGE_HEIGHT)
         drawn = pages(results, kind, form, style, gears, motion=self._motion)
         replace_pages(os.fspath(path), drawn)
+
+
+def format_of_picture(path: str | os.PathLike[str]) -> Format:
+    """By its suffix.
+
+    Raises
+    ------
+    ValueError
+        For another suffix.
+
+    Examples
+    --------
+    >>> format_of_picture("lever.PNG")
+    'png'
+    """
+    form = format_of(os.fspath(path), FORMATS)
+    if form is None:
+        suffixes = ", ".join(known(FORMATS))
+        raise ValueError(f"a picture as {os.fspath(path)}: expected a suffix of {suffixes}")
+    return form
 
 
 def plot(  # noqa: PLR0913 - all but the first by name
@@ -156,3 +174,28 @@ def plot(  # noqa: PLR0913 - all but the first by name
         lang, dark, wheels=wheels, merged=merge, width=checked_width(width), excited=excited
     )
     return Picture(results, kind, style, gears, motion)
+
+
+def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
+    """A picture of a run; parameters and errors as of `plot`.
+
+    Raises
+    ------
+    ValueError
+        If this is no kind of a run, or its case is not known.
+
+    Examples
+    --------
+    >>> from vstatics import ShiftElement, Transmission
+    >>> from vstatics.simulation import Scenario, Start, simulate
+    >>> case = Transmission(1, [ShiftElement(1)], [], [], inertias={1: 2.0})
+    >>> plot_motion(simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}))), "stick")
+    Traceback (most recent call last):
+    ValueError: 'stick' is no picture of a run; expected one of shift, plan
+    """
+    if kind not in OF_RUNS:
+        expected = f"expected one of {', '.join(OF_RUNS)}"
+        raise ValueError(f"{kind!r} is no picture of a run; {expected}")
+    if motion.case is None:
+        raise ValueError("the motion has no case; expected one of `simulate`")
+    return plot(solve(motion.case), kind, motion=motion, **how)

@@ -112,6 +112,10 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     format : {"deck", "yaml", "json", "xlsx"}, optional
         The format; told by the suffix, else by the content, when not given.
 
+    Returns
+    -------
+    Transmission
+
     Raises
     ------
     ReadError
@@ -144,8 +148,21 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     ----------
     text : str or bytes
         The case itself, not the name of a file.
+    format : {"deck", "yaml", "json", "xlsx"}, optional
+        Told by the content when not given.
     name : str, optional
         For messages.
+
+    Returns
+    -------
+    Transmission
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    ValueError
+        If there is no such format.
 
     Examples
     --------

@@ -44,6 +44,17 @@ def write_report(
         If the name has the suffix of something else.
     OSError
         If it cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")]))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_report(results, Path(folder, "pair.html"))
+    ...     "drive" in Path(folder, "pair.html").read_text(encoding="utf-8")
+    True
     """
     expect_results(results, "write_report")
     suffix = os.path.splitext(os.fspath(path))[1]  # noqa: PTH122

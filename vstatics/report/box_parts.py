@@ -8,8 +8,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
-from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
-from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, sign
+from vstatics.synthesis.boxes.listing import (
+    BoxListing,
+    ListedBox,
+    ListedGear,
+    Range,
+    WantedOfBoxes,
+)
+from vstatics.tables.grid import Cell, Column, Grid, Value, Values, exact, grid_of, sign
 from vstatics.tables.html import Markup, table, tables, tag
 from vstatics.texts import heading, tr
 
@@ -53,7 +59,7 @@ def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
 
 
 def _named(box: ListedBox, drawn: Collection[int]) -> str:
-    return box_link(box) if box.number in drawn else f"box {box.number}"
+    return box_link(box) if box.number in drawn else tr("box {number}", number=box.number)
 
 
 def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
@@ -65,12 +71,17 @@ def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
             "div",
             _named(box, drawn),
             f": {' '.join(list(box.elements)[box.brakes :])}, ",
-            f"loss {exact(100 * box.loss).text} %, torque {exact(box.torque).text}, ",
-            f"drag {exact(box.drag).text}",
+            ", ".join(f"{tr(name)} {figure}" for name, figure in _important(box)),
         )
         for box in boxes
     ]
     return Cell(tag("details", tag("summary", str(len(boxes))), *lines))
+
+
+def _important(box: ListedBox) -> Iterator[tuple[str, str]]:
+    yield "loss", f"{exact(100 * box.loss).text} %"
+    yield "torque", exact(box.torque).text
+    yield "drag", exact(box.drag).text
 
 
 def family_grid(listing: BoxListing) -> Grid:
@@ -96,7 +107,29 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
     return f"{shown} ..." if len(boxes) > MOST_NAMED else shown
 
 
-def gear_grid(box: ListedBox) -> Grid:
+def middle(ends: Range) -> float:
+    """The number in the middle of a wanted range [-]."""
+    low, high = ends
+    return math.copysign(math.sqrt(low * high), low)
+
+
+def asked_ratio(ends: Range, tolerance: float) -> str:
+    """A wanted ratio: a range, or a number where it is one within the tolerance."""
+    return f"{middle(ends):g}" if _is_number(ends, tolerance) else asked_range(ends)
+
+
+def asked_range(ends: Range) -> str:
+    """A range in words."""
+    low, high = ends
+    return tr("{low} to {high}", low=f"{low:g}", high=f"{high:g}")
+
+
+def _is_number(ends: Range, tolerance: float) -> bool:
+    low, high = ends
+    return math.isclose(abs(math.log(high / low)), 2 * tolerance, rel_tol=1e-6)
+
+
+def gear_grid(box: ListedBox, wanted: WantedOfBoxes | None) -> Grid:
     """Which elements are engaged in each gear, what its ratio is and should be."""
     signs = (Column(name, is_sign=True, is_name=True) for name in box.elements)
     rows: list[Values] = [
@@ -104,12 +137,28 @@ def gear_grid(box: ListedBox) -> Grid:
             name,
             *(_mark(element in gear.engaged) for element in box.elements),
             gear.ratio,
-            gear.target,
-            100 * (gear.ratio / gear.target - 1) if gear.target else None,
+            *_target(gear, wanted),
         )
         for name, gear in box.gears.items()
     ]
     return grid_of("Gears", ["gear", *signs, "ratio", "target", "off [%]"], rows)
+
+
+def _target(gear: ListedGear, wanted: WantedOfBoxes | None) -> tuple[Value, Value]:
+    """What the ratio of a gear should be, and how far it is from that; nothing is within a range.
+
+    Of one of the gears whose ratios nobody told there is nothing.
+    """
+    if wanted is not None:
+        own = (ends for ends in wanted.ratios if math.isclose(middle(ends), gear.target))
+        ends = next(own, None)
+        if ends is None or not _is_number(ends, wanted.tolerance):
+            return Cell("" if ends is None else asked_range(ends), math.nan, kind=float), BLANK
+    return gear.target, 100 * (gear.ratio / gear.target - 1) if gear.target else None
+
+
+BLANK = Cell("", math.nan, kind=float)
+"""In place of a number where there is none."""
 
 
 def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
@@ -117,7 +166,9 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
     return sign(holds) if holds else sign(holds)._replace(text="")
 
 
-def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator[Markup]:
+def shown_box(
+    box: ListedBox, svg: bytes | None, digits: int | None, wanted: WantedOfBoxes | None
+) -> Iterator[Markup]:
     """A box: its figures, its diagram, its gears and its sets side by side; the rest unfolds."""
     title = tr(
         "Box {number}, family {family}, core {core}",
@@ -131,9 +182,9 @@ def shown_box(box: ListedBox, svg: bytes | None, digits: int | None) -> Iterator
         name = tr("Stick diagram of box {number}", number=box.number)
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
-    yield from tables(one.with_digits(digits) for one in (gear_grid(box), ratios))
+    yield from tables(one.with_digits(digits) for one in (gear_grid(box, wanted), ratios))
     more = (one.with_digits(digits) for one in (element_grid(box), set_grid(box)))
-    said = "Torques, slips, speeds, losses and drag by gear"
+    said = tr("Torques, slips, speeds, losses and drag by gear")
     yield tag("details", tag("summary", said), line_of(_facts(box)), *map(table, more))
 
 
@@ -164,20 +215,21 @@ def set_grid(box: ListedBox) -> Grid:
 
 def _of(values: Mapping[str, float], name: str) -> Cell:
     """A number; blank where there is none of the name."""
-    return exact(values[name]) if name in values else Cell("", math.nan, kind=float)
+    return exact(values[name]) if name in values else BLANK
 
 
 def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
     """What is told of the box as a whole besides."""
-    yield "skip shifts", str(box.skip_shifts)
-    yield "torque of both signs", ", ".join(box.reversing) or "none"
-    yield "may be one-way", ", ".join(box.one_way) or "none"
-    yield "ratios beyond", ", ".join(exact(one).text for one in box.beyond) or "none"
+    none = tr("none")
+    yield tr("skip shifts"), str(box.skip_shifts)
+    yield tr("torque of both signs"), ", ".join(box.reversing) or none
+    yield tr("may be one-way"), ", ".join(box.one_way) or none
+    yield tr("ratios beyond"), ", ".join(exact(one).text for one in box.beyond) or none
 
 
 def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     if box.known:
-        yield "known as", box.known
+        yield tr("known as"), box.known
     named = {
         "mean loss [%]": 100 * box.loss,
         "largest torque": box.torque,
@@ -191,4 +243,4 @@ def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:
     yield tr("it is"), ", ".join(tr(name) for name, holds in marks.items() if holds) or "-"
     yield tr("scheme"), box.code
     for sets in box.ravigneaux.values():
-        yield tr("Ravigneaux"), tr(" and ").join(sets)
+        yield tr("Ravigneaux"), ", ".join(sets)

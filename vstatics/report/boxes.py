@@ -10,13 +10,22 @@ from vstatics.errors import CaseError
 from vstatics.extras import missing
 from vstatics.pictures.sheet.style import Style
 from vstatics.report.asked import EVERYTHING
-from vstatics.report.box_parts import all_grid, box_link, family_grid, shown_box
+from vstatics.report.box_parts import (
+    all_grid,
+    asked_range,
+    asked_ratio,
+    box_link,
+    family_grid,
+    middle,
+    shown_box,
+)
 from vstatics.report.html_page import framed, stamped
 from vstatics.report.overview import line_of
 from vstatics.report.page_pictures import inline
 from vstatics.report.parts import figure
 from vstatics.report.sections import Part
-from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes
+from vstatics.synthesis.boxes.listing import BoxListing, WantedOfBoxes, drawn_boxes
+from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears
 from vstatics.tables.answer import plain_data
 from vstatics.tables.html import Markup, joined, table, tag
 from vstatics.tables.numbers import typeset
@@ -101,8 +110,29 @@ def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
 
 
 def _about(listing: BoxListing) -> Iterator[Markup]:
-    targets = (f"{name} {gear.target:g}" for name, gear in listing.boxes[0].gears.items())
-    yield tag("p", typeset(tr("Wanted: {targets}.", targets=", ".join(targets))), class_="told")
+    if listing.wanted:
+        targets = "; ".join(_asked(listing.wanted))
+        yield tag("p", typeset(tr("Wanted: {targets}.", targets=targets)), class_="told")
+
+
+def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
+    """What was asked of the gears, in words."""
+    ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
+    if not wanted.gears:
+        middles = [middle(ends) for ends in wanted.ratios]
+        names = names_of_gears(middles)
+        yield ", ".join(f"{names[place]}: {ratios[place]}" for place in in_order(middles))
+        return
+    least, most = wanted.gears
+    count = str(most) if least == most else asked_range((least, most))
+    yield tr("forward gears: {number}", number=count)
+    for text, ends in (("spread {range}", wanted.spread), ("steps {range}", wanted.steps)):
+        if ends:
+            yield tr(text, range=asked_range(ends))
+    if wanted.falling:
+        yield tr("no step larger than the one below it")
+    if ratios:
+        yield tr("besides: {ratios}", ratios=", ".join(ratios))
 
 
 def _line(listing: BoxListing) -> Markup:
@@ -157,4 +187,4 @@ def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator
             from vstatics.pictures.boxes.stick import stick_diagram
 
             svg = stick_diagram(case, "")
-        yield from shown_box(box, svg, digits)
+        yield from shown_box(box, svg, digits, listing.wanted)

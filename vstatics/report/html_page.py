@@ -119,7 +119,7 @@ def framed(
     frame : PageFrame, optional
         What stands around them.
     """
-    links = (tag("a", tr(part.name), href=f"#{_id(part.name)}") for part in parts)
+    links = (tag("a", tr(part.name), href=f"#{id_of(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
@@ -163,7 +163,7 @@ def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
 
 def _section(part: Part) -> Markup:
     look = False if part.is_printed else SCREEN
-    return tag("section", tag("h2", tr(part.name)), *part.shown, id=_id(part.name), class_=look)
+    return tag("section", tag("h2", tr(part.name)), *part.shown, id=id_of(part.name), class_=look)
 
 
 def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
@@ -182,7 +182,7 @@ def about(material: Material) -> Iterator[Markup]:
     case = material.results.case
     yield from stamped(material.asked.stamp)
     if material.run:
-        link = tag("a", tr(SECTIONS["run"]), href=f"#{_id(SECTIONS['run'])}")
+        link = tag("a", tr(SECTIONS["run"]), href=f"#{id_of(SECTIONS['run'])}")
         said = f": {material.naming.description}" if material.naming.description else ""
         yield tag("p", filled(tr("Scenario, see {link}"), link=link), said, class_="told")
     if material.asked.gears:
@@ -214,7 +214,12 @@ def _names(data: Any) -> Iterator[str]:
                 yield from _names(data[one])
 
 
-def _id(name: str) -> str:
+def id_of(name: str) -> str:
+    """That of a section, in every language.
+
+    >>> id_of("Power flow")
+    'power-flow'
+    """
     return name.lower().replace(" ", "-")
 
 

@@ -34,7 +34,6 @@ from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results, without_missing, without_zeros
 from vstatics.tables.html import Markup, table, tables, tag, terms
 from vstatics.tables.numbers import ROUNDED_NUMBER
-from vstatics.tables.ports import port_tables
 from vstatics.texts import tr
 
 
@@ -66,9 +65,8 @@ SHIFTS = ("transitions", "margins", "margins by gear")
 def sections(material: Material) -> Iterator[Part]:
     """Each section with its name; those that would be empty are left out."""
     asked, pictures = material.asked, material.pictures.of_all
-    gears, *others = (
-        asked.cut(one).with_digits(material.digits) for one in summary_grids(material.summary)
-    )
+    told = summary_grids(material.summary, [one.ports for one in material.flows])
+    gears, *others = (asked.cut(one).with_digits(material.digits) for one in told)
     others = [*material.marked(others)]
     conventions = material.document["conventions"]
     every: dict[str, Iterable[Markup]] = {
@@ -278,7 +276,7 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 def _has_further_ports(material: Material) -> bool:
     """Whether a gear has more than an input and an output, which ratio and efficiency tell."""
-    return any(len(one.rows) > INPUT_AND_OUTPUT for one in port_tables(material.results))
+    return any(len(one.ports.rows) > INPUT_AND_OUTPUT for one in material.flows)
 
 
 INPUT_AND_OUTPUT = 2

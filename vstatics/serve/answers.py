@@ -8,8 +8,9 @@ from http import HTTPStatus
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from vstatics.serve.page import POLICY
+from vstatics.serve.page import policy_in
 from vstatics.serve.requests import RefusedError
+from vstatics.texts import spoken
 
 _ALWAYS = {
     "Cache-Control": "no-store",
@@ -17,7 +18,6 @@ _ALWAYS = {
     "Referrer-Policy": "no-referrer",
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
-    "Content-Security-Policy": POLICY,
     "Connection": "close",
 }
 HTML, JSON, TEXT, EVENTS = (
@@ -44,7 +44,8 @@ class HttpAnswer(NamedTuple):
 def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
     """The head of an answer."""
     lines = [f"HTTP/1.1 {status} {HTTPStatus(status).phrase}", f"Content-Type: {kind}"]
-    lines += [f"{name}: {value}" for name, value in {**_ALWAYS, **fields}.items()]
+    policy = {"Content-Security-Policy": policy_in(spoken())}
+    lines += [f"{name}: {value}" for name, value in {**_ALWAYS, **policy, **fields}.items()]
     return ("\r\n".join(lines) + "\r\n\r\n").encode("latin-1")
 
 

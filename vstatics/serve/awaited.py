@@ -16,6 +16,7 @@ from vstatics.report.sections import Part, sections
 from vstatics.report.vibration import shown_vibration, vibrates, vibration
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup, joined, tag
+from vstatics.texts import tr
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
@@ -74,7 +75,7 @@ def awaited_part(name: str, material: Material, run: Callable[[], Motion | None]
     try:
         return _section(name, material, run) or _picture(name, material.results, run)
     except CaseError as error:
-        return tag("p", f"Not made: {' '.join(str(error).split())}", class_="error")
+        return tag("p", tr("Not made: {why}", why=" ".join(str(error).split())), class_="error")
 
 
 def _section(name: str, material: Material, run: Callable[[], Motion | None]) -> Markup | None:
@@ -110,7 +111,7 @@ def _picture(name: str, results: Results, run: Callable[[], Motion | None]) -> M
         drawn = _of_gear(results, kind, int(of))
     if drawn is None:
         return None
-    return tag("p", f"Not drawn. {drawn.why}") if drawn.why else joined(*drawn.sheets)
+    return tag("p", tr("Not drawn. {why}", why=drawn.why)) if drawn.why else joined(*drawn.sheets)
 
 
 def _of_gear(results: Results, kind: str, gear: int) -> Drawn:

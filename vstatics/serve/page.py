@@ -5,12 +5,22 @@ from __future__ import annotations
 import base64
 import hashlib
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from importlib.resources import files
 from typing import Any
 
 from vstatics.errors import Problem, excerpt
 from vstatics.report.asked import AskedPage
-from vstatics.report.html_page import SCRIPT, PageFrame, about, choice, framed, section_alone
+from vstatics.report.html_page import (
+    SCRIPT,
+    PageFrame,
+    about,
+    choice,
+    framed,
+    id_of,
+    in_language,
+    section_alone,
+)
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
@@ -20,6 +30,7 @@ from vstatics.report.tools import toolbar
 from vstatics.serve.awaited import QUICK, awaited_pictures, awaited_sections
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup, joined, tag
+from vstatics.texts import Language, speaking, tr
 
 CHANGE = "Change"
 """The section of fields."""
@@ -29,25 +40,29 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPT = _resource("serve.js")
+_OWN_SCRIPTS = (_resource("patches.js"), _resource("serve.js"))
 _STYLE = joined(toolbar.STYLE, _resource("serve.css"))
 
 
-def _hashed(script: str) -> str:
-    digest = hashlib.sha256(script.encode()).digest()
+def _hashed(script: Markup) -> str:
+    digest = hashlib.sha256(in_language(script).encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
-SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, _OWN_SCRIPT)
+SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, *_OWN_SCRIPTS)
 """All that a page may have."""
 
-POLICY = (
-    f"default-src 'none'; "
-    f"script-src {' '.join(map(_hashed, SCRIPTS))}; "
-    "style-src 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'none'"
-)
-"""A browser runs these scripts and no others, and asks nobody else for anything."""
+
+@cache
+def policy_in(language: Language) -> str:
+    """A browser runs these scripts and no others, and asks nobody else for anything."""
+    with speaking(language):
+        scripts = " ".join(map(_hashed, SCRIPTS))
+    return (
+        f"default-src 'none'; script-src {scripts}; "
+        "style-src 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
+        "frame-ancestors 'none'"
+    )
 
 
 def material_of(
@@ -78,8 +93,8 @@ def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> 
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """Each section by its heading."""
-    return {part.name: section_alone(part, material.document) for part in parts}
+    """Each section by its id."""
+    return {id_of(part.name): section_alone(part, material.document) for part in parts}
 
 
 def told(problems: Iterable[Problem]) -> str:
@@ -143,7 +158,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
     frame = PageFrame(
         choice=chosen,
         panel=joined(toolbar.toolbar(), _panel(state)),
-        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), _OWN_SCRIPT],
+        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), *_OWN_SCRIPTS],
         style=joined(_STYLE, run_scripts.STYLE if has_run else ""),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},
@@ -155,23 +170,26 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 def _panel(state: Mapping[str, Any]) -> Markup:
     """What saves, and says what is wrong; what has nothing to say is hidden."""
     errors = state["errors"]
-    buttons = {"save": "Save", "revert": "Revert", "undo": "Undo"}
-    choices = {"keep-mine": "Keep my numbers", "take-file": "Take the file"}
-    asked = "The file was changed by somebody else. "
+    buttons = {"save": tr("Save"), "revert": tr("Revert"), "undo": tr("Undo")}
+    choices = {"keep-mine": tr("Keep my numbers"), "take-file": tr("Take the file")}
+    asked = tr(
+        "The file was changed by somebody else. "
+        "Your numbers can go into the newer file, or be dropped."
+    )
     return tag(
         "div",
         tag("div", *(tag("button", said, id=one, hidden=True) for one, said in buttons.items())),
         tag("pre", errors, id="errors", role="alert", hidden=not errors),
         tag(
             "div",
-            tag("p", asked, "Your numbers can go into the newer file, or be dropped."),
+            tag("p", asked),
             *(tag("button", said, id=one) for one, said in choices.items()),
             id="conflict",
             role="alert",
             hidden=True,
         ),
         tag("p", "outside: run the program", id="outside", hidden=True),
-        tag("p", "vstatics serve has ended: nothing is saved any more.", class_="when-gone"),
+        tag("p", tr("vstatics serve has ended: nothing is saved any more."), class_="when-gone"),
         id="panel",
         class_=SCREEN,
         data_shown=state["number"],

@@ -14,6 +14,7 @@
   let [gone, conflict, saving, step] = [false, false, false, null];
   let errors = at("errors").textContent;
   const last = new Map(); // section -> what it was made of
+  const { learn, nodesOf, patch } = globalThis.patches;
 
   async function ask(route, options) {
     try {
@@ -42,14 +43,18 @@
   // --- what is shown -----------------------------------------------------------------------
 
   const key = ({ dataset: { result, row, gear } }) => [result, row, gear].join("\n");
-  const numbered = () => [...document.querySelectorAll("[data-result]")];
-  const numbers = () => new Map(numbered().map((one) => [key(one), one.dataset.number]));
+  const numbered = (part) => [...part.querySelectorAll("[data-result]")];
+  const numbers = (part) => new Map(numbered(part).map((one) => [key(one), one.dataset.number]));
 
-  function mark(before) {
-    for (const one of numbered()) {
-      const old = before.get(key(one));
-      one.toggleAttribute("data-changed", old !== undefined && old !== one.dataset.number);
-    }
+  // those of a part with another content that are other than before
+  function others(part, before) {
+    const isOther = (one, old) => old !== undefined && old !== one.dataset.number;
+    return numbered(part).filter((one) => isOther(one, before.get(key(one))));
+  }
+
+  function mark(changed, part = document) {
+    for (const one of part.querySelectorAll("[data-changed]")) if (!changed.has(one)) one.removeAttribute("data-changed");
+    for (const one of changed) one.setAttribute("data-changed", "");
   }
 
   function parsed(html) {
@@ -89,7 +94,7 @@
 
   // the sections of an answer in their order: others leave, new ones come
   function arrange(wanted) {
-    const there = new Map(sections().map((one) => [heading(one).textContent, one]));
+    const there = new Map(sections().map((one) => [one.id, one]));
     for (const [name, one] of there) if (!(name in wanted)) one.remove();
     let before = null;
     for (const [name, html] of Object.entries(wanted)) {
@@ -118,33 +123,60 @@
     errors = answer.errors;
     if (answer.sections) {
       if (!tried && answer.head !== panel.dataset.head) { location.reload(); return; }
-      const before = numbers();
       shown = answer.number;
-      staying(() => {
-        const names = sections().map((one) => heading(one).textContent);
-        if (names.join("\n") !== Object.keys(answer.sections).join("\n")) arrange(answer.sections);
-        const changed = [];
-        for (const part of sections()) {
-          const html = answer.sections[heading(part).textContent];
-          if (part.id === "change") change(part, answer.fields, html);
-          else if (html !== last.get(part)) changed.push(fresh(part, html));
-          last.set(part, html);
-        }
-        if (changed.length) announce(changed);
-      });
+      mark(renew(answer));
       at("result").textContent = JSON.stringify(answer.document);
-      mark(before);
       stale();
     }
     root.dataset.revision = Math.max(Number(root.dataset.revision) + 1, answer.number);
     tell();
   }
 
+  // numbers in their places where nothing else changes, else other sections; what changed
+  function renew(answer) {
+    const changed = new Set(), patched = [], parts = [];
+    const names = sections().map((one) => one.id);
+    if (names.join("\n") !== Object.keys(answer.sections).join("\n")) staying(() => arrange(answer.sections));
+    for (const part of sections()) {
+      const html = answer.sections[part.id];
+      if (part.id === "change") change(part, answer.fields, html);
+      else if (html !== last.get(part)) {
+        const done = patch(part, html);
+        if (!done) parts.push([part, html]);
+        for (const one of done?.numbers ?? []) changed.add(one);
+        patched.push(...done?.changed ?? []);
+      }
+      last.set(part, html);
+    }
+    if (patched.length) dispatchEvent(new CustomEvent("renumbered", { detail: patched }));
+    if (parts.length) staying(() => {
+      const before = parts.map(([part]) => numbers(part));
+      announce(parts.map(([part, html]) => fresh(part, html)));
+      parts.forEach(([part], n) => { for (const one of others(part, before[n])) changed.add(one); });
+    });
+    return changed;
+  }
+
   // a section with other content below its heading
   function fresh(part, html) {
-    const made = parsed(html).firstElementChild;
+    const made = parsed(html).firstElementChild, nodes = nodesOf(made);
+    nodes.splice(0, 3, part, heading(part), heading(part).firstChild);
+    learn(part, html, nodes);
     heading(made).remove();
     return put(part, made, heading(part));
+  }
+
+  // what the sections of this page were made of, once it is quiet: the first change is as fast as others
+  const first = new Map(sections().map((part) => [part, nodesOf(part)]));
+  async function learnFirst() {
+    const answer = await ask("shown"), told = answer?.ok ? await answer.json() : {};
+    for (const [part, nodes] of first) {
+      const html = told.sections?.[part.id];
+      if (told.number !== shown || last.has(part) || !html || part.id === "change") continue;
+      learn(part, html, nodes);
+      last.set(part, html);
+    }
+    first.clear();
   }
 
   // fields have the numbers of the file but where there are edits
@@ -153,11 +185,12 @@
     ofFile = new Map(Object.entries(now));
     if (!same || !ofFile.size) fresh(part, html); // of a deck nothing can be filled in
     for (const [path, value] of edits) if (!ofFile.has(path) || ofFile.get(path) === value) edits.delete(path);
-    for (const path of ofFile.keys()) fill(path, edits.get(path) ?? ofFile.get(path));
+    const byPath = Map.groupBy?.(fields(), (one) => one.dataset.path);
+    for (const path of ofFile.keys()) fill(path, edits.get(path) ?? ofFile.get(path), null, byPath?.get(path));
   }
 
-  function fill(path, value, but) {
-    for (const one of fields()) {
+  function fill(path, value, but, all = fields()) {
+    for (const one of all) {
       if (one.dataset.path !== path || one === but) continue;
       if (one.type === "range") {
         if (value < Number(one.min)) one.min = value;
@@ -213,12 +246,11 @@
     if (!own.signal.aborted && answer) {
       next.classList.remove("pale");
       if (html !== null) {
-        const before = new Map([...next.querySelectorAll("[data-result]")].map((one) => [key(one), one.dataset.number]));
-        announce([put(next, parsed(html))]);
-        for (const one of next.querySelectorAll("[data-result]")) {
-          const old = before.get(key(one));
-          one.toggleAttribute("data-changed", old !== undefined && old !== one.dataset.number);
-        }
+        const before = numbers(next);
+        put(next, parsed(html));
+        if (next.closest(".run-moves") || next.querySelector("table, [data-gear], [data-choose]")) announce([next]);
+        else dispatchEvent(new Event("drawn")); // a picture alone
+        mark(new Set(others(next, before)), next);
         for (const one of next.querySelectorAll("[data-awaited]")) one.classList.add("pale");
       }
     }
@@ -314,6 +346,7 @@
   // --- what others do --------------------------------------------------------------------------
 
   async function take() {
+    drawing?.abort(); // numbers first
     const answer = await ask("shown");
     if (!answer?.ok) return;
     const told = await answer.json();
@@ -357,4 +390,5 @@
   }
   stale();
   tell();
+  setTimeout(learnFirst, 300);
 })();

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextvars import copy_context
 from functools import partial
 from typing import Any, TypeVar
 
@@ -103,7 +104,8 @@ class PageServer:
                 return
 
     def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
-        return asyncio.get_running_loop().run_in_executor(pool, work)
+        context = copy_context()  # it has the language
+        return asyncio.get_running_loop().run_in_executor(pool, context.run, work)
 
     async def _watch(self) -> None:
         """Look whether a file has changed, and tell it."""
@@ -111,6 +113,7 @@ class PageServer:
             await asyncio.sleep(LOOK_SECONDS)
             if self._states.is_old() and await self._in(self._numbers, self._look_again):
                 self._tell()
+                self._in(self._numbers, self._file_state)  # what all who are told ask for
 
     def _look_again(self) -> bool:
         return self._states.look_again()

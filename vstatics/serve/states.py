@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -24,6 +25,8 @@ from vstatics.serve.watched_files import data_of, digest_of, signature_of
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
+WRITE_SECONDS = 0.1
+"""So long a file in error is left to whoever may still be writing it."""
 MOST_KEPT = 32
 """So many tried states have their pictures drawn when they are looked at."""
 
@@ -92,17 +95,24 @@ class ShownStates:
         self._answered: tuple[int, dict[str, Any]] = (0, {})
         self._files: Sequence[str] = [file]
         self._signature: Mapping[str, tuple[int, ...]] = {}
-        self.look_again()
+        while not self.look_again():
+            pass
 
     def look_again(self) -> bool:
         """Calculate the case anew if a file has changed; whether one has.
 
-        Files are looked at before they are read: a change in between shows the next time.
+        Files are looked at before they are read: a change in between shows the next time. So
+        does one of a file in error, which may be written only by half.
         """
         signature = signature_of(self._files)
         if signature == self._signature:
             return False
-        self._take(self._shown({}))
+        made = self._shown({})
+        if made.errors:
+            time.sleep(WRITE_SECONDS)
+            if signature_of(self._files) != signature:
+                return False
+        self._take(made)
         new = [file for file in self._files if file not in signature]
         self._signature = {**signature, **signature_of(new)}
         return True

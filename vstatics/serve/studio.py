@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+from functools import cache
 from typing import TYPE_CHECKING
 
 from vstatics.errors import CaseError
@@ -13,10 +15,15 @@ from vstatics.report.sections import Part
 from vstatics.serve.awaited import awaited_part
 from vstatics.serve.document_fields import Texts
 from vstatics.serve.page import material_of
+from vstatics.texts import Language, speaking
 
 if TYPE_CHECKING:
     from vstatics.report.material import Material
     from vstatics.serve.states import Calculate, Calculated
+
+
+GENTLE = 15
+"""How far the process of pictures stands back."""
 
 
 class Studio:
@@ -28,17 +35,24 @@ class Studio:
         As of `vstatics.serve.states.ShownStates`; it goes to another process.
     digits : int, optional
         After the point.
+    language : str
+        In which the page speaks.
     """
 
-    def __init__(self, calculate: Calculate, digits: int | None) -> None:
+    def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
         """Nothing is calculated yet."""
         self._calculate = calculate
         self._digits = digits
+        self._language = language
         self._texts: Texts | None = None
         self._made: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
         """A part by its name, as HTML; None if there is no such part."""
+        with speaking(self._language):
+            return self._part(texts, name)
+
+    def _part(self, texts: Texts, name: str) -> str | None:
         if texts != self._texts:
             self._texts, self._made = texts, None
             made = self._calculate(texts)
@@ -81,4 +95,12 @@ class StudioProcess:
 
 
 def _made(studio: Studio, item: tuple[Texts, str]) -> str | None:
+    _give_way()
     return studio.part(*item)
+
+
+@cache
+def _give_way() -> None:
+    """Let the process of a picture take what the numbers of a newer state leave."""
+    if hasattr(os, "nice"):
+        os.nice(GENTLE)

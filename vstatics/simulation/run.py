@@ -93,8 +93,11 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         if method == "tarasik":
             from vstatics.simulation.published.tarasik import tarasik
 
-            return tarasik(scenario, step=step, rtol=rtol)
-        return _to_its_end(begun(scenario, step=step, rtol=rtol, watch=watch, columns=columns))
+            motion = tarasik(scenario, step=step, rtol=rtol)
+        else:
+            run = begun(scenario, step=step, rtol=rtol, watch=watch, columns=columns)
+            motion = _to_its_end(run)
+    return motion._replace(case=scenario.case)
 
 
 def begun(

@@ -27,6 +27,11 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     rtol : float
         As in `simulate`. [-]
 
+    Returns
+    -------
+    SteppedRun
+        At time 0.
+
     Raises
     ------
     CaseError

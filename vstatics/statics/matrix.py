@@ -144,6 +144,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
 
     Parameters
     ----------
+    case : Transmission
     ratios : array_like, shape (..., mechanisms), optional
         In place of the case's own internal ratios. [-]
 

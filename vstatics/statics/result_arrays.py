@@ -14,7 +14,13 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 
 
 class Message(NamedTuple):
-    """What was noticed in a gear; a gear with an error makes the case fail."""
+    """What was noticed in a gear; a gear with an error makes the case fail.
+
+    Examples
+    --------
+    >>> str(Message("W414", "1 condition is missing", gear="N"))
+    'warning: gear N: 1 condition is missing [W414]'
+    """
 
     id: str
     """As that of a `Problem`."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vstatics.errors import listed, type_and_value
+from vstatics.extras import AnyPicture, higher
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.freewheels import find_state
@@ -20,6 +21,7 @@ from vstatics.statics.status import OK, Status, statuses
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
 """Of the headings of a listing and of a deck."""
 
@@ -29,20 +31,100 @@ class Results(PhysicalResults):
 
     Its arrays, their axes and units are told in `ResultFields`; `PhysicalResults` has them in
     rpm, N*m and kW.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5, 0.98)], [Gear(name="drive")]))
+    >>> results, results.ratio, results["lossy_torques", "Mx", "drive"]
+    (<Results: gears drive>, array([-2.5]), -2.45)
     """
 
     __slots__ = ()
 
-    if TYPE_CHECKING:  # `vstatics/__init__` gives these, from rooms that know how to show results
+    def __getitem__(self, key: Any) -> Any:
+        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``."""
+        return higher("by_name")(self, key)
 
-        def to_dataframe(self) -> pd.DataFrame:
-            """One row per variant and gear, a column per table and row; needs pandas."""
+    def _repr_html_(self) -> str:
+        """The table of the gears, for a notebook."""
+        shown: str = higher("results_html")(self)
+        return shown
 
-        def __getitem__(self, key: Any) -> Any:
-            """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``."""
+    def to_dataframe(self) -> pd.DataFrame:
+        """A pandas table: one row per variant and gear, a column per table and row.
 
-        def _repr_html_(self) -> str:
-            """The table of the gears, for a notebook."""
+        Returns
+        -------
+        DataFrame
+            As of `vstatics.tables.dataframe.to_dataframe`: speeds, torques and powers relative
+            to the input [-], with a load also in rpm, N*m and kW.
+
+        Raises
+        ------
+        CaseError
+            If pandas is missing.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).to_dataframe()["ratio"].to_dict()
+        {'drive': -2.5}
+        """
+        table: pd.DataFrame = higher("to_dataframe")(self)
+        return table
+
+    def to_xarray(self) -> xr.Dataset:
+        """All tables as a dataset of xarray, with names along their axes.
+
+        Returns
+        -------
+        Dataset
+            As of `vstatics.tables.dataset.to_xarray`: dimensions `gear`, and `link`, `device` and
+            others; relative to the input [-], with a load also in rpm, N*m and kW.
+
+        Raises
+        ------
+        CaseError
+            If xarray is missing.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).to_xarray()["speeds"].sel(gear="drive", link="2").item()
+        -0.4
+        """
+        made: xr.Dataset = higher("to_xarray")(self)
+        return made
+
+    def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
+        """A picture, which a notebook shows: `vstatics.plot` of these results.
+
+        Parameters
+        ----------
+        kind : str
+            What is drawn: plan, lever, flow, stick and others, as of `vstatics.plot`.
+        **how
+            As of `vstatics.plot`: `gear`, `width` [mm] and others.
+
+        Raises
+        ------
+        CaseError
+            If matplotlib is missing, or the case has nothing that could be drawn.
+        ValueError
+            If there is no such kind or gear.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).plot("lever")
+        <Picture lever of <Results: gears drive>>
+        """
+        made: AnyPicture = higher("plot")(self, kind, **how)
+        return made
 
     def __repr__(self) -> str:
         """What it has results of, not all its numbers."""

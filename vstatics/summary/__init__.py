@@ -85,10 +85,24 @@ def summarize(
     reserve : float, optional
         By so much capacities shall be above the largest torques. [-]
 
+    Returns
+    -------
+    Summary
+        Ratios, steps and spread [-], transitions, largest values, margins, what a vehicle does.
+
     Raises
     ------
     CaseError
         If there are more.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
+    >>> made = summarize(solve(case))
+    >>> made.design.spread, [line.ratio for line in made.design.gears]
+    (3.5, [1.0, 3.5])
     """
     expect_results(results, "summarize")
     case = results.case

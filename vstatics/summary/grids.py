@@ -12,7 +12,7 @@ from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.summary.operation.load_spectrum import Spectrum
 from vstatics.tables.grid import NO, YES, Cell, Column, Grid, Row, Values, exact, grid_of, word
-from vstatics.tables.ports import port_tables, ports_grid
+from vstatics.tables.ports import PortTable, port_tables, ports_grid
 from vstatics.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
@@ -28,17 +28,22 @@ class Marks(NamedTuple):
     open: str = NO
 
 
-def grids(summary: Summary) -> Iterator[Grid]:
+def grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
     """All tables of a summary; those that would be empty are left out.
 
     What was asked for and gave nothing stays, without rows and columns.
+
+    Parameters
+    ----------
+    ports : sequence of PortTable, optional
+        Of its gears, where they are known already.
     """
     tables = (
         _design(summary),
         _spread(summary),
         _transitions(summary),
         _slip_powers(summary),
-        ports_grid(port_tables(summary.results)),
+        ports_grid(port_tables(summary.results) if ports is None else ports),
         *_largest(summary),
         *_margins(summary),
         _needed(summary),

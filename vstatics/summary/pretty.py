@@ -230,13 +230,13 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     yield from (f"{tr(one.name)}: {tr(one.meaning)}" for one in STATUSES if one in states)
 
 
-def html(results: Results) -> str:
+def results_html(results: Results) -> str:
     """The gears of one case as a table; arrays of variants as a line.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> html(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()]))).count("<tr>")
+    >>> results_html(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()]))).count("<tr>")
     2
     """
     if results.ratio.ndim != 1:

@@ -8,19 +8,19 @@
 
 `options` become a plan (`build`, `plan`): numbered `variants`, and what is `kept` of them, columns
 and conditions. Its pieces are calculated anywhere (`chunk`, `tasks`) and put together in one of
-the `formats` (`output`).
+the `formats` (`output`), or in Python (`swept`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from vstatics.model.transmission import IdleConvention
-    from vstatics.sweep.chunk import Chunk
+    from vstatics.sweep.swept import Sweep
     from vstatics.sweep.variants.subject import Subject
 
 __all__ = ["sweep"]
@@ -41,13 +41,13 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     coast: bool | None = None,
     idle: IdleConvention | None = None,
     jobs: int = 1,
-) -> Iterator[Chunk]:
+) -> Sweep:
     """Calculate variants of a case, a chunk at a time.
 
     Parameters
     ----------
     case : Transmission or VariedScenario
-        A scenario comes from `sweep.scenario.load_varied`.
+        A scenario comes from `vstatics.load_varied`.
     vary : mapping of str to array_like or str, sequence of str, or str
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
@@ -74,10 +74,11 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     jobs : int
         Processes that calculate.
 
-    Yields
-    ------
-    Chunk
-        In order of the variants; `Chunk.columns` has the shape (rows, columns).
+    Returns
+    -------
+    Sweep
+        An iterator of chunks in order of the variants; `Chunk.columns` has the shape (rows,
+        columns). Its `to_dataframe` and `to_xarray` have all variants at once.
 
     Raises
     ------
@@ -103,6 +104,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     from vstatics.extras import require
     from vstatics.sweep import build
     from vstatics.sweep.options import SweepOptions, conflicts
+    from vstatics.sweep.swept import Sweep
 
     if jobs < 1:
         raise ValueError(f"jobs is {jobs}, expected 1 or more")
@@ -112,9 +114,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     if sample is not None and method != "random":
         require("sample", f"the method {method}")
     arrays = dict(vary) if isinstance(vary, Mapping) else {}
-    texts = [f"{name}={values}" for name, values in arrays.items() if isinstance(values, str)]
-    if not isinstance(vary, Mapping):
-        texts += [vary] if isinstance(vary, str) else vary
+    texts = () if isinstance(vary, Mapping) else (vary,) if isinstance(vary, str) else vary
     options = SweepOptions.of(
         vary=texts,
         zip=zip,
@@ -127,14 +127,4 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         coast=coast,
         idle=idle,
     )
-    numbers = {name: values for name, values in arrays.items() if not isinstance(values, str)}
-    return _chunks(build.plan(case, options, arrays=numbers, table=variants), jobs)
-
-
-def _chunks(plan: Any, jobs: int) -> Iterator[Chunk]:
-    from vstatics.sweep.tasks import SweepTask, calculate
-
-    task = SweepTask(plan, "csv")
-    with task.workers(jobs) as called:
-        for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
-            yield chunk
+    return Sweep(build.plan(case, options, arrays=arrays, table=variants), jobs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
@@ -64,7 +65,7 @@ def plan(
     subject: Subject,
     options: SweepOptions,
     *,
-    arrays: Mapping[str, ArrayLike] | None = None,
+    arrays: Mapping[str, ArrayLike | str] | None = None,
     table: Mapping[str, ArrayLike] | None = None,
 ) -> SweepPlan:
     """Make a plan of options.
@@ -73,8 +74,8 @@ def plan(
     ----------
     subject : Transmission or VariedScenario
     options : SweepOptions
-    arrays : mapping of str to array_like, optional
-        Further numbers to vary. [-]
+    arrays : mapping of str to array_like or str, optional
+        Further numbers to vary, as arrays [-] or as the text of their values.
     table : mapping of str to array_like, optional
         A table of variants in place of what is varied. [-]
 
@@ -107,23 +108,28 @@ def plan(
 
 
 def _variants(
-    subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike]
+    subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike | str]
 ) -> tuple[Variants, Sequence[Place | None]]:
     """The variants that options tell, and where each varied number was read."""
     if options.variants is not None:
         listed = load_table(options.variants, subject)
         return listed, [Place(options.variants, 1, 1)] * len(listed.targets)
     problems: list[Problem] = []
-    read = _all(options.vary, lambda text: read_variation(text, subject), problems)
+    among = [Text(f"{name}={values}") for name, values in arrays.items() if isinstance(values, str)]
+    texts = [*options.vary, *among]
+    read = _all(texts, lambda text: read_variation(text, subject), problems)
     if problems:
         raise ReadError(problems)
+    placed = (
+        variation._replace(place=text.place(1) or variation.place)
+        for variation, text in zip(read, texts, strict=True)
+    )
     variations = [
+        *islice(placed, len(options.vary)),
         *(
-            variation._replace(place=text.place(1) or variation.place)
-            for variation, text in zip(read, options.vary, strict=True)
-        ),
-        *(
-            Variation(target_of(name, subject), _list(name, values))
+            next(placed)
+            if isinstance(values, str)
+            else Variation(target_of(name, subject), _list(name, values))
             for name, values in arrays.items()
         ),
     ]

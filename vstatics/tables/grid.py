@@ -116,7 +116,7 @@ class Grid(NamedTuple):
         columns = [
             one._replace(
                 heading=one.heading if one.over or one.is_name else heading(one.heading),
-                over=tr(one.over) if one.over else "",
+                over=heading(one.over) if one.over else "",
             )
             for one in self.columns
         ]

@@ -185,4 +185,6 @@ def typeset(text: str) -> str:
     >>> typeset("-M_C + M_1 = 0; --idle exact")
     '−M_C + M_1 = 0; --idle exact'
     """
-    return _POINT.sub("0.", _MINUS.sub("−", text))
+    if "-" in text:
+        text = _MINUS.sub("−", text)
+    return _POINT.sub("0.", text) if "." in text else text

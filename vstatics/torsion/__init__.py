@@ -27,8 +27,10 @@ from vstatics.extras import later
 if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import dump
     from vstatics.torsion.clutch.gear_dump import gear_dumps
+    from vstatics.torsion.clutch.given import Dump
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
     from vstatics.torsion.random.random_vibration import random_vibration
+    from vstatics.torsion.random.spectra import Correlation, SpectrumPoints, White
     from vstatics.torsion.reduction.reduced_scheme import gear_scheme
     from vstatics.torsion.reduction.reduced_values import reduce
     from vstatics.torsion.reduction.simplification import simplify
@@ -36,7 +38,11 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.measured import damping, identify
 
 __all__ = [
+    "Correlation",
+    "Dump",
     "Harmonic",
+    "SpectrumPoints",
+    "White",
     "damping",
     "dump",
     "gear_dumps",
@@ -50,6 +56,10 @@ __all__ = [
 ]
 
 _LATER = {
+    "SpectrumPoints": "vstatics.torsion.random.spectra",
+    "Correlation": "vstatics.torsion.random.spectra",
+    "White": "vstatics.torsion.random.spectra",
+    "Dump": "vstatics.torsion.clutch.given",
     "Harmonic": "vstatics.torsion.forced.harmonic_torques",
     "damping": "vstatics.torsion.vibration.measured",
     "dump": "vstatics.torsion.clutch.dumped",

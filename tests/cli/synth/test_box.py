@@ -21,9 +21,10 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
+from vstatics.cli.synth import box_run
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.search import pieces
-from vstatics.synthesis.boxes.search.pieces import FoundPiece
+from vstatics.synthesis.boxes.pieces import work
+from vstatics.synthesis.boxes.pieces.found import FoundPiece
 from vstatics.synthesis.structures.scheme import SetScheme
 
 ASKED = ("--sets", 1, "--elements", 2, "--engaged", 1, "--ratios", "3,1", "-j", 1)
@@ -49,8 +50,9 @@ class Searched:
         self.stop_at: int | None = None
         self.given_up = 0
 
-    def found_in(self, search: BoxSearch, piece: int) -> FoundPiece:
-        """As `box_pieces.found_in`."""
+    def found_in(self, search: BoxSearch, piece: int, count: int) -> FoundPiece:
+        """As `found_in` of the pieces."""
+        assert count == PIECES
         if piece == self.stop_at:
             signal.raise_signal(signal.SIGINT)
         self.pieces.append(piece)
@@ -63,9 +65,9 @@ def searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Searched:
     """A search of six pieces, in a folder of its own; nothing is drawn."""
     monkeypatch.chdir(tmp_path)
     made = Searched()
-    monkeypatch.setattr(pieces, "cut", lambda _: PIECES)
-    monkeypatch.setattr(pieces, "prepare", lambda: None)
-    monkeypatch.setattr(pieces, "found_in", made.found_in)
+    monkeypatch.setattr(box_run, "cut", lambda _: PIECES)
+    monkeypatch.setattr(box_run, "prepare", lambda _: None)
+    monkeypatch.setattr(work, "found_in", made.found_in)
     monkeypatch.setattr("vstatics.pictures.boxes.stick.stick_diagram", lambda _: b"<svg/>")
     monkeypatch.setattr("vstatics.report.boxes.box_pages", lambda _: {"boxes.html": b"<html/>"})
     return made
@@ -200,7 +202,7 @@ def test_a_dry_run_says_how_many() -> None:
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-f", "json")
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
-    assert document == {"searched": 36, "found": 3, "exact": True}
+    assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:
@@ -317,7 +319,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.search.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.pieces.work.MOST_FOUND", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err

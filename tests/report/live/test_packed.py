@@ -14,6 +14,7 @@ from vstatics.report.live.packed import packed
 
 MAIN = "document.querySelector('main').outerHTML"
 MOST = 700_000
+SCENARIOS = sorted(f"scenarios/{one.name}" for one in (CASES / "scenarios").glob("*.yaml"))
 
 
 def _content(chance: Random, long: int) -> str:
@@ -45,7 +46,7 @@ def test_a_packed_page_opens_as_the_page_that_it_was(browser: Any) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SHIPPED)
-def test_the_page_of_each_shipped_case_has_less_than_700_kilobytes(name: str) -> None:
+@pytest.mark.parametrize("name", [*SHIPPED, *SCENARIOS])
+def test_the_page_of_all_that_is_shipped_has_less_than_700_kilobytes(name: str) -> None:
     size = len(report(CASES / name, "--live").encode())
     assert size < MOST, size

@@ -26,7 +26,8 @@ from vstatics.simulation.record.columns import columns
 
 def numbers(text: str) -> Floats:
     """What is packed in a text."""
-    return np.frombuffer(base64.b64decode(text), "<f8")
+    parts = np.frombuffer(base64.b64decode(text), np.uint8)
+    return np.frombuffer(parts.reshape(8, -1).T.tobytes(), "<f8")
 
 
 @pytest.mark.parametrize("seed", range(5))

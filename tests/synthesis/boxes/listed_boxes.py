@@ -11,14 +11,15 @@ from tests.synthesis.boxes import hand_boxes
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
 from vstatics.synthesis.boxes.figures.measured import measured
-from vstatics.synthesis.boxes.listing import BoxListing, listed_box
+from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
 from vstatics.tables.answer import plain_data
 
 
 @cache
 def _text(search: BoxSearch, box: FoundBox) -> str:
     [found] = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    return json.dumps(plain_data(BoxListing(27_885, (listed_box(1, found),))))
+    listing = BoxListing(27_885, (listed_box(1, found),), wanted=wanted_of(search))
+    return json.dumps(plain_data(listing))
 
 
 def simpson() -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import permutations
 from typing import Any
 
@@ -23,13 +24,14 @@ from vstatics import solve
 from vstatics.readers import from_dict
 from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.boxes.choice import BoxFilter, RankedBox, ranked
+from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.grids import box_grids
 from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
-from vstatics.synthesis.boxes.listing import BoxListing, listed_box
+from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
+from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
@@ -193,9 +195,12 @@ def test_filters_of_what_is_so() -> None:
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:
     search, box = ZF_6HP_SEARCH, ZF_6HP
     found = ranked(search, [measured(search, box, 0.98)], BoxFilter())
-    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),)))
+    document = plain_data(BoxListing(1234, (listed_box(1, found[0]),), 0, wanted_of(search)))
     Draft202012Validator(schema(BoxListing)).validate(document)
     assert (document["searched"], document["found"], document["families"]) == (1234, 1, 1)
+    for target, (low, high) in zip(search.targets, document["wanted"]["ratios"], strict=True):
+        assert low < target < high
+    assert listing_of(document).wanted == wanted_of(search)
     [one] = document["boxes"]
     assert one["held"] == found[0].found.box.held
     # L0 large sun, L1 rear carrier, L3 small sun, L5 front carrier, L6 input: C, D, B, E, A
@@ -225,3 +230,15 @@ def test_tables_tell_how_many_boxes_share_their_ratios() -> None:
     assert families.texts[0][:2] == ["1", "2"]
     assert families.texts[0][-9:][0] == "4.696"
     assert len(list(box_grids(7, [], 0))) == 1
+
+
+def test_a_notebook_shows_counts_the_pareto_list_and_families() -> None:
+    found = BoxList(7, ranked(SIMPSON_SEARCH, [FAST], BoxFilter()), 3)._repr_html_()
+    rows = [re.findall(r">([^<>]+)</t[dh]>", row) for row in found.split("<tr>")]
+    assert [row for row in rows if row[:1] in (["searched"], ["given up"], ["found"])] == [
+        ["searched", "7"],
+        ["given up", "3"],
+        ["found", "1"],
+    ]
+    assert "Pareto list" in found
+    assert ">2.479<" in found  # its first gear, as printed for the ZF 3HP 22

@@ -8,8 +8,9 @@ from vstatics import example, solve
 from vstatics.errors import CaseError
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.kept import kept_search
-from vstatics.synthesis.boxes.schemes import box_schemes
-from vstatics.synthesis.boxes.search.pieces import _PortSearch, cut, found_in
+from vstatics.synthesis.boxes.pieces.found import found_in
+from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.schemes.stems import box_schemes
 
 BUILT = ["aisin-8speed", "gm-8l90", "mercedes-5g", "ravigneaux-aod", "simpson", "zf-6hp26"]
 """With and without one-way clutches, meshed sets, held members, inputs of their own."""
@@ -25,7 +26,7 @@ def ratios(name: str) -> tuple[float, ...]:
 
 
 def boxes(search: BoxSearch) -> list[FoundBox]:
-    return [box for piece in range(cut(search)) for box in found_in(search, piece).boxes]
+    return [*found_in(search).boxes]
 
 
 @pytest.mark.slow
@@ -44,7 +45,7 @@ def test_what_is_kept_is_what_a_filter_leaves(free: int) -> None:
     kept = search.kept
     assert kept is not None
     [scheme] = box_schemes(search)
-    every = _PortSearch(search._replace(kept=None), scheme).boxes(kept.input, kept.output)
+    every = PortSearch(search._replace(kept=None), scheme).boxes(kept.input, kept.output)
     has = {*kept.elements}
     left = [one for one in every if len(has & {*one.elements}) >= len(has) - free]
     assert {one.elements for one in boxes(search)} == {one.elements for one in left}

@@ -65,6 +65,23 @@ def test_what_is_wrong_is_told_at_its_box(change: Any, said: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("wanted", "said"),
+    [
+        (3, "wanted: read int 3, expected an object"),
+        ({"ratios": [[2.0, -1.0]]}, "wanted.ratios: read list [[2.0, -1.0]], expected a list of r"),
+        ({"gears": [6]}, "wanted.gears: read list [6], expected two numbers or none"),
+        ({"tolerance": "low"}, "wanted.tolerance: read str 'low', expected a number"),
+    ],
+)
+def test_what_is_wrong_with_the_wish_is_told(wanted: Any, said: str) -> None:
+    document = simpson()
+    document["wanted"] = document["wanted"] | wanted if isinstance(wanted, dict) else wanted
+    with pytest.raises(ReadError) as caught:
+        read(document)
+    assert str(caught.value).startswith(f"boxes.json: error: {said}")
+
+
+@pytest.mark.parametrize(
     ("text", "said"),
     [
         (b"", "boxes.json:1:1: error: not JSON: Expecting value; expected a document of found"),

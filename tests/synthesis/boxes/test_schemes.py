@@ -11,7 +11,7 @@ from itertools import combinations, permutations, product
 import pytest
 
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.schemes import box_schemes
+from vstatics.synthesis.boxes.schemes.stems import box_schemes
 
 
 @pytest.mark.parametrize(

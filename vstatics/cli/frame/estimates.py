@@ -33,12 +33,15 @@ class CommandEstimate(NamedTuple):
     """What JSON is made of, with the seconds."""
     seconds: float
     jobs: int = 1
+    at_least: bool = False
+    """Whether it may take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
         """All that is said."""
         processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
-        return {**self.said, "time": f"about {duration_text(self.seconds)}{processes}"}
+        more = " or more" if self.at_least else ""
+        return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
 
     def text(self, form: str | None, least: int = 0) -> str:
         """In JSON, or in lines whose names have so many letters, with blanks, at least."""

@@ -108,12 +108,14 @@ class BoxSearchEstimate(NamedTuple):
     searched: float
     found: float
     exact: bool
+    at_least: bool
+    """Whether some of it was not tried to its end, so that it may take longer."""
     seconds: float
 
 
 def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take."""
-    from vstatics.synthesis.boxes.search.pieces import box_estimate
+    from vstatics.synthesis.boxes.pieces.estimate import box_estimate
 
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)
@@ -125,8 +127,9 @@ def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
             "boxes": say(found.boxes),
             "found": say(found.found) if found.exact or found.found else "few, or none",
         },
-        BoxSearchEstimate(*counts, found.exact, seconds),
+        BoxSearchEstimate(*counts, found.exact, found.at_least, seconds),
         seconds,
         jobs,
+        found.at_least,
     )
     files.write_output(known.text(form), None)

@@ -23,8 +23,8 @@ from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.grids import all_boxes, box_grids
-from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box
-from vstatics.synthesis.boxes.search.work import BoxWork
+from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box, wanted_of
+from vstatics.synthesis.boxes.pieces.work import BoxWork
 from vstatics.tables.answer import as_json
 from vstatics.tables.grid import Grid
 from vstatics.writers.saving import case_data
@@ -54,7 +54,7 @@ class FoundBoxes:
     def listing(self) -> BoxListing:
         """As it is answered; its cases take some time."""
         boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
-        return BoxListing(self.searched, boxes, self.given_up)
+        return BoxListing(self.searched, boxes, self.given_up, wanted_of(self.search))
 
     @property
     def title(self) -> str:

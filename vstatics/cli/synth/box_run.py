@@ -22,8 +22,9 @@ from vstatics.jobs.workers import workers
 from vstatics.numerics.compiled import CACHE_TROUBLE
 from vstatics.synthesis.boxes.choice import family_count, ranked
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox
-from vstatics.synthesis.boxes.search import pieces as box_pieces
-from vstatics.synthesis.boxes.search.work import (
+from vstatics.synthesis.boxes.pieces.cut import cut
+from vstatics.synthesis.boxes.pieces.found import prepare
+from vstatics.synthesis.boxes.pieces.work import (
     MOST_MEASURED,
     BoxWork,
     SearchedPieces,
@@ -45,24 +46,20 @@ class BoxRun(NamedTuple):
     complete: bool
     """Whether a list that may lack boxes is a failure."""
 
-    @property
-    def work(self) -> BoxWork:
-        """What workers need to know."""
-        return BoxWork(self.asked.search, self.asked.efficiency, self.asked.weights)
-
-    def workers(self, items: int) -> Workers:
+    def workers(self, pieces: int) -> Workers:
         """Who does so many pieces."""
-        jobs = max(min(self.sharing.processes, items), 1)
-        scheduler = self.sharing.scheduler
-        return workers(self.work, self.work.describe, jobs=jobs, scheduler=scheduler)
+        asked, scheduler = self.asked, self.sharing.scheduler
+        work = BoxWork(asked.search, asked.efficiency, pieces, asked.weights)
+        jobs = max(min(self.sharing.processes, pieces), 1)
+        return workers(work, work.describe, jobs=jobs, scheduler=scheduler)
 
 
 def carry_out(run: BoxRun) -> int:
     """Search, write what is found, and tell what became of it; the exit status."""
     began = time.perf_counter()
     with progress(None, "made ready", quiet=run.quiet):
-        count = box_pieces.cut(run.asked.search)
-        box_pieces.prepare()  # once, not in every process
+        prepare(run.asked.search)  # once, not in every process
+        count = cut(run.asked.search)
     for why in CACHE_TROUBLE[:1]:
         files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)

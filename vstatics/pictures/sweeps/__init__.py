@@ -1,7 +1,7 @@
 """Written sweeps as pictures: contours over two varied numbers, lines over one, histograms.
 
 The columns of a sweep and the names of axes go in (`columns` picks what is not named), a figure
-comes out; `map`, `curves` and `histogram` draw one kind each.
+comes out; `map`, `curves` and `histogram` draw one kind each, `plotting` is for Python.
 
 >>> from vstatics.pictures.sheet.style import Style
 >>> from vstatics.tables.written_results import WrittenSweep
@@ -21,6 +21,8 @@ from vstatics.extras import require
 from vstatics.pictures.sweeps.columns import DrawnColumns
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from vstatics.pictures.sheet.files import Format
     from vstatics.pictures.sheet.style import Style
     from vstatics.tables.written_results import WrittenSweep
@@ -49,10 +51,19 @@ def render_sweep(
     CaseError
         If there is no such column, nothing to draw, or matplotlib is not installed.
     """
+    figures = sweep_figures(sweep, kind, style, asked)
+    from vstatics.pictures.sheet.files import files_of
+
+    return files_of(figures, form, style, f"sweep: {kind}")
+
+
+def sweep_figures(
+    sweep: WrittenSweep, kind: str, style: Style, asked: DrawnColumns
+) -> list[Figure]:
+    """The pages as figures of matplotlib; parameters and errors as of `render_sweep`."""
     require("plot", "a picture")
-    from vstatics.pictures.sheet.files import files_of, settings_of
+    from vstatics.pictures.sheet.files import settings_of
 
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
-        figures = module.draw(sweep, style, asked)
-    return files_of(figures, form, style, f"sweep: {kind}")
+        return list(module.draw(sweep, style, asked))

@@ -1,6 +1,7 @@
 // Pictures that follow: `lever.js` and `flow.js` move their parts, others say why they do not.
 "use strict";
 (() => {
+  const SLICE = 4; // ms
   const kinds = {}; // of pictures that follow: (svg, c) -> { check, move }
   const pale = {
     stays: "This picture stays as the program drew it.",
@@ -108,12 +109,19 @@
       else if (one.own) text = one.own.move(told) ?? "";
       say(one.figure, text);
     };
-    const rest = () => found.forEach((one) => { if (!one.isDone) update(one); });
+    const left = () => found.filter((one) => !one.isDone);
+    const rest = () => { // some at a time, so that no step of a slider waits for all
+      const until = performance.now() + SLICE;
+      for (const one of left()) {
+        if (performance.now() > until) { later = setTimeout(rest); return; }
+        update(one);
+      }
+    };
     for (const block of new Set(found.map((one) => one.block))) { // when a gear is chosen, its pictures follow
       const shows = () => { if (!block.hidden) for (const one of found) if (one.block === block && !one.isDone) update(one); };
       if (block) new MutationObserver(shows).observe(block, { attributeFilter: ["hidden"] });
     }
-    addEventListener("beforeprint", rest);
+    addEventListener("beforeprint", () => left().forEach(update));
     return (told, isMoved) => {
       last = [told, isMoved];
       for (const one of found) {

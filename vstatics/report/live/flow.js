@@ -55,11 +55,10 @@
   // What is transmitted, what goes round, what is lost: flow/power.py, pictures/flow/graph.py.
   const flowOf = (c, told, pieces) => {
     const nodes = new Set(c.names.map((name) => `link ${name}`)), between = new Map();
-    const noise = NOISE * Math.max(0, ...told.exchanged.map(({ power }) => Math.abs(power)).filter((power) => power >= 0));
     for (const { node, link, power } of told.exchanged) {
       const pair = key(node, link), before = between.get(pair)?.[2] ?? 0;
       nodes.add(node);
-      between.set(pair, [node, `link ${c.names[link - 1]}`, before + (Math.abs(power) <= noise ? 0 : power)]);
+      between.set(pair, [node, `link ${c.names[link - 1]}`, before + power]);
     }
     const edges = [...between.values()].filter(([, , power]) => Math.abs(power) > 0)
       .map(([node, link, power]) => (power > 0 ? [link, node, power] : [node, link, -power]));

@@ -42,17 +42,6 @@
     return [`M${start} ${y}L${neck} ${y}`, `M${end} ${y}L${neck} ${y - 3}L${neck} ${y + 3}z`];
   };
 
-  const isParted = (places) => places.some(([old, now]) => places.some(([one, other]) => old === one && now !== other));
-  const inTurn = (text, pairs) => { // two points of one place may part
-    let from = 0;
-    for (const [old, now] of pairs) {
-      const at = text.indexOf(` ${old}`, from) + 1;
-      if (at) text = text.slice(0, at) + now + text.slice(at + old.length);
-      from = at + now.length;
-    }
-    return text;
-  };
-
   drawn.kinds.lever = (svg, c, base) => {
     const root = JSON.parse(svg.dataset.lever), gear = c.gears.findIndex(({ name }) => name === root.gear);
     const parts = [...svg.querySelectorAll("[data-follows]")].map((element) => ({ element, ...JSON.parse(element.dataset.follows) }));
@@ -114,8 +103,9 @@
         else if (of === "speed number") text(element, Math.abs(value.speed) === 0 ? "0" : number(value.speed));
         else if (of === "said") titled(element, [[number(given.speed), number(value.speed)], [number(given.torque), number(torque)]]);
         else if (of === "name") {
-          const places = Object.keys(one.nodes).map((n) => [number(one.nodes[n].position), number(now.own[n].position)]);
-          for (const title of element.querySelectorAll("title")) own.text(title, (isParted(places) ? inTurn : renumber)(own.first(title), places));
+          // each between a blank and a comma: two points of one place may part, names may have digits
+          const places = Object.keys(one.nodes).map((n) => [one.nodes[n], now.own[n]].map(({ position }) => ` ${number(position)},`));
+          for (const title of element.querySelectorAll("title")) own.text(title, renumber(`${own.first(title)},`, places).slice(0, -1));
         }
         else if (of === "pair") text(element, renumber(own.first(element.querySelector("text")), [[number(pairRatio(one, base)), number(pairRatio(one, told))]]));
         else if (of === "carried") {

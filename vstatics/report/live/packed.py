@@ -1,14 +1,11 @@
 """Sections of a page packed into one script, which puts them in their places as the page opens.
 
-Pictures and tables of gears are alike, farther apart than deflate looks back. So what stood
-before is told by its place first: a byte 1, where it starts, how long it is, ``1 120,48;``.
+Pictures and tables of gears are alike, far apart from one another: LZMA looks back to all of them.
 """
 
 from __future__ import annotations
 
-import base64
 import re
-import zlib
 from collections.abc import Iterator
 from importlib.resources import files
 
@@ -17,19 +14,21 @@ from vstatics.texts import tr
 
 _SECTION = re.compile(r'(?=<section (?:class="[^"]*" )?id=")')
 _HEADED = re.compile(r'(<section [^>]*id="([^"]*)"[^>]*><h2>.*?</h2>)(.*)(</section>)', re.DOTALL)
-_BLOCK = 24
-"""Bytes that are compared first: shorter repetitions are left to deflate."""
-_LEAST = 32
-"""Of what is told by its place."""
+_LOOKS_BACK = 1 << 23
+"""So far LZMA looks back. [bytes]"""
+_CONTEXT = 4
+"""So many bits of the byte before tell what comes, as `unpack.js` knows."""
 _BETWEEN = "\2"
 """Sections."""
-_OWN_SIGNS = {1: "\ufffd", 2: "\ufffd"}
+_OWN_SIGN = {2: "\ufffd"}
 """What no text of a page may have here."""
 _NO_SCRIPT = "This page calculates, for which it needs scripts."
 
 
 def packed(page: str, kept: frozenset[str]) -> str:
     """A page whose sections stand in a script, packed, but for those with some ids.
+
+    A Python that was built without LZMA leaves the page as it is.
 
     Examples
     --------
@@ -39,6 +38,10 @@ def packed(page: str, kept: frozenset[str]) -> str:
     >>> packed(shown, frozenset()).partition("</main>")[0]
     '<main><section id="a"><h2>A</h2><div data-packed></div></section>'
     """
+    try:
+        import lzma
+    except ImportError:
+        return page
     main, end, rest = page.partition("</main>")
     contents: list[str] = []
 
@@ -52,55 +55,42 @@ def packed(page: str, kept: frozenset[str]) -> str:
     main = "".join(_HEADED.sub(taken, one) for one in _SECTION.split(main))
     if not contents:
         return page
-    text = _BETWEEN.join(one.translate(_OWN_SIGNS) for one in contents)
+    text = _BETWEEN.join(one.translate(_OWN_SIGN) for one in contents)
+    method = {
+        "id": lzma.FILTER_LZMA1,
+        "preset": 9 | lzma.PRESET_EXTREME,
+        "dict_size": _LOOKS_BACK,
+        "lc": _CONTEXT,
+        "lp": 0,
+        "pb": 0,
+    }
     plain = text.encode(errors="backslashreplace")
-    deflated = zlib.compress(b"".join(repeated(plain)), 9, wbits=-15)
-    told = Markup(base64.b64encode(deflated).decode())
+    small = lzma.compress(plain, lzma.FORMAT_RAW, filters=[method])
+    told = Markup("".join(written(small)))
     script = Markup((files(__package__) / "unpack.js").read_text(encoding="utf-8"))
     scripts = tag("script", told, type="text/plain", id="packed") + tag("script", script)
     return f"{main}{end}{tag('noscript', tr(_NO_SCRIPT))}{scripts}{rest}"
 
 
-def repeated(text: bytes) -> Iterator[bytes]:
-    r"""A text in which what stood before is told by its place.
+def written(data: bytes) -> Iterator[str]:
+    """Bytes as letters: thirteen bits, the least first, are two digits to the base of 91.
 
-    Examples
-    --------
-    >>> list(repeated(b"0123456789" * 7 + b"."))
-    [b'012345678901234567890123456789', b'\x010,40;', b'.']
+    Letters from # on without <, which might end the script: a twelfth less than base64.
+
+    >>> "".join(written(bytes([255, 31, 1])))
+    '$~+#'
     """
-    seen: dict[bytes, int] = {}
-    start = place = known = 0
-    while place < len(text) - _BLOCK:
-        while known + _BLOCK <= place:
-            seen.setdefault(text[known : known + _BLOCK], known)
-            known += _BLOCK // 2
-        found = seen.get(text[place : place + _BLOCK])
-        if found is None:
-            place += 1
-            continue
-        back = 0
-        while back < min(found, place - start) and text[found - back - 1] == text[place - back - 1]:
-            back += 1
-        long = back + _BLOCK + _alike(text, found + _BLOCK, place + _BLOCK)
-        found, place = found - back, place - back
-        if long < _LEAST:
-            place += back + 1
-            continue
-        yield text[start:place]
-        yield b"\x01%d,%d;" % (found, long)
-        place += long
-        start = place
-    yield text[start:]
+    value = bits = 0
+    for byte in data:
+        value |= byte << bits
+        bits += 8
+        if bits >= 13:
+            yield _letters(value & 8191)
+            value >>= 13
+            bits -= 13
+    if bits:
+        yield _letters(value)
 
 
-def _alike(text: bytes, one: int, other: int) -> int:
-    """How many bytes are the same from two places on."""
-    long, step = 0, 256
-    while step:
-        while other + long + step <= len(text) and (
-            text[one + long : one + long + step] == text[other + long : other + long + step]
-        ):
-            long += step
-        step //= 4
-    return long
+def _letters(value: int) -> str:
+    return "".join(chr(35 + digit + (digit >= 25)) for digit in divmod(value, 91)[::-1])

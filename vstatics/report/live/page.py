@@ -33,7 +33,7 @@ _MARKS = re.compile(
     r'(?: data-value="[^"]*")? data-result="([^"]*)"(?: data-row="([^"]*)")?'
     r' data-gear="([^"]*)" data-number="([^"]*)"'
 )
-_UNPACKED = frozenset({"change", "gears", "run"})
+_UNPACKED = frozenset({"change", "gears"})
 """Sections that are there before a script has run."""
 _SCRIPTS = ("results.js", "drawn.js", "lever.js", "flow.js", "live.js")
 OUTSIDE = "outside: run the program"

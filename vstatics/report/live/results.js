@@ -3,6 +3,7 @@
 (() => {
   const { core, torqueColumn, value, Outside } = globalThis.transmission;
   const sum = (terms) => terms.reduce((total, one) => total + one, 0);
+  const times = (torque, speed) => (torque === 0 || speed === 0 ? 0 : torque * speed); // also where the other is NaN
 
   // Formulas, as vstatics/elements/quotients.py has them.
 
@@ -57,13 +58,14 @@
     const solved = lossy ? state.lossy.solved : state.ideal, { links } = state.speeds, found = [];
     const own = solved.torques, first = c.elements.length, { elements: dragging, links: dragged } = state.drag;
     const give = (node, member, link, torque) => {
-      if (link) found.push({ node, member, link, power: torque === 0 ? 0 : torque * links[link] * gear.direction });
+      if (link) found.push({ node, member, link, power: times(torque, links[link]) * gear.direction });
     };
     c.elements.forEach(([one, other], n) => {
-      if (!state.engaged.includes(n) && !(lossy && dragging.has(n))) return;
+      const drags = lossy && dragging.has(n), torque = drags ? dragging.get(n) : own[n];
+      if (!state.engaged.includes(n) && !drags) return;
       const name = `element ${c.results.WFRI.rows[n]}`;
-      give(name, "", one, own[n]);
-      give(name, "", other, -own[n]);
+      give(name, "", one, torque);
+      give(name, "", other, -torque);
     });
     const torques = memberTorques(c, state, lossy);
     let place = 0;
@@ -80,15 +82,18 @@
     return found;
   };
 
+  const withoutNoise = (found) => { // powers that are nothing but rounding are 0
+    const noise = 1e-12 * Math.max(0, ...found.map(({ power }) => Math.abs(power)).filter((power) => power >= 0));
+    return found.map((one) => (Math.abs(one.power) <= noise ? { ...one, power: 0 } : one));
+  };
+
   // Power through links, mechanisms, shift elements and drag, and that of members: flow/power.py.
   const powers = (c, found) => {
-    const noise = 1e-12 * Math.max(0, ...found.map(({ power }) => Math.abs(power)).filter((power) => power >= 0));
     const through = {}, between = new Map();
     for (const { node, member, link, power } of found) {
-      const real = Math.abs(power) <= noise ? 0 : power;
-      if (member) through[`${node}.${member}`] = real;
+      if (member) through[`${node}.${member}`] = power;
       if (!between.has(node)) between.set(node, new Map());
-      between.get(node).set(link, (between.get(node).get(link) ?? 0) + real);
+      between.get(node).set(link, (between.get(node).get(link) ?? 0) + power);
     }
     const enter = (node, power) => { through[node] = (through[node] ?? 0) + power; };
     for (const [node, byLink] of between) {
@@ -100,17 +105,12 @@
     return through;
   };
 
-  const powerLosses = (c, gear, state, through) => { // of mechanisms, of open shift elements, of links
+  const powerLosses = (c, gear, state, exchanged) => { // of mechanisms, of open shift elements, of links
     const losses = Object.fromEntries(c.devices.map(({ mechanisms }, n) => (
       [`mechanism ${c.results.losses.rows[n]}`, sum(mechanisms.map((one) => state.lossy.losses[one])) * gear.direction])));
-    for (const n of state.drag.elements.keys()) {
-      const [one, other] = c.elements[n], { links } = state.speeds;
-      const slip = links[one] - links[other];
-      losses[`element ${c.results.WFRI.rows[n]}`] = state.drag.elements.get(n) * slip * gear.direction;
-    }
-    for (const link of state.drag.links.keys()) {
-      const node = `drag ${c.names[link - 1]}`;
-      losses[node] = through[node];
+    const dragging = [...state.drag.elements.keys()].map((n) => `element ${c.results.WFRI.rows[n]}`);
+    for (const { node, power } of exchanged) {
+      if (dragging.includes(node) || node.startsWith("drag ")) losses[node] = (losses[node] ?? 0) + power;
     }
     return losses;
   };
@@ -119,7 +119,7 @@
     const acting = new Map(), { torques, holding } = lossy.solved;
     const every = [[gear.input, gear.torque], ...gear.torques, ...holding, [gear.output, -torques[torques.length - 1]]];
     for (const [link, torque] of every) acting.set(link, (acting.get(link) ?? 0) + torque);
-    return [...acting].map(([link, torque]) => torque * speeds.links[link] * (gear.scales.kW ?? NaN));
+    return [...acting].map(([link, torque]) => times(torque, speeds.links[link]) * (gear.scales.kW ?? NaN));
   };
 
   const planetSpeed = (c, state, planet, number) => { // against the carrier
@@ -142,8 +142,8 @@
     const exists = (mark) => (ideal.consistent ? +mark : NaN); // a question only where torques balance
     const byLink = (holding) => c.results.W.rows.map((_, n) => holding.get(n + 1) ?? NaN);
     const ports = portPowers(gear, state);
-    const exchanged = exchanges(c, gear, state, true), lossyPower = powers(c, exchanged);
-    const losses = powerLosses(c, gear, state, lossyPower);
+    const exchanged = withoutNoise(exchanges(c, gear, state, true)), lossyPower = powers(c, exchanged);
+    const losses = powerLosses(c, gear, state, exchanged);
     const lost = sum(Object.values(losses)), share = ([node, loss]) => [node, (100 * loss) / (lost || NaN)];
     const ofMeshes = (own) => c.devices.flatMap(({ meshes }) => meshes.map(([n, known]) => (known ? own[first + n] : NaN)));
     return {
@@ -169,7 +169,7 @@
       dragged: [exists(state.dragged)],
       input_power_kW: [sum(ports.map((one) => Math.max(one, 0)))],
       output_power_kW: [sum(ports.map((one) => Math.max(-one, 0)))],
-      power: powers(c, exchanges(c, gear, state, false)),
+      power: powers(c, withoutNoise(exchanges(c, gear, state, false))),
       lossy_power: lossyPower,
       power_loss: losses,
       loss_share: Object.fromEntries(Object.entries(losses).map(share)),

@@ -1,104 +1,126 @@
-// Puts sections that are packed in their places: deflate (RFC 1951), then what stood before by its place.
+// Puts sections that are packed in their places: LZMA, as letters of packed.py.
 "use strict";
 {
-const packed = Uint8Array.from(atob(document.getElementById("packed").textContent), (one) => one.charCodeAt(0));
-let place = 0; // in bits
+const CONTEXT = 4; // so many bits of the byte before tell what comes
+const letters = document.getElementById("packed").textContent;
 
-const bits = (count) => {
+let value = 0, known = 0, read = 0;
+const byte = () => { // thirteen bits stand in two letters
+  const digit = () => { const code = letters.charCodeAt(read++); return code - 35 - (code > 60); };
+  if (known < 8) {
+    value |= (digit() + 91 * digit()) << known;
+    known += 13;
+  }
+  const one = value & 255;
+  value >>= 8;
+  known -= 8;
+  return one;
+};
+
+let range = 2 ** 32 - 1, code = 0; // of the arithmetic coder
+for (let n = 0; n < 5; n += 1) code = code * 256 + byte();
+const narrowed = (isOne) => {
+  if (range < 2 ** 24) { range *= 256; code = code * 256 + byte(); }
+  return isOne;
+};
+const bit = (chances, place) => {
+  const chance = chances[place], bound = (range >>> 11) * chance;
+  if (code < bound) {
+    range = bound;
+    chances[place] += (2048 - chance) >> 5;
+    return narrowed(0);
+  }
+  range -= bound;
+  code -= bound;
+  chances[place] -= chance >> 5;
+  return narrowed(1);
+};
+const plain = (count) => { // bits that are as often 0 as 1
   let found = 0;
-  for (let n = 0; n < count; n += 1, place += 1) found |= ((packed[place >> 3] >> (place & 7)) & 1) << n;
-  return found;
-};
-
-const codes = (lengths) => { // Huffman codes by their lengths: how many there are of each, and their symbols in order
-  const counts = Array(16).fill(0), symbols = [];
-  for (const one of lengths) counts[one] += 1;
-  counts[0] = 0;
-  for (let long = 1; long < 16; long += 1) lengths.forEach((one, n) => { if (one === long) symbols.push(n); });
-  return { counts, symbols };
-};
-
-const symbol = ({ counts, symbols }) => {
-  let code = 0, first = 0, index = 0;
-  for (let long = 1; long < 16; long += 1) {
-    code |= (packed[place >> 3] >> (place & 7)) & 1;
-    place += 1;
-    if (code - counts[long] < first) return symbols[index + code - first];
-    index += counts[long];
-    first = (first + counts[long]) << 1;
-    code <<= 1;
-  }
-  throw new Error("what is packed is broken");
-};
-
-const scale = (count, start, each) => { // what symbols of lengths and distances start from, and their further bits
-  const found = [];
-  for (let n = 0, from = start; n < count; n += 1) {
-    const more = Math.max(0, Math.floor(n / each) - 1);
-    found.push([from, more]);
-    from += 2 ** more;
+  for (let n = 0; n < count; n += 1) {
+    range = Math.floor(range / 2);
+    const isOne = code >= range ? 1 : 0;
+    if (isOne) code -= range;
+    found = 2 * found + narrowed(isOne);
   }
   return found;
 };
-const LENGTHS = [...scale(28, 3, 4), [258, 0]], DISTANCES = scale(30, 1, 2);
-const ORDER = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
-
-const tables = () => {
-  const literals = bits(5) + 257, distances = bits(5) + 1, given = bits(4) + 4, own = Array(19).fill(0);
-  for (let n = 0; n < given; n += 1) own[ORDER[n]] = bits(3);
-  const lengths = [], code = codes(own);
-  while (lengths.length < literals + distances) {
-    const one = symbol(code);
-    if (one < 16) lengths.push(one);
-    else {
-      const [what, from, more] = [[lengths.at(-1), 3, 2], [0, 3, 3], [0, 11, 7]][one - 16];
-      for (let n = from + bits(more); n > 0; n -= 1) lengths.push(what);
-    }
+const tree = (chances, count, start = 0) => { // the first bit is the highest
+  let found = 1;
+  for (let n = 0; n < count; n += 1) found = 2 * found + bit(chances, start + found);
+  return found - 2 ** count;
+};
+const mirrored = (chances, count, start = 0) => {
+  let found = 0;
+  for (let n = 0, at = 1; n < count; n += 1) {
+    const one = bit(chances, start + at);
+    at = 2 * at + one;
+    found += one * 2 ** n;
   }
-  return [codes(lengths.slice(0, literals)), codes(lengths.slice(literals))];
+  return found;
+};
+const even = (count) => new Uint16Array(count).fill(1024);
+
+const STATES = 12; // what came before: literals, matches, repetitions
+const isMatch = even(STATES), isOld = even(STATES), isFarther = even(STATES), isLong = even(STATES);
+const isThird = even(STATES), isFourth = even(STATES), literals = even(0x300 << CONTEXT);
+const slots = [even(64), even(64), even(64), even(64)], near = even(128), align = even(16);
+const lengths = () => ({ choice: even(2), short: even(8), middle: even(8), long: even(256) });
+const ofNew = lengths(), ofOld = lengths();
+const length = ({ choice, short, middle, long }) => {
+  if (!bit(choice, 0)) return 2 + tree(short, 3);
+  return bit(choice, 1) ? 18 + tree(long, 8) : 10 + tree(middle, 3);
+};
+const distance = (long) => {
+  const slot = tree(slots[Math.min(long - 2, 3)], 6), more = (slot >> 1) - 1;
+  if (slot < 4) return slot;
+  const from = (2 + (slot & 1)) * 2 ** more;
+  if (slot < 14) return from + mirrored(near, more, from - slot);
+  return from + 16 * plain(more - 4) + mirrored(align, 4);
 };
 
-const FIXED = () => [codes([...Array(288).keys()].map((n) => (n < 144 ? 8 : n < 256 ? 9 : n < 280 ? 7 : 8))), codes(Array(30).fill(5))];
-
-const inflated = () => {
-  const out = [];
-  for (let isLast = 0; !isLast;) {
-    isLast = bits(1);
-    const kind = bits(2);
-    if (kind === 0) { // as it stands
-      place = (place + 7) & ~7;
-      for (let n = bits(16) + 0 * bits(16); n > 0; n -= 1) out.push(bits(8));
-      continue;
-    }
-    const [literal, distance] = kind === 1 ? FIXED() : tables();
-    for (let one = symbol(literal); one !== 256; one = symbol(literal)) {
-      if (one < 256) { out.push(one); continue; }
-      const [start, more] = LENGTHS[one - 257], long = start + bits(more);
-      const [back, further] = DISTANCES[symbol(distance)], from = out.length - back - bits(further);
-      for (let n = 0; n < long; n += 1) out.push(out[from + n]);
+const out = [], far = [0, 0, 0, 0]; // the last distances
+let state = 0;
+const literal = () => {
+  const start = 0x300 * ((out.at(-1) ?? 0) >> (8 - CONTEXT));
+  let found = 1;
+  if (state >= 7) { // not what stands where the last match would go on
+    for (let other = out[out.length - 1 - far[0]], one = -1, own = -1; found < 256 && one === own; other <<= 1) {
+      own = (other >> 7) & 1;
+      one = bit(literals, start + 256 * (1 + own) + found);
+      found = 2 * found + one;
     }
   }
-  return out;
+  while (found < 256) found = 2 * found + bit(literals, start + found);
+  out.push(found - 256);
+  state = state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
 };
-
-const expanded = (bytes) => {
-  const out = [];
-  let n = 0;
-  const number = () => {
-    let found = 0;
-    for (n += 1; bytes[n] >= 48 && bytes[n] < 58; n += 1) found = 10 * found + bytes[n] - 48;
-    return found;
-  };
-  while (n < bytes.length) {
-    if (bytes[n] !== 1) { out.push(bytes[n]); n += 1; continue; }
-    const from = number(), long = number();
-    for (let one = 0; one < long; one += 1) out.push(out[from + one]);
-    n += 1;
+const old = () => { // from one of the last distances; how much
+  if (!bit(isFarther, state)) {
+    if (!bit(isLong, state)) { state = state < 7 ? 9 : 11; return 1; }
+  } else {
+    const which = bit(isThird, state) ? 2 + bit(isFourth, state) : 1;
+    far.unshift(...far.splice(which, 1));
   }
-  return new TextDecoder().decode(Uint8Array.from(out));
+  const long = length(ofOld);
+  state = state < 7 ? 8 : 11;
+  return long;
 };
+for (;;) {
+  if (!bit(isMatch, state)) { literal(); continue; }
+  let long;
+  if (bit(isOld, state)) long = old();
+  else {
+    long = length(ofNew);
+    state = state < 7 ? 7 : 10;
+    far.unshift(distance(long));
+    far.pop();
+    if (far[0] === 2 ** 32 - 1) break; // the end
+  }
+  for (let n = 0; n < long; n += 1) out.push(out[out.length - 1 - far[0]]);
+}
 
-const contents = expanded(inflated()).split("\u0002");
+const contents = new TextDecoder().decode(new Uint8Array(out)).split("\u0002");
 document.querySelectorAll("[data-packed]").forEach((one, n) => { one.outerHTML = contents[n]; });
 document.getElementById("packed").remove();
 }

@@ -5,26 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from importlib.resources import files
-from typing import Any, NamedTuple
 
 from vstatics.comparison.compare import compare
 from vstatics.comparison.layout import shown_values
 from vstatics.comparison.verdicts import CaseVerdict
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures import pages
 from vstatics.pictures.pair import PairedCase, pair_pages
-from vstatics.report.asked import SECTIONS, AskedPage
+from vstatics.report.asked import SECTIONS
 from vstatics.report.html_page import PageFrame, framed, stamped
-from vstatics.report.material import UNNAMED, Material, Naming, gather
+from vstatics.report.material import Material
 from vstatics.report.overview import alerts
-from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, Pictures, in_spoken, inline
-from vstatics.report.pair.merged import merged
+from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, in_spoken, inline
+from vstatics.report.pair.paged import PagedCase, merged_tables
+from vstatics.report.pair.runs import runs
 from vstatics.report.parts import figures
 from vstatics.report.sections import Part, gears_grid
 from vstatics.report.tools import toolbar
 from vstatics.report.tools.marks import RELATIVE
-from vstatics.statics.results import Results
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall
 from vstatics.summary.grids import grids as summary_grids
 from vstatics.tables.grid import Cell, Grid, grid_of, text
@@ -36,36 +35,6 @@ ON_ONE_SCALE = ("steps", "efficiency")
 """Pictures of both that have a scale in common."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
-NO_PICTURES = Pictures()
-
-
-class PagedCase(NamedTuple):
-    """One of two cases."""
-
-    label: str
-    """A letter."""
-    file: str
-    """Its name without a path."""
-    material: Material
-
-    @property
-    def title(self) -> str:
-        """As a page of its own has it."""
-        return self.material.naming.title(self.material.results.case.name, runs=False)
-
-
-def paged(  # noqa: PLR0913, PLR0917 - as `gather`
-    label: str,
-    results: Results,
-    file: str,
-    problems: Iterable[Problem] = (),
-    digits: int | None = None,
-    naming: Naming = UNNAMED,
-) -> PagedCase:
-    """A case with what its side of the page is made of; parameters as of `gather`."""
-    quick = AskedPage([key for key in SECTIONS if key != "vibration"])
-    options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
-    return PagedCase(label, file, gather(results, problems, digits, None, naming, **options))
 
 
 def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) -> str:
@@ -74,6 +43,7 @@ def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) ->
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.report.pair.paged import paged
     >>> cases = [Transmission(2, [], [Mechanism(1, 2, 0, u)], [Gear()]) for u in (-2.5, -3.0)]
     >>> made = pair_page([paged(*one) for one in zip("AB", map(solve, cases), ["a", "b"])])
     >>> made.count('<td class="differs" data-value="-2.5" data-number="-2.5" data-result="ratio"')
@@ -110,19 +80,20 @@ def _told(both: Sequence[PagedCase], stamp: dict[str, str]) -> Iterator[Markup]:
 def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iterable[Markup]]:
     summaries = [_summary(one) for one in both]
     own = zip(both, summaries, strict=True)
-    gears = _merged(both, [gears_grid(one.material, grids["gears"]) for one, grids in own])
+    gears = merged_tables(both, [gears_grid(one.material, grids["gears"]) for one, grids in own])
     keys = dict.fromkeys((*summaries[0], *summaries[1]))
 
     def of(chosen: Iterable[str]) -> Iterator[Grid]:
         for key in chosen:
             if key in keys:
-                yield _merged(both, [one.get(key) for one in summaries])
+                yield merged_tables(both, [one.get(key) for one in summaries])
 
     elsewhere = ("gears", "spread", *LARGEST, *OF_SHIFTS)
     others = (key for key in keys if key not in elsewhere)
     return {
         SECTIONS["overview"]: _overview(both, verdict),
         "Changes": _changes(both, verdict),
+        SECTIONS["run"]: runs(both),
         SECTIONS["gears"]: [*_gears_of_one(both), table(gears, headed=False)],
         "Pictures": _pictures(both),
         SECTIONS["largest"]: tables(of(LARGEST)),
@@ -156,21 +127,14 @@ def _results(both: Sequence[PagedCase]) -> Iterator[Grid]:
         }
         for one in both
     ]
-    return (_merged(both, [one.get(key) for one in own]) for key in {**own[0], **own[1]})
-
-
-def _merged(both: Sequence[PagedCase], grids: Sequence[Grid | None]) -> Grid:
-    """The tables of both as one; the other case may have none."""
-    there = next(one for one in grids if one)
-    empty = there._replace(columns=there.columns[:1], rows=[])
-    return merged([one or empty for one in grids], "".join(one.label for one in both))
+    return (merged_tables(both, [one.get(key) for one in own]) for key in {**own[0], **own[1]})
 
 
 def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
     """What is other in a line, then what there is to watch in each."""
     said = verdict.headline.removeprefix(f"{verdict.name}: ")
     yield tag("p", f"{said[:1].upper()}{said[1:]}.", class_="verdict")
-    yield table(_merged(both, [_figures(one.material) for one in both]), headed=False)
+    yield table(merged_tables(both, [_figures(one.material) for one in both]), headed=False)
     for one in both:
         if one.material.messages:
             yield tag("h3", tr("Messages of {case}", case=one.label))

@@ -2,7 +2,10 @@
 "use strict";
 (() => {
   const RPM = 30 / Math.PI, { Panels, shown, known } = globalThis.runPanels;
-  const numbers = (text) => new Float64Array(Uint8Array.from(atob(text), (one) => one.charCodeAt(0)).buffer);
+  const numbers = (text) => { // all first bytes stand together, then all second ones
+    const parts = atob(text), count = parts.length / 8;
+    return new Float64Array(Uint8Array.from(parts, (_, n) => parts.charCodeAt((n % 8) * count + (n >> 3))).buffer);
+  };
 
   // what is chosen outlives the section, which a page that is served replaces
   const kept = { time: null, low: null, high: null, closed: new Set(), focused: false };
@@ -30,6 +33,7 @@
       this.panels = new Panels(this, kept.closed);
       this.listen();
       this.show();
+      dispatchEvent(new Event("resize")); // what is too wide is a stop of the Tab key
       if (kept.focused) this.slider.focus({ preventScroll: true });
     }
 

@@ -30,6 +30,13 @@
   addEventListener("DOMContentLoaded", follow);
   addEventListener("shown", follow);
 
+  // texts and attributes of elements that stay where they are; one of these may tell of a case, or of links
+  const renumbered = [];
+  addEventListener("renumbered", ({ detail }) => {
+    if (detail.some((one) => "ofCase" in one.dataset || one.matches("h3, th"))) follow();
+    else for (const one of renumbered) one(detail);
+  });
+
   const tables = () => [...document.querySelectorAll("main .scroll > table")];
   const headsOf = (table) => [...[...table.tHead.rows].at(-1).cells];
   const nameOf = (part) => part.closest(".scroll")?.getAttribute("aria-label") ?? document.title;

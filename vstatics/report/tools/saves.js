@@ -108,3 +108,4 @@
   };
   document.querySelector("button.save")?.remove(); // the one of a page without tools
   followers.push(offer);
+  addEventListener("drawn", offer); // a picture alone

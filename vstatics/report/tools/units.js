@@ -3,7 +3,7 @@
   // `data-number` stays what it is. A table, or a column, that is another one in a unit is left out.
 
   const select = document.getElementById("units");
-  let cells = [];
+  let cells = [], byElement = new Map();
   const byTable = new Map();
   const [texts, heads] = [new WeakMap(), new WeakMap()]; // as the page has them, and as they are written here
 
@@ -29,6 +29,7 @@
       const of = cases[element.dataset.case ?? ""];
       if (told && of && !element.closest("svg") && isKnown(told.unit)) cells.push({ element, told, of });
     }
+    byElement = new Map(cells.map((cell) => [cell.element, cell]));
     const can = cells.length > 0;
     for (const option of select.options) option.disabled = option.value !== "relative" && !can;
     select.title = can ? "" : "The case has no load: nothing is known in units";
@@ -113,3 +114,7 @@
   select.addEventListener("change", () => { choices.keep({ units: select.value }); rewrite(); writeHeads(); });
   addEventListener("numbers", rewrite); // of a page that calculates
   followers.push(showUnits);
+  renumbered.push((elements) => {
+    for (const one of elements) texts.delete(one);
+    for (const one of elements) if (byElement.has(one)) write(byElement.get(one));
+  });

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from vstatics.damage.devices import DeviceDamage
-from vstatics.errors import Problem
+from vstatics.errors import Problem, plural
+from vstatics.extras import AnyPicture, higher
+from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.answer import SOMETIMES
+from vstatics.tables.html import shown
 
 EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
@@ -108,6 +111,19 @@ class Motion(NamedTuple):
         Of devices that have a fatigue strength.
     beside : mapping of str to mapping of str to ndarray, shape (instants,)
         What pictures show besides, as of `record.beside`; none of the method `tarasik`.
+    case : Transmission
+        What moves, as `simulate` had it.
+
+    Examples
+    --------
+    >>> from vstatics import ShiftElement, Transmission
+    >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+    >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+    >>> motion = simulate(
+    ...     Scenario(case, 1.0, Start(speeds={1: 10.0}), {1: Capacity(constant(40.0))})
+    ... )
+    >>> motion, motion.speeds[[0, -1], 0].tolist()
+    (<Motion: 1 s, 1 event>, [10.0, 0.0])
     """
 
     time: Floats
@@ -127,3 +143,45 @@ class Motion(NamedTuple):
     asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
     beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
+    case: Transmission | None = None
+
+    def __repr__(self) -> str:
+        """Of what, how long, and how much happened; not all its numbers."""
+        name = f" of {self.case.name!r}" if self.case and self.case.name else ""
+        end = f"{self.time[-1]:.6g} s, {len(self.events)} {plural('event', len(self.events))}"
+        stopped = ", stopped" if self.stopped else ""
+        return f"<Motion{name}: {end}{stopped}>"
+
+    def _repr_html_(self) -> str:
+        """Events, energy, largest torques, speeds reached, for a notebook."""
+        return shown(higher("motion_grids")(self))
+
+    def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
+        """A picture of the run, which a notebook shows: `vstatics.plot` of its case with it.
+
+        Parameters
+        ----------
+        kind : {"shift", "plan"}
+            Speeds, slips, torques, heat over time with the events, or the kinematic plan with the
+            speeds that the run had.
+        **how
+            As of `vstatics.plot`: `width` [mm] and others.
+
+        Raises
+        ------
+        CaseError
+            If matplotlib is missing, or nothing moves.
+        ValueError
+            If this is no kind of a run.
+
+        Examples
+        --------
+        >>> from vstatics import ShiftElement, Transmission
+        >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+        >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+        >>> brake = {1: Capacity(constant(40.0))}
+        >>> simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake)).plot()
+        <Picture shift of <Results: gears 1>>
+        """
+        picture: AnyPicture = higher("plot_motion")(self, kind, **how)
+        return picture

@@ -259,12 +259,29 @@ def load_scenario(
     case : path-like, optional
         A case in place of that which the scenario names.
 
+    Returns
+    -------
+    Scenario
+        With its case; all numbers in SI.
+
     Raises
     ------
     ReadError
         With every problem and its place.
     OSError
         If a file cannot be opened.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "box.yaml").write_text("{links: [wheel], inertias: {wheel: 2.0}}")
+    ...     _ = Path(folder, "run.yaml").write_text(
+    ...         "{case: box.yaml, duration: 2, start: {speeds: {wheel: 10}}}"
+    ...     )
+    ...     load_scenario(Path(folder, "run.yaml")).duration
+    2.0
     """
     return load_scenario_file(os.fspath(source), None if case is None else os.fspath(case)).scenario
 

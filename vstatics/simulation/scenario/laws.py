@@ -59,7 +59,27 @@ class Points(NamedTuple):
 
 
 def constant(value: float) -> Points:
-    """A value that never changes."""
+    """A value that never changes.
+
+    Parameters
+    ----------
+    value : float
+
+    Returns
+    -------
+    Points
+        A law with this value at any time.
+
+    Raises
+    ------
+    CaseError
+        When a scenario with it is simulated, of a value that is no number.
+
+    Examples
+    --------
+    >>> constant(40.0).y
+    (40.0,)
+    """
     return Points((0.0,), (float(value),))
 
 
@@ -75,7 +95,19 @@ def bends(curve: Curve, until: float) -> tuple[float, ...]:
 
 
 class Resistance(NamedTuple):
-    """Dry friction of a load: it acts against the speed, and holds at rest up to its torque."""
+    """Dry friction of a load: it acts against the speed, and holds at rest up to its torque.
+
+    Examples
+    --------
+    A wheel of 2 kg*m^2 comes to rest after 5 s, and stays there:
+
+    >>> from vstatics import Transmission
+    >>> from vstatics.simulation import Scenario, Start, simulate
+    >>> case = Transmission(1, [], [], [], inertias={1: 2.0})
+    >>> scenario = Scenario(case, 9.0, Start(speeds={1: 10.0}), torques=[(1, Resistance(4.0))])
+    >>> round(float(simulate(scenario).speeds[-1, 0]), 9)
+    0.0
+    """
 
     torque: float
     """[N*m]"""
@@ -95,7 +127,13 @@ class WheelRadius(NamedTuple):
 
 
 class Road(NamedTuple):
-    """What a road does to a vehicle, on a link that turns as its wheels."""
+    """What a road does to a vehicle, on a link that turns as its wheels.
+
+    Examples
+    --------
+    >>> Road(mass=1200, radius=0.3, rolling=0.012, slope=0.05).wheel is None
+    True
+    """
 
     mass: float
     """[kg]"""

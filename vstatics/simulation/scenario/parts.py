@@ -29,6 +29,11 @@ class Start(NamedTuple):
         Numbers of shift elements that do not slip at t = 0, beside `speeds`.
     settled : bool
         Whether springs are loaded as they are at rest under the torques of t = 0.
+
+    Examples
+    --------
+    >>> Start(gear="1", speed=150.0).settled
+    False
     """
 
     gear: str | None = None
@@ -39,7 +44,16 @@ class Start(NamedTuple):
 
 
 class Capacity(NamedTuple):
-    """The kinetic capacity of a shift element over time."""
+    """The kinetic capacity of a shift element over time.
+
+    Examples
+    --------
+    From 0 to 400 N*m in a tenth of a second:
+
+    >>> from vstatics.simulation import Points
+    >>> Capacity(Points((0.0, 0.1), (0.0, 400.0)), scale=1.2).scale
+    1.2
+    """
 
     law: Curve
     """[N*m], or a pressure where the element has `friction` [Pa]"""
@@ -48,7 +62,15 @@ class Capacity(NamedTuple):
 
 
 class Dog(NamedTuple):
-    """A dog clutch that joins at once or opens."""
+    """A dog clutch that joins at once or opens.
+
+    Examples
+    --------
+    Closed from half a second on:
+
+    >>> Dog(((0.5, True),)).points
+    ((0.5, True),)
+    """
 
     points: tuple[tuple[float, bool], ...]
     """Times [s] in ascending order, each with whether it is closed from there on; open before."""
@@ -58,7 +80,13 @@ Control: TypeAlias = Capacity | Dog
 
 
 class Shift(NamedTuple):
-    """A shift to another gear."""
+    """A shift to another gear.
+
+    Examples
+    --------
+    >>> Shift(at=1.0, to="2", overlap=0.3)
+    Shift(at=1.0, to='2', overlap=0.3)
+    """
 
     at: float
     """[s]"""
@@ -146,6 +174,17 @@ class Scenario(NamedTuple):
     limits : mapping of int to Curve
         Number of a spring -> within what its torque stays, in place of the `limit` of the case.
         [N*m]
+
+    Examples
+    --------
+    A wheel of 2 kg*m^2 under 4 N*m for 3 s:
+
+    >>> from vstatics import Transmission, simulate
+    >>> from vstatics.simulation import constant
+    >>> case = Transmission(1, [], [], [], inertias={1: 2.0})
+    >>> scenario = Scenario(case, 3.0, Start(speeds={1: 1.0}), torques=[(1, constant(4.0))])
+    >>> round(float(simulate(scenario).speeds[-1, 0]), 9)
+    7.0
     """
 
     case: Transmission

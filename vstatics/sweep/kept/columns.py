@@ -168,7 +168,8 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
     ReadError
         If it means something else, or another column has it.
     """
-    if name in (*BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS):
+    meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS
+    if name in (*meaning, *output_headings((), ()), GEAR):
         message = f"`{name}` means something already, expected another name"
     elif name in known:
         message = f"two columns are called `{name}`, expected another name"

@@ -247,12 +247,29 @@ def load_varied(file: str, case: str | None = None) -> VariedScenario:
     case : str, optional
         A case in place of that which the scenario names.
 
+    Returns
+    -------
+    VariedScenario
+        With its documents, in which numbers are replaced.
+
     Raises
     ------
     ReadError
         With every problem and its place.
     OSError
         If a file cannot be opened.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "box.yaml").write_text("{links: [wheel], inertias: {wheel: 2.0}}")
+    ...     _ = Path(folder, "run.yaml").write_text(
+    ...         "{case: box.yaml, duration: 2, start: {speeds: {wheel: 10}}}"
+    ...     )
+    ...     load_varied(f"{folder}/run.yaml").own.scenario.duration
+    2.0
     """
     from vstatics.simulation.scenario.file import case_bytes, read_scenario
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError
-from vstatics.extras import require
+from vstatics.extras import higher, require
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.synthesis.boxes.box import (
@@ -23,6 +23,7 @@ from vstatics.synthesis.boxes.figures.by_box import FIGURES, USUAL, BoxOrder
 from vstatics.synthesis.boxes.figures.measured import ALIKE, FIGURE_DECIMALS, MeasuredBox, measured
 from vstatics.synthesis.boxes.grouping import core_of, families, numbered, pareto, places
 from vstatics.synthesis.boxes.least_form import identity
+from vstatics.tables.html import shown
 
 NO_RATIO = 1e9
 """In place of a gear that a box has not. [-]"""
@@ -210,6 +211,14 @@ class BoxList(NamedTuple):
     given_up: int
     """Sets of elements that may be boxes, too, but could not be looked at to the end."""
 
+    def __repr__(self) -> str:
+        """How many there are; not all their numbers."""
+        return f"<BoxList: {len(self.boxes)} found, {self.searched} searched>"
+
+    def _repr_html_(self) -> str:
+        """How many there are, the Pareto list, the families, for a notebook."""
+        return shown(higher("box_grids")(*self))
+
 
 def find_boxes(
     search: BoxSearch,
@@ -232,6 +241,11 @@ def find_boxes(
     weights : mapping of str to float
         Of forward gears in the mean of the drag, 1 of those that have none. [-]
 
+    Returns
+    -------
+    BoxList
+        The boxes in their order, which a notebook shows as tables.
+
     Raises
     ------
     CaseError
@@ -246,7 +260,7 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.search.pieces import cut, found_in  # compiles
+    from vstatics.synthesis.boxes.pieces.found import found_in  # compiles
 
     low, high = search.bounds
     search = search._replace(
@@ -257,8 +271,6 @@ def find_boxes(
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
         raise CaseError("E802", message, ("efficiency",))
     search = wanted.narrowed(search)
-    pieces = [found_in(search, piece) for piece in range(cut(search))]
-    boxes = (measured(search, box, efficiency, weights) for piece in pieces for box in piece.boxes)
-    searched = sum(piece.searched for piece in pieces)
-    given_up = sum(piece.given_up for piece in pieces)
-    return BoxList(searched, ranked(search, boxes, wanted, by), given_up)
+    found = found_in(search)
+    boxes = (measured(search, box, efficiency, weights) for box in found.boxes)
+    return BoxList(found.searched, ranked(search, boxes, wanted, by), found.given_up)

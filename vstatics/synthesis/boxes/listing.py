@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Annotated, Any, NamedTuple
 
 from vstatics.errors import ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import from_dict
+from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.structures.growth import SchemeCode
@@ -112,8 +114,54 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
     )
 
 
+Range = tuple[float, ...]
+"""The least and the largest; empty where nothing is asked. [-]"""
+
+
+class WantedOfBoxes(NamedTuple):
+    """What was asked of the gears of the boxes of a document."""
+
+    ratios: tuple[Range, ...]
+    """Of each gear, below 0 backward."""
+    tolerance: float
+    """Of those ratios that are no ranges. [-]"""
+    gears: tuple[int, ...]
+    """The fewest and the most forward gears besides them; empty where none are asked."""
+    spread: Range
+    """Of the first ratio over the last."""
+    steps: Range
+    """Of each ratio over the next one."""
+    falling: bool
+    """Whether no step is larger than the one below it."""
+
+
+def wanted_of(search: BoxSearch) -> WantedOfBoxes:
+    """What a search asks of the gears.
+
+    Examples
+    --------
+    >>> search = BoxSearch(1, 2, 1, (2.0, -1.0), tolerances=(math.log(2), 0.01))
+    >>> [[round(end, 3) for end in one] for one in wanted_of(search).ratios]
+    [[1.0, 4.0], [-1.01, -0.99]]
+    """
+    ratios = tuple(
+        tuple(sorted(float(f"{target * math.exp(sign * width):.12g}") for sign in (-1, 1)))
+        for target, width in zip(search.targets, search.widths, strict=True)
+    )
+    gears = search.sequence
+    if gears is None:
+        return WantedOfBoxes(ratios, search.tolerance, (), (), (), falling=False)
+    ends = (gears.least, gears.most), _asked(gears.spread), _asked(gears.steps)
+    return WantedOfBoxes(ratios, search.tolerance, *ends, falling=gears.falling)
+
+
+def _asked(ends: Range) -> Range:
+    """A range; empty where it has all that can be."""
+    return () if ends[0] <= 1 and ends[1] >= LARGEST_RATIO**2 else ends
+
+
 @told(
-    *("searched", "found", "complete", "given_up"),
+    *("searched", "found", "complete", "given_up", "wanted"),
     families="family_count",
     boxes="boxes",
 )
@@ -124,6 +172,8 @@ class BoxListing(NamedTuple):
     boxes: tuple[ListedBox, ...]
     given_up: Count = 0
     """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+    wanted: Sometimes[WantedOfBoxes] = None
+    """None where a document does not tell it."""
 
     @property
     def complete(self) -> bool:

@@ -11,7 +11,7 @@ from typing import Any, NoReturn, get_args, get_origin, get_type_hints
 
 from vstatics.errors import Problem, ReadError, of_file, plural, type_and_value
 from vstatics.readers.reading import Source
-from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
+from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, WantedOfBoxes
 
 ASKED = "a document of found boxes, as `vstatics synth box -f json` writes it"
 MOST_SIZE = 1e300
@@ -79,7 +79,7 @@ def listing_of(document: Any) -> BoxListing:
     Examples
     --------
     >>> listing_of({"searched": 10, "boxes": []})
-    BoxListing(searched=10, boxes=(), given_up=0)
+    BoxListing(searched=10, boxes=(), given_up=0, wanted=None)
     """
     if not isinstance(document, dict) or not isinstance(document.get("boxes"), list):
         raise ReadError("E805", f"expected {ASKED}: an object with `searched` and `boxes`")
@@ -87,13 +87,25 @@ def listing_of(document: Any) -> BoxListing:
     problems: list[Problem] = []
     searched = _read(int, document.get("searched"), "searched", problems)
     given_up = _read(int, document.get("given_up", 0), "given_up", problems)
+    wanted = _wanted(document["wanted"], problems) if "wanted" in document else None
     for number, given in enumerate(document["boxes"], 1):
         if len(problems) >= MOST_WRONG:
             break
         boxes += _box(given, number, problems)
     if problems:
         raise ReadError(problems[:MOST_WRONG])
-    return BoxListing(searched, tuple(boxes), given_up)
+    return BoxListing(searched, tuple(boxes), given_up, wanted)
+
+
+def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
+    """What was asked, if it is that; what is wrong with it is told."""
+    found: WantedOfBoxes = _read(WantedOfBoxes, given, "wanted", problems)
+    for name in ("gears", "spread", "steps"):
+        ends = getattr(found, name)
+        if len(ends) not in (0, 2):
+            message = f"wanted.{name}: read {type_and_value([*ends])}, expected two numbers or none"
+            problems.append(Problem("E807", message))
+    return found
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
@@ -123,13 +135,26 @@ _EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
         "a list of names",
         lambda one: isinstance(one, list) and all(isinstance(name, str) for name in one),
     ),
-    tuple[float, ...]: (
-        "a list of numbers",
-        lambda one: isinstance(one, list) and all(map(_is_number, one)),
+    tuple[int, ...]: ("a list of counts", lambda one: _is_list(int, one)),
+    tuple[float, ...]: ("a list of numbers", lambda one: _is_list(float, one)),
+    tuple[tuple[float, ...], ...]: (
+        "a list of ranges, each two numbers of one sign, the smaller one first",
+        lambda one: isinstance(one, list) and all(map(_is_range, one)),
     ),
     dict: ("an object", lambda one: isinstance(one, dict)),
 }
 """By the type of a value: what is expected of JSON, and whether something is such."""
+
+
+def _is_list(kind: Any, given: Any) -> bool:
+    return isinstance(given, list) and all(map(_EXPECTED[kind][1], given))
+
+
+def _is_range(given: Any) -> bool:
+    if not _is_list(float, given) or len(given) != 2:
+        return False
+    low, high = given
+    return bool(low * high > 0 and low < high)
 
 
 def _is_number(given: Any) -> bool:
@@ -178,6 +203,8 @@ def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
                 for key, one in kinds.items()
             }
         )
+    if kind == tuple[tuple[float, ...], ...]:
+        return tuple(map(tuple, value))
     if get_origin(kind) is not Mapping:
         return value
     of_each = get_args(kind)[1]

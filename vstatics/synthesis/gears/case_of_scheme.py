@@ -40,6 +40,10 @@ def scheme_case(
     ratios : sequence of float
         Internal ratio of each set, sun to ring with the carrier held. [-]
 
+    Returns
+    -------
+    Transmission
+
     Raises
     ------
     ValueError

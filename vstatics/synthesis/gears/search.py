@@ -341,6 +341,11 @@ def combinations(
     at_most : int
         So many combinations may be tried.
 
+    Returns
+    -------
+    list of EngagedSet
+        Names of the engaged elements, the kind, and the ratio [-] where there is one.
+
     Raises
     ------
     CaseError
@@ -348,7 +353,7 @@ def combinations(
 
     Source
     ------
-    docs/synthesis.md.
+    docs/synthesis-method.md.
 
     Examples
     --------

@@ -96,6 +96,11 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     advance : callable
         Called with how many steps more are done, from the first formula of a gear on.
 
+    Returns
+    -------
+    Fit
+        Ratios of the mechanisms [-], ratios of the gears with them [-], what is not met.
+
     Raises
     ------
     CaseError

@@ -40,6 +40,16 @@ def count(
     advance : callable
         Is told how many more are counted, now and then.
 
+    Returns
+    -------
+    dict of int to int
+        Numbers of schemes by numbers of links.
+
+    Raises
+    ------
+    ValueError
+        If there can be none such.
+
     Examples
     --------
     >>> count(StructureSearch(2)), count(StructureSearch(2, "sets", ports=True))

@@ -29,7 +29,13 @@ SCHEMES_AT_ONCE = 50_000
 
 
 class StructureSearch(NamedTuple):
-    """Which schemes are asked for."""
+    """Which schemes are asked for.
+
+    Examples
+    --------
+    >>> StructureSearch(3, classes="sets", links=(5,)).wanted
+    (5,)
+    """
 
     sets: int
     classes: Classes = "none"
@@ -231,7 +237,13 @@ SchemeCode = Annotated[str, Words(pattern="^[0-9]+(-[0-9]+)*$")]
 
 
 class FoundScheme(NamedTuple):
-    """A scheme, or a choice of its input and output."""
+    """A scheme, or a choice of its input and output.
+
+    Examples
+    --------
+    >>> FoundScheme("0-1-2-0-1-3", 4, input=0, output=3).links
+    4
+    """
 
     code: SchemeCode
     links: Count
@@ -256,6 +268,15 @@ def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
 
 def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
     """All schemes that are asked for, in ascending order of their codes.
+
+    Parameters
+    ----------
+    search : StructureSearch
+        What schemes are asked for.
+
+    Returns
+    -------
+    iterator of FoundScheme
 
     Raises
     ------

@@ -212,6 +212,11 @@ def find_teeth(
     advance : callable
         Told how many regions of the search more are done.
 
+    Returns
+    -------
+    FoundTeeth
+        Solutions from the best on, and whether no better one can be.
+
     Raises
     ------
     NoTeethError

@@ -50,6 +50,11 @@ class TeethLimits:
         Teeth by which axes may differ, as shifted profiles make up for it. Without, they coincide,
         and no wheel with fewer than 17 teeth is looked for unless a range says so, or the case
         has such a wheel.
+
+    Examples
+    --------
+    >>> TeethLimits({"sun": (17, 40)}, planets=(3, 4), clearance=1.0).planets
+    (3, 4)
     """
 
     ranges: Mapping[str, Range] = field(default_factory=dict)

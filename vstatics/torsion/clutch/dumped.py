@@ -125,6 +125,11 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
         K with which the torque of the clutch grows as ``1 - exp(-K t)``, for the dynamic
         factor of (3.70). [1/s]
 
+    Returns
+    -------
+    DumpTorque
+        Largest torques [N*m], the case of the tables, dynamic factors [-].
+
     Raises
     ------
     CaseError

@@ -73,6 +73,11 @@ def gear_dumps(
     rate : float, optional
         As of `dump`. [1/s]
 
+    Returns
+    -------
+    list of GearDump
+        What was given to `dump`, reduced to a link, and what it made; torques in N*m.
+
     Raises
     ------
     ValueError

@@ -17,7 +17,14 @@ SLIPPING = 0.8
 
 
 class Dump(NamedTuple):
-    """A clutch that is dumped, on one shaft; in SI or in any one system of relative units."""
+    """A clutch that is dumped, on one shaft; in SI or in any one system of relative units.
+
+    Examples
+    --------
+    >>> held = Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 6101, 3760, 45)
+    >>> round(held.slipping_torque, 1)
+    4880.8
+    """
 
     J1: float
     """Engine and driving parts of the clutch. [kg*m^2]"""

@@ -44,6 +44,13 @@ class Harmonic(NamedTuple):
         [N*m]
     phase : float
         [rad]
+
+    Examples
+    --------
+    The firing order of four cylinders:
+
+    >>> Harmonic(order=2.0, amplitude=150.0)
+    Harmonic(order=2.0, amplitude=150.0, phase=0.0)
     """
 
     order: float
@@ -130,6 +137,7 @@ def response(  # noqa: PLR0913 - all but the first by name
 
     Parameters
     ----------
+    case : Transmission
     at : int or str
         Number or name of the link on which the torque acts.
     harmonics : sequence of Harmonic
@@ -139,6 +147,11 @@ def response(  # noqa: PLR0913 - all but the first by name
         Numbers from 1 or names; all gears when not given.
     speed_ratios : mapping of str to float, optional
         Of converters, in place of those of the gears. [-]
+
+    Returns
+    -------
+    list of GearResponse
+        Of each order complex amplitudes of links [rad] and torques of devices [N*m]; resonances.
 
     Raises
     ------

@@ -94,6 +94,7 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
 
     Parameters
     ----------
+    case : Transmission
     at : int or str
         Number or name of the link that is excited.
     spectrum : Spectrum
@@ -106,6 +107,11 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
         Where spectra are asked for. [rad/s]
     speed_ratios : mapping of str to float, optional
         Of converters, in place of those of the gears. [-]
+
+    Returns
+    -------
+    list of GearRandom
+        Standard deviations of torques [N*m], twists [rad] and others, the life of devices.
 
     Raises
     ------

@@ -19,7 +19,13 @@ from vstatics.torsion.tolerances import WHOLE
 
 
 class White(NamedTuple):
-    """The same at all frequencies."""
+    """The same at all frequencies.
+
+    Examples
+    --------
+    >>> White(0.5).at(np.array([1.0, 100.0]))
+    array([0.5, 0.5])
+    """
 
     white: float
     """[unit^2 s/rad]"""
@@ -37,7 +43,15 @@ class White(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """A variance that is correlated over time: ``variance sum share exp(-a |t|) cos(b t)``."""
+    """A variance that is correlated over time: ``variance sum share exp(-a |t|) cos(b t)``.
+
+    Examples
+    --------
+    A road that is driven over at 10 m/s:
+
+    >>> Correlation(2.0, ((1.0, 0.3, 0.8),), speed=10.0).parts
+    [(2.0, 3.0, 8.0)]
+    """
 
     variance: float
     """[unit^2]"""
@@ -92,7 +106,13 @@ class Correlation(NamedTuple):
 
 
 class SpectrumPoints(NamedTuple):
-    """Straight between points, 0 outside."""
+    """Straight between points, 0 outside.
+
+    Examples
+    --------
+    >>> SpectrumPoints(((10.0, 1.0), (20.0, 3.0))).at(np.array([15.0, 25.0]))
+    array([2., 0.])
+    """
 
     points: tuple[tuple[float, float], ...]
     """Omega [rad/s], value [unit^2 s/rad]."""

@@ -29,6 +29,22 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     partial frequency is the highest, so that simplification takes it out first. What does not
     turn with the input is left out, and so is a reaction where the ratio is 1.
 
+    Parameters
+    ----------
+    case : Transmission
+    gear : Gear
+        One of the case.
+
+    Returns
+    -------
+    TorsionScheme or str
+        Inertias [kg*m^2] and compliances [rad/(N*m)] by the input; a text says why there is none.
+
+    Raises
+    ------
+    CaseError
+        If numbers are too far apart for floats.
+
     Examples
     --------
     >>> from vstatics import Mechanism, Spring, Transmission

@@ -68,10 +68,16 @@ def reduce(
 
     Parameters
     ----------
+    case : Transmission
     to : int or str
         Number or name of a link.
     gears : sequence of int or str, optional
         Numbers from 1 or names; all gears when not given.
+
+    Returns
+    -------
+    list of GearReduction
+        Inertias [kg*m^2] and compliances [rad/(N*m)] as seen from the link, ratios [-].
 
     Raises
     ------

@@ -100,6 +100,11 @@ def simplify(
     remove : sequence of str
         Names of masses that are taken out first, in this order, in place of the rule's choice.
 
+    Returns
+    -------
+    Simplification
+        The steps, and what is left: inertias [kg*m^2], compliances [rad/(N*m)].
+
     Raises
     ------
     CaseError

@@ -10,12 +10,14 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import CaseError, plural, spoken
+from vstatics.extras import higher
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import dependencies
 from vstatics.numerics.motions import Form
 from vstatics.numerics.tolerances import TIE
 from vstatics.tables.answer import Failure, Sometimes, told
+from vstatics.tables.html import shown
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
@@ -127,6 +129,22 @@ class GearModes(NamedTuple):
     slopes: Named = MappingProxyType({})
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
+    def __repr__(self) -> str:
+        """Of which gear, how many; not all their numbers."""
+        counts = f"{self.rigid_modes} rigid, {len(self.modes)} elastic"
+        return f"<GearModes {self.name!r}: {self.error or counts}>"
+
+    def _repr_html_(self) -> str:
+        """All tables of the gear, for a notebook."""
+        return shown(higher("modes_grids")([self]))
+
+
+class CaseModes(list[GearModes]):
+    """The modes of gears, in their order; a notebook shows their frequencies."""
+
+    def _repr_html_(self) -> str:
+        return shown(higher("overview_grids")(self))
+
 
 def modes(
     case: Transmission,
@@ -135,7 +153,7 @@ def modes(
     count: int | None = None,
     coast: bool | None = None,
     speed_ratios: Ratios = MappingProxyType({}),
-) -> list[GearModes]:
+) -> CaseModes:
     """The natural modes of the gears of a case.
 
     Given speeds hold mean speeds, no vibrations; losses and drag are left out.
@@ -153,6 +171,11 @@ def modes(
         Whether power enters at the output, on which freewheels depend; else as the case says.
     speed_ratios : mapping of str to float, optional
         Of converters, in place of those of the gears. [-]
+
+    Returns
+    -------
+    CaseModes
+        A list, with frequencies [rad/s], shapes, torques and shares of energy of each gear.
 
     Raises
     ------
@@ -184,7 +207,8 @@ def modes(
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
     with np.errstate(all="ignore"):  # what is no number is told where it matters
-        return [_gear_modes(working_gear(case, gear, speed_ratios), count) for gear in asked]
+        found = (working_gear(case, gear, speed_ratios) for gear in asked)
+        return CaseModes(_gear_modes(one, count) for one in found)
 
 
 def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:

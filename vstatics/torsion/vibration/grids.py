@@ -30,10 +30,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     >>> [table.title for table in tables[3:]]
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
-    yield _rigid(gears)
-    if any(gear.modes for gear in gears):
-        yield _frequencies(gears)
-        yield _most(gears)
+    yield from overview_grids(gears)
     yield from _damped(gears)
     for gear in gears:
         if gear.modes:
@@ -42,6 +39,14 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             yield _by_mode(gear, "torque of", torques, lambda mode: mode.torques)
             yield _by_mode(gear, "link", "shares of kinetic energy", lambda m: m.kinetic, _part)
             yield _by_mode(gear, "device", "shares of elastic energy", lambda m: m.elastic, _part)
+
+
+def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
+    """Frequencies of all gears, and where their energy is."""
+    yield _rigid(gears)
+    if any(gear.modes for gear in gears):
+        yield _frequencies(gears)
+        yield _most(gears)
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:

@@ -62,6 +62,7 @@ def identify(  # noqa: PLR0913
 
     Parameters
     ----------
+    case : Transmission
     gear : int or str
         Number from 1, or name.
     omega : float
@@ -72,6 +73,11 @@ def identify(  # noqa: PLR0913
         Of those that are not rigid, by ascending frequency, from 1.
     coast : bool, optional
         As of `modes`.
+
+    Returns
+    -------
+    Identified
+        Compliances [rad/(N*m)], dampings [N*m*s/rad], the frequency by calculation [rad/s].
 
     Raises
     ------
@@ -120,6 +126,7 @@ def damping(  # noqa: PLR0913
 
     Parameters
     ----------
+    case : Transmission
     gear : int or str
         Number from 1, or name.
     decrements : mapping
@@ -130,6 +137,11 @@ def damping(  # noqa: PLR0913
         Of those that are not rigid, by ascending frequency, from 1.
     coast : bool, optional
         As of `modes`.
+
+    Returns
+    -------
+    Damped
+        Dampings of devices [N*m*s/rad], the decrement of the mode [-].
 
     Raises
     ------

@@ -9,7 +9,7 @@ import pytest
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
 from vstatics.synthesis.boxes.figures.measured import measured
-from vstatics.synthesis.boxes.search.pieces import cut, found_in
+from vstatics.synthesis.boxes.pieces.found import found_in
 
 pytestmark = pytest.mark.slow
 TRUCK = BoxSearch(3, 5, 2, (6.0, 3.6, 2.3, 1.5, 1.0, 0.75, -5.0), tolerance=0.04)
@@ -17,7 +17,7 @@ TRUCK = BoxSearch(3, 5, 2, (6.0, 3.6, 2.3, 1.5, 1.0, 0.75, -5.0), tolerance=0.04
 
 @cache
 def _boxes(search: BoxSearch) -> tuple[FoundBox, ...]:
-    return tuple(box for piece in range(cut(search)) for box in found_in(search, piece).boxes)
+    return found_in(search).boxes
 
 
 @pytest.mark.parametrize(

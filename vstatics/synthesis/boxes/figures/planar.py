@@ -30,6 +30,10 @@ def box_is_planar(case: Transmission) -> bool:
     case : Transmission
         Any one.
 
+    Returns
+    -------
+    bool
+
     Raises
     ------
     CaseError

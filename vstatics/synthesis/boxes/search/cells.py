@@ -14,7 +14,9 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.compiled import compiled, put
-from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign
+from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
+from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
+from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 NARROW_CELL = 1.05
@@ -41,14 +43,13 @@ class RatioCells(NamedTuple):
     """Whether it is known that the gears can have elements as wanted, shape (cells,)."""
     parts: Floats
     """Numerators and denominators at its corners, shape (ratios, 2, corners)."""
-    ends: Floats
-    """What one gear leaves along each ratio, as shares of the cell, shape (sets, 2)."""
-    hull: Floats
-    """What all gears that a target may have leave, shape (sets, 2)."""
+    shares: Floats
+    """Where a cell begins and ends within the bounds, shape (sets, 2)."""
     left: Floats
     """What all targets leave, shape (sets, 2)."""
     slack: Floats
     """How far each corner is within the one end of a range, and the other, shape (2, corners)."""
+    planes: PlaneRoom
 
 
 def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
@@ -62,18 +63,18 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
         stages=np.zeros(deep, np.int64),
         known=np.zeros(deep, np.bool_),
         parts=np.zeros((ratios, 2, 2**sets)),
-        ends=np.zeros((sets, 2)),
-        hull=np.zeros((sets, 2)),
+        shares=np.zeros((sets, 2)),
         left=np.zeros((sets, 2)),
         slack=np.zeros((2, 2**sets)),
+        planes=plane_room(len(asked.targets), sets),
     )
 
 
 @compiled
-def is_left(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> bool:
+def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
     """Make a cell less by all targets; whether something of it is left.
 
-    A target with one ratio has it for its own.
+    First by which ratios may have which targets; then by those that have one of their own.
 
     Parameters
     ----------
@@ -81,17 +82,28 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> bool:
         At the corners of the bounds.
     asked : Asked
     cells : RatioCells
+    match : MatchRoom
     top : int
         The number of the cell.
     """
     low, high = cells.low[top], cells.high[top]
     for _ in range(MOST_SWEEPS):
+        if not is_assigned(cells.reach[top], len(parts), match):
+            return False
         _cut_out(parts, asked, cells, top)
+        if _is_less(asked, cells, top) and not is_assigned(cells.reach[top], len(parts), match):
+            return False
         cells.left[:, 0] = 0.0
         cells.left[:, 1] = 1.0
         for target in range(len(asked.targets)):
-            if not _has_target(target, asked, cells, top):
-                return False
+            ratio = _own(cells.reach[top], target)
+            cells.planes.own[target] = ratio
+            if ratio >= 0:
+                part = cells.parts[ratio]
+                if not _leaves(part, asked.least[target], asked.most[target], cells):
+                    return False
+        if not planes_leave(cells.parts, asked.least, asked.most, cells.planes, cells.left):
+            return False
         share = 1.0
         for number in range(len(low)):
             first, last = cells.left[number]
@@ -107,62 +119,63 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> bool:
 @compiled
 def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
     """Numerators and denominators at the corners of a cell, of ratios with a target."""
+    sets, shares = cells.low.shape[1], cells.shares
     width = asked.high - asked.low
+    for number in range(sets):
+        shares[number, 0] = (cells.low[top, number] - asked.low) / width
+        shares[number, 1] = (cells.high[top, number] - asked.low) / width
     for ratio in range(len(parts)):
         if cells.reach[top, ratio] == 0:
             continue
         for half in range(2):
             here = cells.parts[ratio, half]
             put(parts[ratio, half], here)
-            for number in range(cells.low.shape[1]):
-                first = (cells.low[top, number] - asked.low) / width
-                last = (cells.high[top, number] - asked.low) / width
+            for number in range(sets):
+                first, last = shares[number]
                 bit = 1 << number
-                for corner in range(len(here)):
-                    if corner & bit == 0:
-                        value, slope = here[corner], here[corner | bit] - here[corner]
+                for block in range(0, len(here), 2 * bit):
+                    for corner in range(block, block + bit):
+                        value = here[corner]
+                        slope = here[corner + bit] - value
                         here[corner] = value + first * slope
-                        here[corner | bit] = value + last * slope
+                        here[corner + bit] = value + last * slope
 
 
 @compiled
-def _has_target(target: int, asked: Asked, cells: RatioCells, top: int) -> bool:
-    """Whether some ratio may have a target in what is left of a cell; it is made less."""
-    reach, hull, left = cells.reach[top], cells.hull, cells.left
-    hull[:, 0] = 1.0
-    hull[:, 1] = 0.0
-    count, only = 0, -1
+def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
+    """Take from each ratio the targets that it is beyond everywhere in a cell; whether any is."""
+    reach = cells.reach[top]
+    found = False
     for ratio in range(len(reach)):
-        if (reach[ratio] >> target) & 1 == 0:
-            continue
-        if not _leaves(cells.parts[ratio], asked.least[target], asked.most[target], cells):
-            reach[ratio] ^= 1 << target
-            continue
-        count, only = count + 1, ratio
-        for number in range(len(hull)):
-            hull[number, 0] = min(hull[number, 0], cells.ends[number, 0])
-            hull[number, 1] = max(hull[number, 1], cells.ends[number, 1])
-    if count == 1:
-        reach[only] = 1 << target
-    for number in range(len(left)):
-        left[number, 0] = max(left[number, 0], hull[number, 0])
-        left[number, 1] = min(left[number, 1], hull[number, 1])
-        if left[number, 0] > left[number, 1]:
-            return False
-    return count > 0
+        if reach[ratio]:
+            over, under = cells.parts[ratio]
+            before = reach[ratio]
+            reach[ratio] &= reached(over, under, asked.least, asked.most)
+            found |= reach[ratio] != before
+    return found
+
+
+@compiled
+def _own(reach: Integers, target: int) -> int:
+    """The one ratio that may have a target; -1 where there are several."""
+    found = -1
+    for ratio in range(len(reach)):
+        if (reach[ratio] >> target) & 1:
+            if found >= 0:
+                return -1
+            found = ratio
+    return found
 
 
 @compiled
 def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
-    """What a gear that is to be within a range leaves of a cell, into `ends`; whether there is any.
+    """What a gear that is to be within a range leaves of a cell, into `left`; whether there is any.
 
     The quotient is within where two polynomials are not below 0. Along the ratio of a set the
     greatest of what they are at the other corners is convex: where it is below 0, at an end of the
     cell, it is so up to the first zero of one of them.
     """
-    ends, slack = cells.ends, cells.slack
-    ends[:, 0] = 0.0
-    ends[:, 1] = 1.0
+    left, slack = cells.left, cells.slack
     if has_one_sign(part[1]):
         sign = math.copysign(1.0, part[1, 0])
     elif has_one_sign(part[0]):
@@ -172,12 +185,12 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
     for corner in range(part.shape[1]):
         slack[0, corner] = sign * (part[0, corner] - least * part[1, corner])
         slack[1, corner] = sign * (most * part[1, corner] - part[0, corner])
-    for number in range(len(ends)):
+    for number in range(len(left)):
         for half in range(2):
             first, last = _positive(slack[half], 1 << number)
-            ends[number, 0] = max(ends[number, 0], first)
-            ends[number, 1] = min(ends[number, 1], last)
-        if ends[number, 0] > ends[number, 1]:
+            left[number, 0] = max(left[number, 0], first)
+            left[number, 1] = min(left[number, 1], last)
+        if left[number, 0] > left[number, 1]:
             return False
     return True
 
@@ -186,11 +199,10 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
     """Between which shares of an edge of a cell all that is not below 0 is; else 1 and 0."""
     here = there = -math.inf
-    for corner in range(len(slack)):
-        if corner & bit:
-            there = max(there, slack[corner])
-        else:
+    for block in range(0, len(slack), 2 * bit):
+        for corner in range(block, block + bit):
             here = max(here, slack[corner])
+            there = max(there, slack[corner + bit])
     first, last = 0.0, 1.0
     if here < 0:
         if there < 0:

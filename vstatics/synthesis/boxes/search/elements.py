@@ -13,7 +13,7 @@ from vstatics.numerics.arrays import Integers
 from vstatics.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
-from vstatics.synthesis.boxes.search.joining import SetRoom, choose, join
+from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
@@ -62,17 +62,35 @@ def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
     int
         How many there are; -1 if there is no room for them.
     """
+    return sets_after(table, port, room, 0, NO_END) if begun(table, port, room) else 0
+
+
+@compiled
+def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
+    """List what may join sets, and choose what comes first; whether there may be any."""
     if not _list_gears(table, port, room):
-        return 0
-    size = len(room.chosen)
+        return False
     room.sets[0] = 0
     room.seen[:] = 0
+    room.lacking[0] = len(room.lengths) - 1
     choose(table, room, 0, 0, port.elements)
-    depth = count = 0
-    while depth >= 0:
+    return True
+
+
+@compiled
+def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
+    """More sets, after so many: with the combinations that come first before the `last` of them.
+
+    Not all, where the room allows no more steps.
+    """
+    size, depth = len(room.chosen), 0
+    while depth >= 0 and room.steps[0] < room.steps[1]:
+        room.steps[0] += 1
         if not join(room, depth):
             depth -= 1
             continue
+        if depth == 0 and room.branches[0] != ONE and room.tried[0] > last:
+            break
         members = _find_members(room, depth + 1)
         if not _may_have(table, port, room, members):
             continue
@@ -104,24 +122,45 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
         return False
     room.lengths[:] = 0
     room.rows[:] = 0
+    room.seldom[:] = 0
+    _find_commonest(port, room)
     for which in port.useful:
         if which < 0:
             break
-        targets = port.reach[port.ratio_of[which]] & ((1 << len(room.lengths)) - 1)
-        target = 0
-        while targets:
-            if targets & 1:
+        ratio = port.ratio_of[which]
+        for target in range(len(room.lengths)):
+            if (port.reach[ratio] >> target) & 1:
                 room.lists[target, room.lengths[target]] = table.masks[which]
                 room.lengths[target] += 1
-                for place in range(table.members.shape[1]):
-                    member = table.members[which, place]
-                    room.rows[table.rests[which, place], target] |= 1 << member
-            targets >>= 1
-            target += 1
+        _note_last(table, port.reach[ratio], which, room)
+        if ratio != room.commonest[0]:
+            for place in range(table.members.shape[1]):
+                room.seldom[table.rests[which, place]] |= 1 << table.members[which, place]
     is_empty = False
     for length in room.lengths:
         is_empty |= length == 0
     return not is_empty
+
+
+@compiled
+def _find_commonest(port: PortGears, room: SetRoom) -> None:
+    """The ratio that most combinations have: as a rule that of the direct drive."""
+    room.often[:] = 0
+    for which in port.useful:
+        if which < 0:
+            break
+        room.often[port.ratio_of[which]] += 1
+    room.commonest[0] = room.often.argmax()
+
+
+@compiled
+def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
+    """Note each element of a combination as the last one, with its others."""
+    for place in range(table.members.shape[1]):
+        bit, rest = 1 << table.members[which, place], table.rests[which, place]
+        for target in range(len(room.lengths)):
+            if (targets >> target) & 1:
+                room.rows[rest, target] |= bit
 
 
 @compiled
@@ -169,12 +208,20 @@ def _count(bits: int) -> int:
 
 @compiled
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
-    """The targets that so many chosen elements reach, as bits."""
-    held = 0
+    """The targets that so many chosen elements reach, as bits; how many ratios they lack is noted.
+
+    The commonest is not counted among them.
+    """
+    held, lacking = 0, len(room.lengths) - 1
+    room.held[0] += 1
     for subset in range(table.starts[members]):
         ratio = port.ratio_of[number_of(table, room.chosen, subset)]
         if ratio >= 0:
             held |= port.reach[ratio]
+            if ratio != room.commonest[0] and room.seen[ratio] != room.held[0]:
+                room.seen[ratio] = room.held[0]
+                lacking -= 1
+    room.lacking[0] = lacking
     return held & ((1 << len(room.lengths)) - 1)
 
 

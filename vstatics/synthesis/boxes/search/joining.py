@@ -18,6 +18,8 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
 """All targets are reached, or there is room for one element only."""
+NO_END = 2**62
+"""A number that no count comes to."""
 
 
 class SetRoom(NamedTuple):
@@ -30,6 +32,14 @@ class SetRoom(NamedTuple):
     rows: Integers
     """With which others all but one of those engaged reach a target, as bits, shape (rests,
     targets)."""
+    often: Integers
+    """So many combinations have each ratio, shape (ratios,)."""
+    seldom: Integers
+    """With which others all but one of those engaged have another ratio than the commonest, as
+    bits, shape (rests,)."""
+    levels: Integers
+    """Elements with which those chosen have none such ratio, one and so on, as bits, shape
+    (targets + 1,)."""
     able: Integers
     """Elements with which those chosen reach each target, as bits, shape (targets,)."""
     sets: Integers
@@ -38,10 +48,14 @@ class SetRoom(NamedTuple):
     """Which target's combination joins at a depth, `ONE` for an element, shape (depths,)."""
     tried: Integers
     """So many combinations have been tried, or the elements that have not, shape (depths,)."""
+    lacking: Integers
+    """So many ratios the elements chosen need beside their own and the commonest, shape (1,)."""
     chosen: Integers
     """The elements as numbers, ascending, shape (size,)."""
     held: Integers
     """How many sets had their ratios found; elements of the last that have one, as bits."""
+    commonest: Integers
+    """The ratio that most combinations have, shape (1,)."""
     ratios: Integers
     """Different ratios of theirs, shape (combinations of a set,)."""
     reach: Integers
@@ -51,6 +65,8 @@ class SetRoom(NamedTuple):
     seen: Integers
     """The search in which a ratio was met last, shape (ratios,)."""
     match: MatchRoom
+    steps: Integers
+    """So often something joined or did not, and so often it may; shape (2,)."""
     found: Integers
     """Sets that were found, shape (most, size)."""
 
@@ -58,6 +74,7 @@ class SetRoom(NamedTuple):
 def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
     """Room for so many sets of a table."""
     size, of_set = len(table.starts) - 1, len(table.places)
+    rests = int(table.rests.max()) + 1
 
     def zeros(*shape: int) -> Integers:
         return np.zeros(shape, np.int64)
@@ -65,18 +82,24 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
     return SetRoom(
         lists=zeros(targets, len(table.members)),
         lengths=zeros(targets),
-        rows=zeros(int(table.rests.max()) + 1, targets),
+        rows=zeros(rests, targets),
+        often=zeros(len(table.members)),
+        seldom=zeros(rests),
+        levels=zeros(targets + 1),
         able=zeros(targets),
         sets=zeros(size + 1),
         branches=zeros(size + 1),
         tried=zeros(size + 1),
+        lacking=zeros(1),
         chosen=zeros(size),
         held=zeros(2),
+        commonest=zeros(1),
         ratios=zeros(of_set),
         reach=zeros(of_set),
         targets=zeros(of_set),
         seen=zeros(len(table.members)),
         match=match_room(targets),
+        steps=np.array([0, NO_END]),
         found=zeros(most, size),
     )
 
@@ -130,10 +153,14 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 
 @compiled
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
-    """The elements that reach all open targets with those chosen, as bits."""
-    engaged, targets = table.places.shape[1], len(room.lengths)
-    for target in range(targets):
-        room.able[target] = 0
+    """The elements that reach all open targets with those chosen, and have ratios enough, as bits.
+
+    Most combinations lock the gearbox: without their one ratio there are seldom enough.
+    """
+    engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
+    room.able[:] = 0
+    room.levels[:] = 0
+    room.levels[0] = there
     for subset in range(table.starts[members], table.starts[members + 1]):
         # of the set with one more, whose place is the last of each of these combinations
         rest = 0
@@ -141,6 +168,9 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
             rest += table.ranks[room.chosen[table.places[subset, place]], place + 1]
         for target in range(targets):
             room.able[target] |= room.rows[rest, target]
+        for level in range(lacking, 0, -1):
+            room.levels[level] |= room.levels[level - 1] & room.seldom[rest]
+    there = room.levels[max(lacking, 0)]
     for target in range(targets):
         if (held >> target) & 1 == 0:
             there &= room.able[target]

@@ -66,15 +66,12 @@ def boxes_of_ports(
         How many boxes; of how many sets of elements, below 0 if there was no room; how many of
         these were given up.
     """
-    _find_ratios_of_ports(gears.speeds, port, asked, room)
-    _find_useful(table, gears, port, room.kinds)
+    find_gears(table, gears, port, asked, room)
     count = element_sets(table, port, room.sets)
     sets = room.sets.found
     found = given_up = 0
     for number in range(count):
-        different = _different(table, port, sets[number], room)
-        reach = room.sets.reach[:different]
-        if solved(room.parts[:different], reach, asked, room.cells) < math.inf:
+        if is_box(table, port, asked, room, sets[number]):
             room.errors[found] = room.cells.best[1]
             put(room.cells.best_gears, room.gears[found])
             put(sets[number], sets[found])
@@ -89,16 +86,12 @@ def sequences_of_ports(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
 ) -> tuple[int, int, int]:
     """All boxes with a sequence of gears, as `boxes_of_ports` has those of targets alone."""
-    _find_ratios_of_ports(gears.speeds, port, asked, room)
-    _find_useful(table, gears, port, room.kinds)
+    find_gears(table, gears, port, asked, room)
     count = element_sets(table, port, room.sets)
     sets = room.sets.found
     found = given_up = 0
     for number in range(count):
-        different = _different(table, port, sets[number], room)
-        put(room.cells.ratio_of, room.sequences.ratio_of)
-        put(room.cells.chains.used, room.sequences.chains.used)
-        length, is_open = sequence_found(room.parts[:different], asked, room.sequences)
+        length, is_open = gears_besides(table, port, asked, room, sets[number])
         if length > 0:
             room.lengths[found] = length
             put(room.sequences.best_gears, room.gears[found])
@@ -107,6 +100,36 @@ def sequences_of_ports(
             found += 1
         given_up += length == 0 and is_open
     return found, count, given_up
+
+
+@compiled
+def is_box(
+    table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
+) -> bool:
+    """Whether a set of elements is a box; `cells` of the room has the best of its ratios."""
+    count = _different(table, port, elements, room)
+    reach = room.sets.reach[:count]
+    return bool(solved(room.parts[:count], reach, asked, room.cells) < math.inf)
+
+
+@compiled
+def gears_besides(
+    table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
+) -> tuple[int, bool]:
+    """The gears of a sequence that a set of elements has; whether it may have more of them."""
+    count = _different(table, port, elements, room)
+    put(room.cells.ratio_of, room.sequences.ratio_of)
+    put(room.cells.chains.used, room.sequences.chains.used)
+    return sequence_found(room.parts[:count], asked, room.sequences)
+
+
+@compiled
+def find_gears(
+    table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
+) -> None:
+    """The ratios with some ports, and which combinations of elements have which."""
+    _find_ratios_of_ports(gears.speeds, port, asked, room)
+    _find_useful(table, gears, port, room.kinds)
 
 
 @compiled

@@ -19,11 +19,13 @@ class MatchRoom(NamedTuple):
     """The target before it on a way."""
     line: Integers
     """Targets still to go on from."""
+    after: Integers
+    """Targets from which a ratio can come when others move on, as bits."""
 
 
 def match_room(targets: int) -> MatchRoom:
     """Room for so many targets."""
-    return MatchRoom(*np.zeros((3, targets), np.int64))
+    return MatchRoom(*np.zeros((4, targets), np.int64))
 
 
 @compiled
@@ -58,7 +60,7 @@ def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
 @compiled
 def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
     """Give a ratio a target, moving others along a shortest way; False if none is free."""
-    chosen, came_from, line = room
+    chosen, came_from, line = room.chosen, room.came_from, room.line
     seen = reach[ratio]
     first = last = 0
     for target in range(len(chosen)):
@@ -84,3 +86,63 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
                 line[last] = other
                 last += 1
     return False
+
+
+@compiled
+def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
+    """Take from each ratio the targets that it can't have while each has one of its own.
+
+    An edge is in some matching where the target that loses its ratio gets another one, and so on,
+    up to a free ratio or in a ring (Regin's filter of all-different).
+
+    Parameters
+    ----------
+    reach, count, room
+        Of `matched`.
+
+    Returns
+    -------
+    bool
+        Whether each target can have a ratio of its own.
+
+    Examples
+    --------
+    The first can only have target 0, so the others have not:
+
+    >>> reach = np.array([1, 3, 7])
+    >>> bool(is_assigned(reach, 3, match_room(3))), reach.tolist()
+    (True, [1, 2, 4])
+    >>> reach = np.array([1, 3, 7, 7])
+    >>> bool(is_assigned(reach, 4, match_room(3))), reach.tolist()
+    (True, [1, 3, 7, 7])
+    """
+    if not matched(reach, count, room):
+        return False
+    targets, after = len(room.chosen), room.after
+    after[:] = 0
+    free = _free(reach, count, room)
+    for target in range(targets):
+        can_have = reach[room.chosen[target]]
+        for other in range(targets):
+            after[other] |= ((can_have >> other) & 1) << target
+    for between in range(targets):
+        for target in range(targets):
+            if (after[target] >> between) & 1:
+                after[target] |= after[between]
+    for target in range(targets):
+        if (after[target] | 1 << target) & free == 0:
+            reach[room.chosen[target]] &= after[target]
+    return True
+
+
+@compiled
+def _free(reach: Integers, count: int, room: MatchRoom) -> int:
+    """The targets that some ratio without a target can have, as bits."""
+    found = 0
+    for ratio in range(count):
+        is_free = True
+        for one in room.chosen:
+            is_free &= one != ratio
+        if is_free:
+            found |= reach[ratio]
+    return found

@@ -25,6 +25,7 @@ from vstatics.synthesis.boxes.search.cells import (
 )
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room, chained
 from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.set_ratios import (
     Asked,
@@ -57,6 +58,8 @@ class CellRoom(NamedTuple):
     least: Floats
     """Between which a target is met, in a better way than that which is known, shape (targets,)."""
     most: Floats
+    steps: Integers
+    """How many cells were looked at, and how many may be; shape (2,)."""
     given_up: Booleans
     """Whether something was left that might have been a solution, shape (1,)."""
     fit: FitRoom
@@ -79,6 +82,7 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
         ratio_of=np.zeros(ratios, np.int64),
         least=np.zeros(targets),
         most=np.zeros(targets),
+        steps=np.array([0, NO_END]),
         given_up=np.zeros(1, np.bool_),
         fit=fit_room(targets, sets),
         best_logs=np.zeros(sets),
@@ -105,13 +109,14 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
     cells = room.cells
     _begin(reach, asked, room)
     better = Asked(asked.targets, room.least, room.most, asked.widths, asked.low, asked.high)
-    looked = fits = 0
+    fits = 0
     top = 1
-    while top > 0 and looked < MOST_CELLS and fits < MORE_FITS:
+    end = min(room.steps[1], room.steps[0] + MOST_CELLS)
+    while top > 0 and room.steps[0] < end and fits < MORE_FITS:
         top -= 1
-        looked += 1
+        room.steps[0] += 1
         target = NONE
-        if is_left(parts, better, cells, top):
+        if is_left(parts, better, cells, room.match, top):
             target = _open_target(len(parts), room, top)
         if target == NONE:
             continue

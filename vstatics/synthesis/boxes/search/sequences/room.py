@@ -11,6 +11,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO, TARGET_MARGIN
@@ -90,6 +91,8 @@ class SequenceRoom(NamedTuple):
     chains: ChainRoom
     """A combination of elements for each gear."""
     match: MatchRoom
+    steps: Integers
+    """How many cells were looked at, and how many may be; shape (2,)."""
     parts: Floats
     """Numerators and denominators, shape (cells, ratios, 2, corners)."""
     low: Floats
@@ -131,6 +134,7 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
         ratio_of=np.zeros(ratios, np.int64),
         chains=chain_room(table, gears, np.array([[0, 1]][: wanted.most], np.int64).reshape(-1, 2)),
         match=match_room(targets),
+        steps=np.array([0, NO_END]),
         parts=np.zeros((deep, ratios, 2, 2**sets)),
         low=np.zeros((deep, sets)),
         high=np.zeros((deep, sets)),

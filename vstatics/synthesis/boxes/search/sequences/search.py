@@ -78,10 +78,11 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
         put(parts[ratio, 1], room.parts[0, ratio, 1])
     fill(room.low[0], asked.low)
     fill(room.high[0], asked.high)
-    looked, more, top, is_open = 0, 0, 1, False
-    while top > 0 and looked < MOST_CELLS and more < MORE_CELLS and not is_best(room):
+    more, top, is_open = 0, 1, False
+    end = min(room.steps[1], room.steps[0] + MOST_CELLS)
+    while top > 0 and room.steps[0] < end and more < MORE_CELLS and not is_best(room):
         top -= 1
-        looked += 1
+        room.steps[0] += 1
         more += best[0] > 0
         if not _may_be_better(count, top, asked, room):
             continue

@@ -14,8 +14,7 @@ from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
-from vstatics.synthesis.boxes.search import pieces as box_pieces
-from vstatics.synthesis.boxes.search.pieces import FoundPiece
+from vstatics.synthesis.boxes.pieces.found import FoundPiece, found_in
 from vstatics.synthesis.structures.scheme import SetScheme
 
 MOST_FOUND = 1_000_000
@@ -33,6 +32,8 @@ class BoxWork(NamedTuple):
 
     search: BoxSearch
     efficiency: float
+    pieces: int = 1
+    """So many it is cut into."""
     weights: Mapping[str, float] = ALIKE
     """Of gears in the mean of the drag."""
 
@@ -45,7 +46,7 @@ class BoxWork(NamedTuple):
 
 def find(work: BoxWork, piece: int) -> FoundPiece:
     """The boxes of a piece."""
-    return box_pieces.found_in(work.search, piece)
+    return found_in(work.search, piece, work.pieces)
 
 
 def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
@@ -100,9 +101,9 @@ class SearchedPieces:
         self._lines: dict[int, bytes] = {}
 
     @property
-    def pending(self) -> list[int]:
-        """The pieces that are not done."""
-        return [piece for piece in range(self.count) if piece not in self._accounts]
+    def pending(self) -> Iterator[int]:
+        """The pieces that are not done; there may be millions."""
+        return (piece for piece in range(self.count) if piece not in self._accounts)
 
     @property
     def done(self) -> int:

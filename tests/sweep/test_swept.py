@@ -1,0 +1,100 @@
+"""A sweep as a table and as a dataset: each cell is a case solved alone."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from tests.chance import generator
+from tests.sweep.sweeps import DIFFERENTIAL
+from vstatics import CaseError, loads, solve, sweep
+
+pytest.importorskip("xarray")
+BOX = """
+links: [sun, ring, carrier]
+shift_elements: {{B: [ring, housing], C: [sun, carrier]}}
+elements:
+  P1: {{kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {{sun: {}, ring: {}}}}}
+mesh_efficiency: {{external: 0.98, internal: 0.99}}
+gears: {{low: [B], direct: [C]}}
+load: {{speed: 2000 rpm, torque: {} Nm}}
+"""
+RATIOS = {"D.ratio": [-2.0, -3.0, -4.0]}
+
+
+def test_cells_of_a_grid_are_cases_written_and_read_alone() -> None:
+    """Teeth and a load, each put into the text of the case."""
+    teeth = {"P1.teeth.sun": [30, 32, 34], "P1.teeth.ring": [74, 78], "load.torque": [200, 300]}
+    case = loads(BOX.format(30, 74, 300))
+    grid = sweep(case, teeth, out="ratio,lossy_torques_Nm").to_xarray()
+    assert dict(grid.sizes) == {name: len(values) for name, values in teeth.items()}
+    for numbers in product(*teeth.values()):
+        alone = solve(loads(BOX.format(*numbers)))
+        cell = grid.sel(dict(zip(teeth, numbers, strict=True)))
+        found = [cell[heading].item() for heading in grid.data_vars if heading != "status"]
+        expected = [*alone.ratio, *alone.lossy_torques_Nm.T.ravel()]
+        np.testing.assert_allclose(found, expected, rtol=1e-11)
+
+
+def test_a_random_grid_has_the_closed_form_of_a_differential_and_holes() -> None:
+    """Ratio 1 - u, efficiency (1 - u eta)/(1 - u) with the ring held, where it is above 3."""
+    chance = generator(33)
+    ratios = [-1.5, *(-chance.uniform(1.2, 5) for _ in range(6)), -4.5]
+    efficiencies = [chance.uniform(0.9, 1) for _ in range(5)]
+    varied = {"D.ratio": ratios, "D.efficiency": efficiencies}
+    found = sweep(DIFFERENTIAL, varied, out="ratio[low],efficiency[low]", where="ratio[low] > 3")
+    grid, table = found.to_xarray(), found.to_dataframe()
+    u, eta = grid["D.ratio"], grid["D.efficiency"]
+    expected = ((1 - u * eta) / (1 - u)).where(1 - u > 3)
+    np.testing.assert_allclose(grid["efficiency[low]"], expected, rtol=1e-13)
+    holes = grid["status"] == "left out"
+    assert 0 < holes.sum() == grid["ratio[low]"].isnull().sum() == 40 - len(table)
+    kept = grid.to_dataframe(dim_order=["D.ratio", "D.efficiency"]).reset_index()
+    kept = kept[kept["status"] == "ok"]
+    np.testing.assert_array_equal(kept["ratio[low]"], table["ratio[low]"])
+    np.testing.assert_array_equal(kept.index, table.index)
+
+
+def test_what_is_no_grid_has_its_variants_and_gears_of_each_may_be_left_out() -> None:
+    data = sweep(
+        DIFFERENTIAL, {**RATIOS, "D.efficiency": [0.9, 0.95, 1]}, zip=True, by="gear",
+        out="ratio", where="ratio > 4",
+    ).to_xarray()  # fmt: skip
+    assert data["ratio"].dims == ("variant", "gear")
+    assert data["variant"].values.tolist() == [2]
+    assert data["D.efficiency"].values.tolist() == [1.0]
+    np.testing.assert_array_equal(data["ratio"].sel(gear="low"), [5.0])
+    assert data["status"].values.tolist() == [["left out", "ok"]]
+
+
+def test_a_sweep_is_iterated_once_and_has_all_variants_again_and_again() -> None:
+    found = sweep(DIFFERENTIAL, RATIOS, out="ratio[low]")
+    assert next(found).columns.ravel().tolist() == [3, 4, 5]
+    assert list(found) == []
+    for _ in range(2):
+        assert found.to_dataframe()["ratio[low]"].tolist() == [3, 4, 5]
+    assert repr(found) == "<Sweep of D.ratio: 3 variants, columns ratio[low]>"
+    none = sweep(DIFFERENTIAL, variants={"D.ratio": []}, out="ratio[low]")
+    assert none.to_dataframe().shape == (0, 3)
+    assert none.to_xarray().sizes == {"variant": 0}
+
+
+def test_more_than_memory_holds_is_refused_before_it_is_calculated() -> None:
+    grid = ["D.ratio=-3:-2:1000000", "D.efficiency=.9:1:1000000"]
+    for ask in ("to_dataframe", "to_xarray"):
+        with pytest.raises(CaseError, match=r"1000000000000 rows would have about .* \[E911\]"):
+            getattr(sweep(DIFFERENTIAL, grid), ask)()
+
+
+@pytest.mark.parametrize("name", ["variant", "status", "gear"])
+def test_no_column_is_called_like_what_every_output_has(name: str) -> None:
+    with pytest.raises(CaseError, match=f"`{name}` means something already"):
+        sweep(DIFFERENTIAL, RATIOS, out=f"{name}=ratio[low]")
+
+
+def test_numbers_vary_in_the_order_in_which_they_are_given_texts_among_arrays() -> None:
+    found = sweep(DIFFERENTIAL, {"D.ratio": [-2, -3], "D.efficiency": ".9:1:3"}, out="ratio[low]")
+    assert found.plan.names == ("D.ratio", "D.efficiency")
+    assert found.to_xarray()["ratio[low]"].values.tolist() == [[3] * 3, [4] * 3]

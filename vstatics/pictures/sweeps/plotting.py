@@ -1,0 +1,114 @@
+"""A picture of a sweep for those who work in Python: shown in a notebook, or saved."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from vstatics.errors import nearest
+from vstatics.extras import require
+from vstatics.jobs.page_files import replace_pages
+from vstatics.pictures.plotting import format_of_picture
+from vstatics.pictures.sheet.lengths import checked_width
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
+from vstatics.pictures.sweeps import SWEEP_PICTURES, render_sweep, sweep_figures
+from vstatics.pictures.sweeps.columns import DrawnColumns
+from vstatics.tables.written_results import WrittenSweep
+from vstatics.texts import Language
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class SweepPicture:
+    """A picture of a sweep; a notebook shows it as SVG."""
+
+    def __init__(self, sweep: WrittenSweep, kind: str, style: Style, asked: DrawnColumns) -> None:
+        """Keep what is to be drawn; it is drawn when it is shown or saved."""
+        self._sweep, self._kind, self._style, self._asked = sweep, kind, style, asked
+
+    def __repr__(self) -> str:
+        """What it shows."""
+        return f"<SweepPicture {self._kind} of {len(self._sweep.variants)} rows>"
+
+    def _repr_svg_(self) -> str:
+        [drawn, *_] = render_sweep(self._sweep, self._kind, "svg", self._style, self._asked)
+        return drawn.decode()
+
+    @property
+    def figure(self) -> Figure:
+        """The figure of matplotlib, to be changed."""
+        return sweep_figures(self._sweep, self._kind, self._style, self._asked)[0]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write it to a file, as a `Picture`.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        form, style = format_of_picture(path), self._style._replace(height=PAGE_HEIGHT)
+        drawn = render_sweep(self._sweep, self._kind, form, style, self._asked)
+        replace_pages(os.fspath(path), drawn)
+
+
+def plot_sweep(  # noqa: PLR0913 - as on the command line
+    sweep: WrittenSweep,
+    kind: str = "curves",
+    *,
+    x: str = "",
+    y: str | Sequence[str] = (),
+    z: str = "",
+    by: str = "",
+    width: float = PAGE_WIDTH / POINTS_PER_MILLIMETRE,
+    dark: bool = False,
+    lang: Language = "en",
+) -> SweepPicture:
+    """A picture of a sweep.
+
+    Parameters
+    ----------
+    sweep : WrittenSweep
+    kind : {"curves", "map", "histogram"}
+        Columns over one varied number, contours over two, or how often numbers occur.
+    x, z, by : str, optional
+        Columns: of the lower axis, of contours, and what has a line or a panel for each value.
+    y : str or sequence of str, optional
+        Columns: of lines or histograms; of a map its upright axis.
+    width : float, optional
+        Of a page, 80 to 1200. [mm]
+    dark : bool, optional
+        Light on dark.
+    lang : {"en", "de", "ru"}, optional
+        Of axes and titles.
+
+    Returns
+    -------
+    SweepPicture
+        Shown as SVG by a notebook; ``save`` writes it to a file, ``figure`` is for matplotlib.
+
+    Raises
+    ------
+    CaseError
+        If matplotlib is not installed; when it is drawn, if there is no such column.
+    ValueError
+        If there is no such kind, or no page is so wide.
+
+    Examples
+    --------
+    >>> columns = {"u": [1.0, 2.0], "eta": [0.9, 0.8]}
+    >>> made = WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",))
+    >>> plot_sweep(made, "curves", y="eta")._repr_svg_()[:5]
+    '<?xml'
+    """
+    require("plot", "a picture")
+    if kind not in SWEEP_PICTURES:
+        expected = f"; expected one of {', '.join(SWEEP_PICTURES)}"
+        hint = nearest(kind, SWEEP_PICTURES) or expected
+        raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
+    asked = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
+    style = Style(lang, dark, width=checked_width(width), height=math.inf)
+    return SweepPicture(sweep, kind, style, asked)

@@ -1,0 +1,249 @@
+"""A sweep that is asked for in Python: chunk by chunk, or all of it as a table or a dataset."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Generator, Iterable, Iterator
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+
+from vstatics.errors import CaseError, listed
+from vstatics.extras import AnyPicture, higher, require
+from vstatics.numerics.arrays import Floats, Integers
+from vstatics.sweep.chunk import STATUS, Chunk, joined
+from vstatics.sweep.plan import SweepPlan, rounded
+from vstatics.sweep.tasks import SweepTask, calculate
+from vstatics.sweep.variants.numbered import VariantGrid
+from vstatics.tables.written_results import GEAR, WrittenSweep
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+LEFT_OUT = "left out"
+"""The status of a place of a grid whose variant a condition removed."""
+GIB = 2**30
+
+
+class Sweep(Iterator[Chunk]):
+    """Variants of a case, calculated when they are asked for.
+
+    It is iterated once, by chunks; `to_dataframe`, `to_xarray` and `plot` calculate all variants,
+    whatever has been iterated.
+
+    Parameters
+    ----------
+    plan : SweepPlan
+    jobs : int
+        Processes that calculate.
+    """
+
+    def __init__(self, plan: SweepPlan, jobs: int = 1) -> None:
+        self.plan, self.jobs = plan, jobs
+        self._left = self._chunks()
+
+    def __iter__(self) -> Self:
+        return self
+
+    def __next__(self) -> Chunk:
+        return next(self._left)
+
+    def close(self) -> None:
+        """End it where it is, and the processes that calculate."""
+        self._left.close()
+
+    def __repr__(self) -> str:
+        """What varies, and what is kept of it."""
+        plan, of = self.plan, " x ".join(map(str, self._shape or [self.plan.variants.count]))
+        return f"<Sweep of {listed(plan.names)}: {of} variants, columns {listed(plan.headings)}>"
+
+    def _chunks(self) -> Generator[Chunk]:
+        task = SweepTask(self.plan, "csv")
+        with task.workers(self.jobs) as called:
+            for _, chunk in called.each(calculate, range(self.plan.pieces), ordered=True):
+                yield chunk
+
+    @property
+    def _shape(self) -> list[int]:
+        """Numbers of values of a grid; none of what is no grid."""
+        variants = self.plan.variants
+        return [*map(len, variants.values)] if isinstance(variants, VariantGrid) else []
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """All variants as a pandas table.
+
+        Returns
+        -------
+        DataFrame
+            A row per variant, or per gear of one; the index is the number of the variant from 0.
+            Columns as in a file: varied numbers, `status`, what was asked for. [-]
+
+        Raises
+        ------
+        CaseError
+            If pandas is missing, or memory could not hold them.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, sweep
+        >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
+        >>> found = sweep(case, {"D1.ratio": [-2, -3]}, out="ratio[1]", where="ratio[1] > 3")
+        >>> found.to_dataframe()["ratio[1]"].to_dict()
+        {1: 4.0}
+        """
+        require("pandas", "to_dataframe")
+        if self.plan.where is None:
+            self._expect_room("a table")
+        return self._rows().to_dataframe()
+
+    def to_xarray(self) -> xr.Dataset:
+        """All variants as a dataset of xarray.
+
+        Returns
+        -------
+        Dataset
+            Of a grid a dimension for each varied number, with its values [-]; else the dimension
+            `variant`, with the varied numbers along it. With a row for each gear also `gear`. A
+            variable for each column, by its heading, and `status` in words. What a condition
+            removed from a grid is NaN there and `left out`; of what is no grid it is not there.
+
+        Raises
+        ------
+        CaseError
+            If xarray is missing, or memory could not hold them.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, sweep
+        >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
+        >>> grid = {"D1.ratio": [-2, -3], "D1.efficiency": [0.9, 1]}
+        >>> data = sweep(case, grid, out="ratio[1],efficiency[1]").to_xarray()
+        >>> dict(data.sizes), data["ratio[1]"].sel({"D1.ratio": -3}).values
+        ({'D1.ratio': 2, 'D1.efficiency': 2}, array([4., 4.]))
+        """
+        require("xarray", "to_xarray")
+        import xarray as xr
+
+        plan, gears = self.plan, [GEAR] * self.plan.by_gear
+        per_variant = len(plan.gears) or 1
+        if isinstance(plan.variants, VariantGrid):
+            self._expect_room("a grid")
+            along, shape = [*plan.names], self._shape
+            varied: dict[str, Any] = {
+                name: values[np.arange(len(values))]
+                for name, values in zip(along, plan.variants.values, strict=True)
+            }
+            parts: Iterable[tuple[Integers, Chunk]] = (
+                (chunk.places, chunk) for chunk in self._chunks()
+            )
+        else:
+            if plan.where is None:
+                self._expect_room("a dataset")
+            rows = self._rows()
+            numbers, first, of = np.unique(rows.variants, return_index=True, return_inverse=True)
+            along, shape = ["variant"], [len(numbers)]
+            varied = {"variant": numbers} | {
+                name: ("variant", rows.values[first, column])  # noqa: PD011 - a chunk
+                for column, name in enumerate(plan.names)
+            }
+            parts = [(of * per_variant + (rows.of_gear if gears else 0), rows)]
+        columns, status = self._placed(parts, math.prod(shape) * per_variant)
+        whole = *shape, *map(len, [plan.gears] * plan.by_gear)
+        dimensions = [*along, *gears]
+        variables = {"status": (dimensions, status.reshape(whole))} | {
+            heading: (dimensions, column.reshape(whole))
+            for heading, column in zip(plan.headings, columns, strict=True)
+        }
+        return xr.Dataset(variables, varied | {name: list(plan.gears) for name in gears})
+
+    def plot(self, kind: str = "curves", **how: Any) -> AnyPicture:
+        """A picture, which a notebook shows: curves, a map or histograms of all variants.
+
+        It shows as many digits as are written: a limit is not missed by the last one.
+
+        Parameters
+        ----------
+        kind : {"curves", "map", "histogram"}
+            Columns over one varied number, contours over two, or how often numbers occur.
+        **how
+            Columns: `x`, `y`, `z` and `by` as of ``vstatics plot``; `width` [mm], `dark`, `lang`.
+
+        Raises
+        ------
+        CaseError
+            If matplotlib is missing, or memory could not hold the variants; when it is drawn, if
+            there is no such column.
+        ValueError
+            If there is no such kind.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, sweep
+        >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
+        >>> sweep(case, {"D1.ratio": "-4:-2:5"}, out="ratio[1]").plot("curves")
+        <SweepPicture curves of 5 rows>
+        """
+        if self.plan.where is None:
+            self._expect_room("a picture")
+        rows = self._rows()
+        columns = [*zip(self.plan.names, rows.values.T, strict=True)]  # noqa: PD011 - a chunk
+        columns += zip(self.plan.headings, rounded(rows.columns).T, strict=True)
+        written = WrittenSweep(
+            rows.variants.tolist(),
+            [STATUS[code] for code in rows.status],
+            {name: column.tolist() for name, column in columns},
+            self.plan.names,
+            [self.plan.gears[index] for index in rows.of_gear],
+        )
+        picture: AnyPicture = higher("plot_sweep")(written, kind, **how)
+        return picture
+
+    def _placed(
+        self, parts: Iterable[tuple[Integers, Chunk]], size: int
+    ) -> tuple[Floats, np.ndarray[Any, np.dtype[np.object_]]]:
+        """Columns and the words of the status, each row in its place; the rest is left out."""
+        words = np.array(STATUS, object)  # of 8 bytes each, however long the word
+        columns = np.full((len(self.plan.headings), size), np.nan)
+        status = np.full(size, LEFT_OUT, object)
+        for places, chunk in parts:
+            columns[:, places] = chunk.columns.T
+            status[places] = words[chunk.status]
+        return columns, status
+
+    def _rows(self) -> Chunk:
+        """All rows as one chunk."""
+        return joined(list(self._chunks()) or [_no_rows(self.plan)])
+
+    def _expect_room(self, what: str) -> None:
+        """Refuse what this machine has no memory for, before anything is calculated.
+
+        Raises
+        ------
+        CaseError
+        """
+        size = 8 * self.plan.count * len(self.plan.output_headings)
+        if size > (room := _memory()):
+            message = (
+                f"{what} of {self.plan.count} rows would have about {size / GIB:.3g} GiB, but this "
+                f"machine has {room / GIB:.3g}: expected fewer variants or columns; go through the "
+                "chunks, or use `vstatics sweep -o`"
+            )
+            raise CaseError("E911", message)
+
+
+def _no_rows(plan: SweepPlan) -> Chunk:
+    """Of a sweep without variants."""
+    values, columns = (np.empty((0, len(names))) for names in (plan.names, plan.headings))
+    none, status = np.empty(0, np.int64), np.empty(0, np.uint8)
+    named = plan.names, plan.headings, (), plan.gears
+    return Chunk(0, none, values, status, columns, np.empty((0, 0)), {}, *named)
+
+
+def _memory() -> float:
+    """Of this machine [bytes]; infinite where it does not tell."""
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, OSError, ValueError):  # no such names there
+        return math.inf

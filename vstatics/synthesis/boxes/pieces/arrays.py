@@ -1,0 +1,60 @@
+"""What a search asks for as arrays, and room for the boxes of a choice of ports."""
+
+from __future__ import annotations
+
+from functools import cache, lru_cache
+
+import numpy as np
+
+from vstatics.numerics.arrays import Integers
+from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
+from vstatics.synthesis.boxes.search.engaged import combinations_table
+from vstatics.synthesis.boxes.search.joining import set_room
+from vstatics.synthesis.boxes.search.kernel import Room
+from vstatics.synthesis.boxes.search.ranges import lines
+from vstatics.synthesis.boxes.search.sequences.room import sequence_of, sequence_room
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.boxes.search.shifts import neighbours
+from vstatics.synthesis.boxes.search.solving import cell_room
+from vstatics.synthesis.tolerances import TARGET_MARGIN
+
+
+@cache
+def asked_arrays(search: BoxSearch) -> Asked:
+    """What is asked, as arrays."""
+    targets = np.array(search.targets, dtype=float)
+    widths = np.array(search.widths)
+    factors = np.exp(widths + TARGET_MARGIN)
+    ends = np.sort([targets / factors, targets * factors], axis=0)
+    if search.sequence is not None:  # one target more in which all forward ratios are
+        ends = np.append(ends, [[1 / LARGEST_RATIO], [LARGEST_RATIO]], axis=1)
+    return Asked(targets, ends[0], ends[1], widths, *search.bounds)
+
+
+def single_shifts(search: BoxSearch) -> Integers:
+    """The targets between which one element is to change."""
+    in_turn = search.singly and search.sequence is None
+    return neighbours(search.targets if in_turn else ())
+
+
+@lru_cache(maxsize=32)
+def room_of(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
+    """Room for the boxes of a choice of ports; each thread of a worker has its own."""
+    table = combinations_table(search.moving, search.engaged, search.elements)
+    asked = asked_arrays(search)
+    wanted = sequence_of(search.sequence, singly=search.singly)
+    targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
+    return Room(
+        sets=set_room(table, targets, most),
+        cells=cell_room(table, asked, sets, single_shifts(search)),
+        sequences=sequence_room(table, asked, wanted, sets),
+        lengths=np.zeros(most, np.int64),
+        gears=np.zeros((most, targets + wanted.most), np.int64),
+        logs=np.zeros((most, sets)),
+        errors=np.zeros(most),
+        lines=lines(sets),
+        ratios=np.zeros((speeds, 2, 2**sets)),
+        within=np.zeros(speeds),
+        kinds=np.zeros(speeds, np.int64),
+        parts=np.zeros((len(table.places), 2, 2**sets)),
+    )

@@ -1,0 +1,128 @@
+"""Choices of ports that are tried before a search, in part: how many boxes, how long it takes.
+
+Of the sets of elements of a choice some are listed, and of these some are looked at; what they
+take stands for all. It is counted by the steps of the search, which are the same everywhere,
+and told in the seconds that they take on the machine on which they were measured.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from threading import get_ident
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.pieces.arrays import asked_arrays, room_of
+from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.schemes.choices import BoxScheme, Ports
+from vstatics.synthesis.boxes.schemes.stems import stems
+from vstatics.synthesis.boxes.search.engaged import combinations_table
+from vstatics.synthesis.boxes.search.trying import Trial, some_boxes, some_sequences
+
+JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
+"""What the steps of a search take: something joins a set, a cell is looked at. [s]"""
+PORT, PORT_GEAR = 0.2e-3, 0.04e-6
+"""What a choice of ports takes, and each combination of elements in it. [s]"""
+SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
+"""The same of a scheme, whatever its ports. [s]"""
+ELEMENT_SETS = 10_000
+"""There is room for so many sets of elements."""
+GOLDEN = 0.6180339887498949
+"""Multiples of it are spread evenly: so what is tried comes from everywhere."""
+
+
+class Depth(NamedTuple):
+    """How far a choice of ports is tried."""
+
+    firsts: int
+    """Of the combinations that come first in sets, about so many."""
+    sets: int
+    """Of the sets that have these, about so many."""
+    seconds: float
+    """About so long at most, for both. [s]"""
+
+
+class Tried(NamedTuple):
+    """What is known of a choice of ports that was tried."""
+
+    searched: int
+    """Boxes that there are."""
+    found: float
+    """Boxes with the ratios, about."""
+    cost: float
+    """What all of it takes, by its steps. [s]"""
+    spent: float
+    """What was tried takes, by its steps. [s]"""
+    seconds: float
+    """That it took. [s]"""
+    is_whole: bool
+    """Whether what was tried was tried to its end; else it takes longer."""
+
+
+def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
+    """Try a choice of ports."""
+    search, before = ports.search, ports.searched
+    port = ports.gears_of(first, last)
+    room = room_of(search, ELEMENT_SETS, get_ident())
+    cells, cell = room.cells.steps, CELL
+    if search.sequence is not None:
+        cells, cell = room.sequences.steps, SEQUENCE_CELL
+    joins = room.sets.steps
+    joins[:] = 0, depth.seconds / 2 / JOIN
+    cells[:] = 0, depth.seconds / 2 / cell
+    some = some_boxes if search.sequence is None else some_sequences
+    trial = Trial(room, depth.firsts, depth.sets)
+    began = time.process_time()
+    found, share, of_sets = some(ports.table, ports.gears, port, asked_arrays(search), trial)
+    seconds = time.process_time() - began
+    own = PORT + PORT_GEAR * len(ports.table.members)
+    return Tried(
+        ports.searched - before,
+        found / share / of_sets,
+        own + JOIN * joins[0] / share + cell * cells[0] / share / of_sets,
+        own + JOIN * joins[0] + cell * cells[0],
+        seconds,
+        bool(joins[0] < joins[1] and cells[0] < cells[1]),
+    )
+
+
+class DrawnPorts(NamedTuple):
+    """A choice of ports from somewhere, or none where there are no schemes."""
+
+    scheme: BoxScheme
+    ports: Ports
+    stands: float
+    """For so many choices, where it is the only one that is drawn."""
+
+
+def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
+    """Choices of ports from everywhere, without end: even along the weights of stems."""
+    found = stems(search)
+    total = int(found.ends[-1]) if len(found.ends) else 0
+    number = 0
+    while True:
+        number += 1
+        place = int(number * GOLDEN % 1.0 * total)
+        stem = int(np.searchsorted(found.ends, place, side="right"))
+        schemes = found.schemes(stem) if total else []
+        choices = sum(len(one.ports) for one in schemes)
+        if not choices:
+            yield None
+            continue
+        first = int(found.ends[stem - 1]) if stem else 0
+        weight = int(found.ends[stem]) - first
+        chosen = (place - first) * choices // weight
+        for one in schemes:
+            if chosen < len(one.ports):
+                yield DrawnPorts(one, one.ports[chosen], total / weight * choices)
+                break
+            chosen -= len(one.ports)
+
+
+def scheme_cost(search: BoxSearch) -> float:
+    """What a scheme takes whatever its ports [s], where its speeds in all gears are found."""
+    table = combinations_table(search.moving, search.engaged, search.elements)
+    return SCHEME + SCHEME_GEAR * len(table.members)
