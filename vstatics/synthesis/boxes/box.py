@@ -180,8 +180,8 @@ MOST_LINKS = 10
 MOST_ELEMENTS = 12
 MOST_SEQUENCE = 24
 """Forward gears, where their ratios are not told."""
-MOST_TARGETS = 924
-"""So many sets of six have twelve elements, which is the most that there can be."""
+MOST_TARGETS = 62
+"""They are bits of a number, one more for a sequence; no gearbox has so many gears."""
 COARSEST = 0.5
 """The largest tolerance. [-]"""
 
