@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError
+from vstatics.explain.text import engaged
 from vstatics.model.parts import Law
 from vstatics.statics.results import Results
 from vstatics.tables.answer import plain_data
@@ -172,8 +173,7 @@ def _given(sheet: GearExercise) -> Iterator[Grid]:
     case = sheet.results.case
     gear = case.gears[sheet.place]
     names = [one.name for one in case.shift_elements]
-    engaged = [names[number - 1] for number in gear.engaged]
-    said = tr("engaged {names}", names=", ".join(engaged)) if engaged else tr("nothing engaged")
+    said = engaged([names[number - 1] for number in gear.engaged])
     yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
     drawing = drawing_of(case)
     data = result_json.document(sheet.results)["case"]
