@@ -143,22 +143,20 @@ _LATER = {
 
 
 HIGHER.update(
-    {
-        "box_grids": "vstatics.synthesis.boxes.grids",
-        "by_name": "vstatics.tables.names",
-        "from_dict": "vstatics.readers",
-        "modes_grids": "vstatics.torsion.vibration.grids",
-        "motion_grids": "vstatics.simulation.record.grids",
-        "overview_grids": "vstatics.torsion.vibration.grids",
-        "part_numbers": "vstatics.sweep.variants.part_numbers",
-        "plot": "vstatics.pictures.plotting",
-        "plot_motion": "vstatics.pictures.plotting",
-        "plot_sweep": "vstatics.pictures.sweeps.plotting",
-        "results_html": "vstatics.summary.pretty",
-        "to_dataframe": "vstatics.tables.dataframe",
-        "to_xarray": "vstatics.tables.dataset",
-        "with_part_numbers": "vstatics.sweep.variants.part_numbers",
-    }
+    box_grids="vstatics.synthesis.boxes.grids",
+    by_name="vstatics.tables.names",
+    from_dict="vstatics.readers",
+    modes_grids="vstatics.torsion.vibration.grids",
+    motion_grids="vstatics.simulation.record.grids",
+    overview_grids="vstatics.torsion.vibration.grids",
+    part_numbers="vstatics.sweep.variants.part_numbers",
+    plot="vstatics.pictures.plotting",
+    plot_motion="vstatics.pictures.plotting",
+    plot_sweep="vstatics.pictures.sweeps.plotting",
+    results_html="vstatics.summary.pretty",
+    to_dataframe="vstatics.tables.dataframe",
+    to_xarray="vstatics.tables.dataset",
+    with_part_numbers="vstatics.sweep.variants.part_numbers",
 )
 """What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 

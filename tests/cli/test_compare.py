@@ -36,6 +36,13 @@ def test_results_of_several_cases_are_the_same_in_every_format_and_order(
     assert lines(results(f"turned.{one}", *reversed(cases)), expected) == []
 
 
+def test_a_directory_that_is_not_there_is_named(tmp_path: Path) -> None:
+    for named in ((tmp_path, "goldn"), ("goldn", tmp_path)):
+        said = vstatics("compare", *named)
+        assert said.status == 2
+        assert "goldn: no such file or directory" in said.err
+
+
 @pytest.mark.parametrize("form", FORMS)
 def test_a_case_that_is_missing_is_one_line(form: str) -> None:
     expected = results(f"all.{form}", "neutral.yaml", MZKT, "locked.yaml")

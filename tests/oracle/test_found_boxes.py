@@ -51,6 +51,13 @@ def asked(space: Space) -> BoxSearch:
     return BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
 
 
+def ports_of(search: BoxSearch, frame: Frame) -> PortSearch:
+    """The search in the scheme of a frame."""
+    scheme = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
+    held = None if frame.held == HELD else frame.held
+    return PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
+
+
 def name_of(box: FoundBox, shafts: int = 0) -> Name:
     frame = Frame(
         tuple(link for one in box.scheme.sets for link in one),
@@ -157,10 +164,7 @@ def test_what_shafts_without_a_set_give(given: dict[str, Any]) -> None:
         if len(gears) < 2 or near or any(ends.count(shaft) < 3 for shaft in frame.further):
             continue
         space = empty._replace(targets=tuple(sorted(gears)))
-        code = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
-        held = None if frame.held == HELD else frame.held
-        ports = PortSearch(asked(space), BoxScheme(code, frame.meshed, held, ()))
-        found = ports.boxes(frame.input, frame.output)
+        found = ports_of(asked(space), frame).boxes(frame.input, frame.output)
         found_some += len(found) > 0
         compare(space, found, found_in(space, frame))
 

@@ -164,6 +164,28 @@ def test_who_writes_in_the_moment_of_a_save_loses_nothing(tmp_path: Path) -> Non
     assert states.look_again()
 
 
+def test_a_file_that_is_still_being_written_shows_no_error(tmp_path: Path) -> None:
+    """An editor empties it and writes the rest a moment later; what stays in error is told."""
+    file = write(tmp_path)
+    rest = [BOX.replace("-78/30", "-3")]
+
+    def meanwhile(texts: Texts) -> Calculated:
+        made = calculated(str(file), CaseOptions(), texts)
+        if made.results is None and rest:
+            write(tmp_path, rest.pop())
+        return made
+
+    states = ShownStates(meanwhile, str(file))
+    write(tmp_path, "")
+    assert not states.look_again()
+    assert not states.shown.errors
+    assert states.look_again()
+    assert not states.shown.errors
+    write(tmp_path, "")
+    assert states.look_again()
+    assert states.shown.errors
+
+
 @pytest.mark.parametrize("order", ["le", "be"])
 @pytest.mark.parametrize("width", [16, 32])
 def test_the_mark_and_the_order_of_bytes_of_a_text_stay(

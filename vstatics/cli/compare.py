@@ -84,6 +84,8 @@ def compare(
     folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
     failed = False
     if any(folders):
+        for path in (actual, expected):
+            refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
         cases = []
         for one in verdicts_of_directories(actual, expected, how, files.read_input):

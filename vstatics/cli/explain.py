@@ -26,12 +26,8 @@ if TYPE_CHECKING:
 @click.command()
 @arguments.argument
 @arguments.some_gears
-@click.option(
-    "--worksheet", "exercise", flag_value="worksheet", help="An exercise: its numbers are blanks."
-)
-@click.option(
-    "--solution", "exercise", flag_value="solution", help="The same exercise with its numbers."
-)
+@click.option("--worksheet", is_flag=True, help="An exercise: its numbers are blanks.")
+@click.option("--solution", is_flag=True, help="The same exercise with its numbers.")
 @click.option(
     "--seed",
     type=click.IntRange(min=0),
@@ -44,7 +40,8 @@ if TYPE_CHECKING:
 def explain(
     cases: tuple[str, ...],
     gears: tuple[str, ...],
-    exercise: str | None,
+    worksheet: bool,
+    solution: bool,
     seed: int | None,
     wanted: OutputOptions,
     settings: CaseOptions,
@@ -68,19 +65,21 @@ def explain(
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     to = wanted.destination(cases, several=len(cases) > 1)
+    exercise = worksheet or solution
     refuse(
-        (exercise and len(gears) != 1, f"--{exercise}: expected one gear, --gear G"),
+        (worksheet and solution, "--worksheet has blanks, --solution has numbers: expected one"),
+        (exercise and len(gears) != 1, "an exercise is of one gear: expected one --gear G"),
         (
             seed is not None and not exercise,
             "--seed draws the numbers of an exercise: expected --worksheet or --solution",
         ),
         (
-            exercise == "worksheet" and to.form in ("json", "jsonl"),
+            worksheet and to.form in ("json", "jsonl"),
             f"--worksheet has no numbers, {to.form} is for --solution",
         ),
     )
     if exercise:
-        own = partial(_exercise, gear=gears[0], seed=seed, solved=exercise == "solution")
+        own = partial(_exercise, gear=gears[0], seed=seed, solved=solution)
         return carry_out(Job("explain", settings, to, own), cases)
     show = partial(_shown, gears=gears, style=to.style)
     return carry_out(Job("explain", settings, to, show), cases)
@@ -90,7 +89,7 @@ def _exercise(
     outcome: CalculatedCase, results: Results, gear: str, seed: int | None, *, solved: bool
 ) -> texts.CaseOutput:
     """A gear as an exercise."""
-    from vstatics.explain.worksheet import grids, worksheet
+    from vstatics.explain import worksheet as exercises
     from vstatics.statics.solve import solve
 
     if seed is not None:
@@ -99,11 +98,14 @@ def _exercise(
         results = solve(drawn_numbers(results.case, seed))
     [index] = arguments.gear_indices(results.case, [gear])
     try:
-        sheet = worksheet(results, index, seed)
+        sheet = exercises.worksheet(results, index, seed)
     except CaseError as error:
         raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
     title = results.case.name or outcome.file
-    return texts.CaseOutput([title], {}, partial(grids, sheet, solved=solved), sheet.document)
+    if seed is not None:  # sheet and solution are found together by it
+        title = f"{title} (--seed {seed})"
+    shown = partial(exercises.grids, sheet, solved=solved)
+    return texts.CaseOutput([title], {}, shown, sheet.document)
 
 
 def _shown(

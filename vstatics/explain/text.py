@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -40,7 +40,7 @@ def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
 
 
 def _gear(one: Explanation, digits: int | None) -> Iterator[str]:
-    title = tr("Gear {gear}: {engaged}", gear=one.gear, engaged=engaged(one))
+    title = tr("Gear {gear}: {engaged}", gear=one.gear, engaged=engaged(one.engaged, one.holding))
     yield from (title, "=" * min(len(title), EQUATION_WIDTH))
     for message in one.messages:
         yield from _wrapped(message, 0)
@@ -106,12 +106,12 @@ LOSSES = (
 )
 
 
-def engaged(one: Explanation) -> str:
+def engaged(elements: Sequence[str], holding: Sequence[str] = ()) -> str:
     """What is engaged, and the freewheels that hold."""
-    parts = [tr("engaged {names}", names=", ".join(one.engaged))] * bool(one.engaged)
-    if one.holding:
-        names = ", ".join(one.holding)
-        parts.append(tr("{names} holds|{names} hold", names=names, count=len(one.holding)))
+    parts = [tr("engaged {names}", names=", ".join(elements))] * bool(elements)
+    if holding:
+        names = ", ".join(holding)
+        parts.append(tr("{names} holds|{names} hold", names=names, count=len(holding)))
     return "; ".join(parts) or tr("nothing engaged")
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError
+from vstatics.explain.text import engaged
 from vstatics.model.parts import Law
 from vstatics.statics.results import Results
 from vstatics.tables.answer import plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
 from vstatics.tables.grids import structural_zeros
 from vstatics.tables.names import ROWS
-from vstatics.tables.quantities import Table
+from vstatics.tables.quantities import Quantity, Table
 from vstatics.tables.values import tables
 from vstatics.texts import tr
 from vstatics.writers import result_json
@@ -139,23 +140,18 @@ def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
     """
     yield from _given(sheet)
     for one in sheet.shown:
-        quantity = one.quantity
-        own = [blank for blank in sheet.blanks if blank.table == quantity.key]
-        decimals = quantity.decimals
-
-        def cell(blank: Blank, decimals: int = decimals) -> Cell:
-            if not solved:
-                return Cell(f"[{blank.number}] {LINE}")
-            number = (
-                whole(blank.value) if isinstance(blank.value, int) else exact(blank.value, decimals)
-            )
-            return number._replace(text=f"[{blank.number}] {number.text}")
-
-        yield _asked(one, own, cell)
+        own = [blank for blank in sheet.blanks if blank.table == one.quantity.key]
+        yield _asked(one.quantity, own, solved=solved)
 
 
-def _asked(one: Table, blanks: Sequence[Blank], cell: Callable[[Blank], Cell]) -> Grid:
-    quantity = one.quantity
+def _asked(quantity: Quantity, blanks: Sequence[Blank], *, solved: bool) -> Grid:
+    def cell(blank: Blank) -> Cell:
+        if not solved:
+            return Cell(f"[{blank.number}] {LINE}")
+        value = blank.value
+        number = whole(value) if isinstance(value, int) else exact(value, quantity.decimals)
+        return number._replace(text=f"[{blank.number}] {number.text}")
+
     if quantity.rows == "one":
         name = word(NAMES.get(quantity.key, quantity.title))
         rows: list[Values] = [(name, cell(blank)) for blank in blanks]
@@ -172,8 +168,7 @@ def _given(sheet: GearExercise) -> Iterator[Grid]:
     case = sheet.results.case
     gear = case.gears[sheet.place]
     names = [one.name for one in case.shift_elements]
-    engaged = [names[number - 1] for number in gear.engaged]
-    said = tr("engaged {names}", names=", ".join(engaged)) if engaged else tr("nothing engaged")
+    said = engaged([names[number - 1] for number in gear.engaged])
     yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
     drawing = drawing_of(case)
     data = result_json.document(sheet.results)["case"]

@@ -183,7 +183,7 @@ def _panel(state: Mapping[str, Any]) -> Markup:
         tag(
             "div",
             tag("p", asked),
-            *(tag("button", said, id=one) for one, said in choices.items()),
+            *(tag("button", said, id=one, hidden=True) for one, said in choices.items()),
             id="conflict",
             role="alert",
             hidden=True,

@@ -35,7 +35,7 @@
     body.dataset.state = gone ? "gone" : conflict ? "conflict" : errors ? "error" : "good";
     at("save").hidden = at("revert").hidden = !edits.size;
     at("undo").hidden = !steps.length;
-    at("conflict").hidden = !conflict;
+    for (const one of ["conflict", "keep-mine", "take-file"]) at(one).hidden = !conflict;
     at("errors").hidden = !errors;
     at("errors").textContent = errors;
   }

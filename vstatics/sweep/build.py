@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
@@ -115,23 +114,22 @@ def _variants(
         listed = load_table(options.variants, subject)
         return listed, [Place(options.variants, 1, 1)] * len(listed.targets)
     problems: list[Problem] = []
-    among = [Text(f"{name}={values}") for name, values in arrays.items() if isinstance(values, str)]
-    texts = [*options.vary, *among]
-    read = _all(texts, lambda text: read_variation(text, subject), problems)
-    if problems:
-        raise ReadError(problems)
-    placed = (
-        variation._replace(place=text.place(1) or variation.place)
-        for variation, text in zip(read, texts, strict=True)
-    )
-    variations = [
-        *islice(placed, len(options.vary)),
+    given: list[Text | tuple[str, ArrayLike]] = [
+        *options.vary,
         *(
-            next(placed)
-            if isinstance(values, str)
-            else Variation(target_of(name, subject), _list(name, values))
+            Text(f"{name}={values}") if isinstance(values, str) else (name, values)
             for name, values in arrays.items()
         ),
+    ]
+    texts = [one for one in given if isinstance(one, Text)]
+    read = iter(_all(texts, lambda text: read_variation(text, subject), problems))
+    if problems:
+        raise ReadError(problems)
+    variations = [
+        (found := next(read))._replace(place=one.place(1) or found.place)
+        if isinstance(one, Text)
+        else Variation(target_of(one[0], subject), _list(*one))
+        for one in given
     ]
     if options.sample is not None:
         method = cast("Method", options.method or "sobol")

@@ -94,9 +94,7 @@ class Sweep(Iterator[Chunk]):
         {1: 4.0}
         """
         require("pandas", "to_dataframe")
-        if self.plan.where is None:
-            self._expect_room("a table")
-        return self._rows().to_dataframe()
+        return self._rows("a table").to_dataframe()
 
     def to_xarray(self) -> xr.Dataset:
         """All variants as a dataset of xarray.
@@ -139,9 +137,7 @@ class Sweep(Iterator[Chunk]):
                 (chunk.places, chunk) for chunk in self._chunks()
             )
         else:
-            if plan.where is None:
-                self._expect_room("a dataset")
-            rows = self._rows()
+            rows = self._rows("a dataset")
             numbers, first, of = np.unique(rows.variants, return_index=True, return_inverse=True)
             along, shape = ["variant"], [len(numbers)]
             varied = {"variant": numbers} | {
@@ -185,9 +181,7 @@ class Sweep(Iterator[Chunk]):
         >>> sweep(case, {"D1.ratio": "-4:-2:5"}, out="ratio[1]").plot("curves")
         <SweepPicture curves of 5 rows>
         """
-        if self.plan.where is None:
-            self._expect_room("a picture")
-        rows = self._rows()
+        rows = self._rows("a picture")
         columns = [*zip(self.plan.names, rows.values.T, strict=True)]  # noqa: PD011 - a chunk
         columns += zip(self.plan.headings, rounded(rows.columns).T, strict=True)
         written = WrittenSweep(
@@ -212,8 +206,10 @@ class Sweep(Iterator[Chunk]):
             status[places] = words[chunk.status]
         return columns, status
 
-    def _rows(self) -> Chunk:
-        """All rows as one chunk."""
+    def _rows(self, what: str) -> Chunk:
+        """All rows as one chunk; how many a condition leaves is not known before."""
+        if self.plan.where is None:
+            self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])
 
     def _expect_room(self, what: str) -> None:

@@ -90,3 +90,8 @@ FIRST_DAMPING = 1e-3
 """The first step of a fit is nearly that of linear equations."""
 LEAST_BOX_DAMPING = 1e-12
 """So much damping there is at least."""
+LEAST_STIFFNESS = 1e-9
+"""Of the normal equations of planes in a cell, as a share of their largest diagonal: they may be
+singular. [-]"""
+PLANE_ROUNDING = 1e-9
+"""By so much more the points that planes leave may lie apart, as a share of half the cell. [-]"""

@@ -57,12 +57,12 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
     """Marks of what transmits no power, as the word for it."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
-    def word(cell: Cell, role: str) -> Cell:
+    def said(cell: Cell, role: str) -> Cell:
         return (
             cell if cell.text == NOTHING else cell._replace(text=role or NO, says="", is_said=True)
         )
 
-    return _by_place(grid, zip(*by_gear, strict=True), word)
+    return _by_place(grid, zip(*by_gear, strict=True), said)
 
 
 def _by_place(grid: Grid, told: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:

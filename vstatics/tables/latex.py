@@ -74,10 +74,10 @@ def _lines(grid: Grid) -> Iterator[str]:
 
 
 def _number(cell: str) -> str:
-    """A number with a true minus."""
+    """A number with a true minus, or a blank for one."""
     if cell == NOTHING:
         return "--"
-    return f"${cell}$" if cell.startswith("-") else cell
+    return f"${cell}$" if cell.startswith("-") else escaped(cell)
 
 
 def _row(cells: Iterable[str]) -> str:

@@ -56,11 +56,11 @@ __all__ = [
 ]
 
 _LATER = {
-    "SpectrumPoints": "vstatics.torsion.random.spectra",
     "Correlation": "vstatics.torsion.random.spectra",
-    "White": "vstatics.torsion.random.spectra",
     "Dump": "vstatics.torsion.clutch.given",
     "Harmonic": "vstatics.torsion.forced.harmonic_torques",
+    "SpectrumPoints": "vstatics.torsion.random.spectra",
+    "White": "vstatics.torsion.random.spectra",
     "damping": "vstatics.torsion.vibration.measured",
     "dump": "vstatics.torsion.clutch.dumped",
     "gear_dumps": "vstatics.torsion.clutch.gear_dump",

@@ -15,10 +15,10 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """A line for each problem, which GitHub shows in the changed file.
+    """A line for each problem, which GitHub shows in the changed file: without `..` in its path.
 
     >>> from vstatics.errors import Place
-    >>> place = Place("a,b.yaml", 3, 7)
+    >>> place = Place("scenarios/../a,b.yaml", 3, 7)
     >>> print(github([Problem("E107", "read 100%, expected less", place=place)]), end="")
     ::error file=a%2Cb.yaml,line=3,col=7,title=E107::read 100%25, expected less
     """
@@ -28,7 +28,7 @@ def github(problems: Iterable[Problem]) -> str:
         if one.place:
             file, line, column, _ = one.place
             where = {"line": str(line), "col": str(column)} if line else {}
-            parts = {"file": file, **where, **parts}
+            parts = {"file": os.path.normpath(file), **where, **parts}
         told = ",".join(f"{key}={_property(value)}" for key, value in parts.items())
         lines.append(f"::{_COMMANDS[one.severity]} {told}::{_data(one.message)}\n")
     return "".join(lines)

@@ -375,7 +375,7 @@ Options = tuple[object, ...]
         (("-o", "found.abc"), "found.abc: no format has this suffix here"),
         (("-o", "letter/"), "letter/ is a file: expected a directory"),
         (("-o", ""), "-o names nothing: expected a directory or a file"),
-        (("--ratios", ",".join(["2"] * 1000)), "--ratios: read 1002, expected 924 at most"),
+        (("--ratios", ",".join(["2"] * 1000)), "--ratios: read 1002, expected 62 at most"),
     ],
 )
 def test_what_cannot_be_asked_for_is_wrong_use(options: Options, told: str) -> None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import permutations
+
 import pytest
 
 from tests.sweep.sweeps import DIFFERENTIAL
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission, loads
 from vstatics.sweep import sweep
+from vstatics.sweep.variants.path_numbers import case_path, known_paths
 from vstatics.sweep.variants.targets import target
 
 CASE = Transmission(
@@ -138,3 +141,17 @@ def test_a_case_without_modes_has_no_frequencies() -> None:
     text = "links: 2\ninertias: {1: 0.2}\nsprings: {s: {links: [1, 2], stiffness: 5}}\n"
     with pytest.raises(ReadError, match="it takes inertias, and springs or a stiffness"):
         sweep(loads(text), "s.stiffness=1", out="omega")
+
+
+def test_each_path_of_a_case_is_its_number_whatever_its_names_are() -> None:
+    """Quotes, brackets and dots in names are no signs of a path."""
+    names = ['"P"', "top's", "C'1", "out [rpm]", '"q" <b>']
+    for one, other, third in permutations(names, 3):
+        gear = Gear([1], name=one, speeds={2: 0.5}, open_drag={1: 3.0})
+        element = ShiftElement(2, 0, name=other)
+        mechanism = Mechanism(1, 2, 3, -2.5, name=third)
+        case = Transmission(3, [element], [mechanism], [gear], link_names=["in", one, "x"])
+        for path in known_paths(case):
+            found = case_path(path, case)
+            assert found is not None
+            assert found.path == path

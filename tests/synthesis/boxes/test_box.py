@@ -62,6 +62,7 @@ def test_what_gearboxes_have_can_be_asked_for(given: dict[str, Any]) -> None:
         ({"targets": (2.0, 0.0)}, "ratios: read 0, expected a ratio of"),
         ({"targets": (2.0, math.nan)}, "ratios: read nan"),
         ({"targets": (2.0, 2.0)}, "ratios: read 2 twice"),
+        ({"targets": tuple(range(1, 64))}, "ratios: read 63, expected 62 at most"),
         ({"engaged": 5}, "engaged: read 5, but 4 sets leave 1 to 4"),
         ({"engaged": 0}, "engaged: read 0, but 4 sets leave 1 to 4"),
         ({"engaged": 7, "fixed": 2}, "engaged: read 7, but 4 sets with held members leave 1 to 5"),

@@ -26,12 +26,7 @@ from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_rati
 from vstatics.cli.synth.box_sequence import ends, gear_counts, wanted_sequence
 from vstatics.errors import plural, spoken, typed_number
 from vstatics.readers.named.scalars import number
-from vstatics.synthesis.boxes.box import (
-    EFFICIENCY,
-    BoxSearch,
-    WantedSequence,
-    check_box_search,
-)
+from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
 from vstatics.synthesis.boxes.figures.by_gear import check_search_weights
 
@@ -146,16 +141,6 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
         raise ValueError(f"{message} {elements} elements together")
 
 
-def _sequence(
-    gears_wanted: tuple[int, int] | None,
-    spread: tuple[float, float] | None,
-    steps: tuple[float, float] | None,
-    *,
-    falling: bool,
-) -> WantedSequence | None:
-    return wanted_sequence(gears_wanted, spread, steps, falling=falling)
-
-
 def _count_option(name: str, metavar: str, says: str) -> Option:
     """A count that a search needs, unless it comes from a case."""
     return click.option(
@@ -167,6 +152,17 @@ def _count_option(name: str, metavar: str, says: str) -> Option:
         metavar=metavar,
         help=says,
     )
+
+
+def _more_option(name: str, says: str) -> Option:
+    """A count of what few boxes have."""
+    return click.option(name, type=int, default=0, metavar="K", help=says)
+
+
+def _own_option(port: str) -> Option:
+    """Whether a port is no link of the sets."""
+    says = f"The {port} is a shaft that only clutches join to the sets."
+    return click.option(f"--own-{port}", is_flag=True, help=says)
 
 
 _TOLERANCE: float = BoxSearch._field_defaults["tolerance"]
@@ -206,7 +202,7 @@ options = gathered(
         ),
         gathered(
             "sequence",
-            _sequence,
+            wanted_sequence,
             click.option(
                 "--gears",
                 "gears_wanted",
@@ -237,37 +233,14 @@ options = gathered(
             metavar="LOW:HIGH",
             help="Ring teeth/sun teeth of each set.",
         ),
-        click.option(
-            "--meshed",
-            type=int,
-            default=0,
-            metavar="K",
-            help="So many sets have planets that mesh with each other.",
-        ),
-        click.option(
-            "--own-input",
-            is_flag=True,
-            help="The input is a shaft that only clutches join to the sets.",
-        ),
-        click.option(
-            "--own-output",
-            is_flag=True,
-            help="The output is a shaft that only clutches join to the sets.",
-        ),
-        click.option(
+        _more_option("--meshed", "So many sets have planets that mesh with each other."),
+        _own_option("input"),
+        _own_option("output"),
+        _more_option(
             "--shafts",
-            type=int,
-            default=0,
-            metavar="K",
-            help="So many further shafts no set has a member on; three elements or more join each.",
+            "So many further shafts no set has a member on; three elements or more join each.",
         ),
-        click.option(
-            "--fixed",
-            type=int,
-            default=0,
-            metavar="K",
-            help="So many members of sets are held for good.",
-        ),
+        _more_option("--fixed", "So many members of sets are held for good."),
     ),
     click.option(
         "--keep",

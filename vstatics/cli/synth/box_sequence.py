@@ -2,31 +2,22 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.values import pair
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
+from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
 
-ANY = (1.0, LARGEST_RATIO**2)
-"""Of a spread or a step of which nothing is said. [-]"""
-
-
-def ends(text: str | None) -> tuple[float, float] | None:
-    """Two numbers with a colon between.
-
-    >>> ends("1.2:1.8"), ends(None)
-    ((1.2, 1.8), None)
-    """
-    return None if text is None else pair(text, "1.2:1.8")
+ends = partial(pair, example="1.2:1.8")
+"""Reads two numbers with a colon between."""
 
 
-def gear_counts(text: str | None) -> tuple[int, int] | None:
+def gear_counts(text: str) -> tuple[int, int]:
     """The fewest and the most gears; one number is both.
 
     >>> gear_counts("6:8"), gear_counts("6")
     ((6, 8), (6, 6))
     """
-    if text is None:
-        return None
     parts = text.split(":")
     if len(parts) > 2 or not all(part.strip().isdecimal() for part in parts):
         raise ValueError("expected how many, such as 6:8")
@@ -34,7 +25,7 @@ def gear_counts(text: str | None) -> tuple[int, int] | None:
 
 
 def wanted_sequence(
-    gears: tuple[int, int] | None,
+    gears_wanted: tuple[int, int] | None,
     spread: tuple[float, float] | None,
     steps: tuple[float, float] | None,
     *,
@@ -53,7 +44,7 @@ def wanted_sequence(
     """
     said = spread is not None or steps is not None or falling
     alone = "--spread, --steps, --falling say what --gears have: expected --gears A:B"
-    refuse((said and gears is None, alone))
-    if gears is None:
+    refuse((said and gears_wanted is None, alone))
+    if gears_wanted is None:
         return None
-    return WantedSequence(*gears, spread or ANY, steps or ANY, falling)
+    return WantedSequence(*gears_wanted, spread or ANY_QUOTIENT, steps or ANY_QUOTIENT, falling)

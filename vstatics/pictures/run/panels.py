@@ -43,8 +43,7 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
     Links and springs that are many stand behind what every shift is judged by.
     """
-    words = "speed, rpm"
-    speeds = panels_of("speed", words, RAD_PER_RPM, _speeds(case, motion), by_size=True)
+    speeds = panels_of("speed", "speed, rpm", RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
         *speeds[:1],
         *panels_of("slip", "slip, rpm", RAD_PER_RPM, _slips(motion)),
@@ -114,8 +113,7 @@ def _carried(motion: Motion) -> list[MotionPanel]:
         MotionLine((name,), motion.torques[:, place], capacity=_finite(capacities.get(name)))
         for place, name in loaded(motion)
     ]
-    words = "torque of elements, N·m"
-    return panels_of("torque", words, 1.0, lines, by_size=True)
+    return panels_of("torque", "torque of elements, N·m", 1.0, lines, by_size=True)
 
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
@@ -164,8 +162,8 @@ def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
     torques = motion.beside.get("output_torque", {}).values()
     name = case.link_name(case.output)
     lines = [MotionLine((name,), one, (case.output,)) for one in torques]
-    words = "output torque, N·m"
-    return panels_of("output", words, 1.0, [one for one in lines if one.peak > 0])
+    acting = [one for one in lines if one.peak > 0]
+    return panels_of("output", "output torque, N·m", 1.0, acting)
 
 
 def _heat(motion: Motion) -> list[MotionPanel]:

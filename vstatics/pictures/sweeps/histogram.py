@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from vstatics.errors import CaseError
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.head import headed, sheet_head
+from vstatics.pictures.sheet.head import Meaning, headed, sheet_head
 from vstatics.pictures.sheet.labels import LINE_HEIGHT, height, ticks, widest, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
@@ -104,7 +104,7 @@ def _histograms(sweep: WrittenSweep, asked: DrawnColumns) -> Iterator[Histogram]
                 yield histogram(", ".join(filter(None, (name, part.name))), values)
 
 
-def _key(style: Style) -> list[tuple[object, str, Look]]:
+def _key(style: Style) -> list[Meaning]:
     parts = ", ".join(f"{100 * part:g}" for part in PARTS)
     return [
         (True, "mean", _mean(style)),

@@ -93,8 +93,7 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
     levels = contour_levels(every)
     ends = _ends(surfaces, "x"), _ends(surfaces, "y")
     limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
-    limit = "limit of operation"
-    meanings = [(limits, limit, _limit_look(style))]
+    meanings = [(limits, "limit of operation", _limit_look(style))]
     named = f"{z}: {x}, {y}"
     columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
     wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)

@@ -44,6 +44,7 @@
   const draw = pictures(c, calculate(c, numbers));
   const show = () => {
     const told = calculate(c, numbers), asked = told.flatMap((one, n) => (one.outside ? [n] : []));
+    const isMoved = JSON.stringify(numbers) !== given;
     steps(c, told).forEach((next, n) => Object.assign(told[n], next));
     for (const cell of cells) {
       const { element, about, place, gear } = cell, of = told[gear][about.of];
@@ -55,14 +56,14 @@
       cell.last = number;
       const same = isSame(number, cell.number);
       element.dataset.number = number;
-      element.toggleAttribute("data-changed", !same);
+      element.toggleAttribute("data-changed", isMoved && !same);
       if (element.tagName === "TD") element.dataset.value = number;
       element.textContent = same ? cell.text : about.isMark ? mark(number, about.of) : shown(parseFloat(number), about.decimals);
     }
     outside.hidden = !asked.length;
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
-    const isMoved = JSON.stringify(numbers) !== given;
+    document.getElementById("revert").hidden = !isMoved;
     document.body.toggleAttribute("data-moved", isMoved);
     draw(told, isMoved);
     dispatchEvent(new Event("numbers")); // the tools may show them in other units

@@ -60,7 +60,7 @@ def live_page(material: Material) -> str:
     case = material.results.case
     known = lowered(case) | {"digits": material.digits, "words": {"idle": tr("idle")}}
     fields = [*live_fields(case, known["numbers"])]
-    revert = tag("button", tr("Revert"), id="revert", type="button")
+    revert = tag("button", tr("Revert"), id="revert", type="button", hidden=True)
     told = toolbar.tools_of(case, digits=material.digits)
     change = Part("Change", [tag("div", *shown_fields(fields), class_="fields"), revert, told])
     texts: dict[str, int] = {}

@@ -123,9 +123,11 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     >>> case_path("load.speed [rpm]", case).name, case_path("gears.*.torques.out", case).quantity
     ('load.speed [rpm]', 'torques')
     """
-    unit = _UNIT.search(text)
-    typed = (text[: unit.start()] if unit else text).strip()
-    path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
+    path, unit = text, None
+    if text not in numbers_of(case) and text not in part_numbers(case):  # names may have quotes
+        unit = _UNIT.search(text)
+        typed = (text[: unit.start()] if unit else text).strip()
+        path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
     of, part = numbers_of(case).get(path, ()), part_numbers(case).get(path)
     if not (of or part):
         return None

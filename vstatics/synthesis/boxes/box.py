@@ -171,6 +171,8 @@ class FoundBox(NamedTuple):
 
 LARGEST_RATIO = 1000.0
 """Of ratios of gears, of their reciprocals, and of ring teeth/sun teeth. [-]"""
+ANY_QUOTIENT = (1.0, LARGEST_RATIO**2)
+"""Between which the ratio of a gear over that of a later one always is. [-]"""
 MOST_BOX_SETS = 5
 """With more there are more schemes than can be looked at."""
 SHAFT_ELEMENTS = 3
@@ -180,8 +182,8 @@ MOST_LINKS = 10
 MOST_ELEMENTS = 12
 MOST_SEQUENCE = 24
 """Forward gears, where their ratios are not told."""
-MOST_TARGETS = 924
-"""So many sets of six have twelve elements, which is the most that there can be."""
+MOST_TARGETS = 62
+"""They are bits of a number, one more for a sequence; no gearbox has so many gears."""
 COARSEST = 0.5
 """The largest tolerance. [-]"""
 
@@ -299,7 +301,7 @@ def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
             "gears", f"{given}, expected numbers from 2 to {MOST_SEQUENCE}, the larger behind"
         )
     for name, (low, high) in (("spread", wanted.spread), ("steps", wanted.steps)):
-        if not 1 <= low <= high <= LARGEST_RATIO**2:
+        if not ANY_QUOTIENT[0] <= low <= high <= ANY_QUOTIENT[1]:
             message = f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger behind"
             yield _problem(name, message)
 

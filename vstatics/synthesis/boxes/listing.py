@@ -9,7 +9,7 @@ from typing import Annotated, Any, NamedTuple
 from vstatics.errors import ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import from_dict
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
+from vstatics.synthesis.boxes.box import ANY_QUOTIENT, BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.structures.growth import SchemeCode
@@ -157,7 +157,7 @@ def wanted_of(search: BoxSearch) -> WantedOfBoxes:
 
 def _asked(ends: Range) -> Range:
     """A range; empty where it has all that can be."""
-    return () if ends[0] <= 1 and ends[1] >= LARGEST_RATIO**2 else ends
+    return () if tuple(ends) == ANY_QUOTIENT else ends
 
 
 @told(

@@ -79,8 +79,7 @@ def crossings_told(count: int, style: Style) -> list[str]:
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
     """What a title says where sets do not stand as they should."""
-    text = "sets in another order"
-    return [] if layout.is_ordered else [style.text(text)]
+    return [] if layout.is_ordered else [style.text("sets in another order")]
 
 
 def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:

@@ -25,6 +25,7 @@ from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.boxes.figures.by_gear import (
     BoxGear,
     GearFigures,
+    check_search_weights,
     mean_drag,
     with_drag,
     without_noise,
@@ -108,7 +109,7 @@ def measured(
     Raises
     ------
     CaseError
-        If a weight is of no such gear, or none is above 0.
+        If a weight is of no gear of any box of the search, or none is above 0.
 
     Examples
     --------
@@ -127,6 +128,7 @@ def measured(
     >>> figures.slip, figures.torque, figures.single, figures.planar, figures.one_way
     (1.0, 2.0, True, True, ('T-L2',))
     """
+    check_search_weights(search, weights)
     least = least_box(box)
     targets = search.targets
     if search.sequence is not None:  # further gears are as they are wanted
@@ -152,9 +154,6 @@ def measured(
         )
         for place, one, own in zip(order, sets, by_gear, strict=True)
     )
-    if search.sequence is not None:  # weights may be of gears that only other boxes have
-        there = {gear.name for gear in gears}
-        weights = {name: weight for name, weight in weights.items() if name in there}
     chosen = least._replace(
         gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
         error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-import numpy as np
-
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
 from vstatics.synthesis.boxes.pieces.tried import Depth, drawn, scheme_cost, tried
@@ -58,15 +56,13 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
     [((0, 1), (0, 2), (1, 0)), ((1, 2), (2, 0), (2, 1))]
     """
     found = stems(search)
-    total = int(found.ends[-1]) if len(found.ends) else 0
-    first, last = total * piece // count, total * (piece + 1) // count
-    stem = int(np.searchsorted(found.ends, first, side="right"))
-    start = int(found.ends[stem - 1]) if stem else 0
-    while start < last:
-        end = int(found.ends[stem])
-        if end > start:
-            yield from _part(found.schemes(stem), first - start, last - start, end - start)
-        start, stem = end, stem + 1
+    first, last = (found.total * number // count for number in (piece, piece + 1))
+    stem = found.at(first)
+    while (start := found.before(stem)) < last:
+        weight = found.before(stem + 1) - start
+        if weight:
+            yield from _part(found.schemes(stem), first - start, last - start, weight)
+        stem += 1
 
 
 def _part(schemes: list[BoxScheme], first: int, last: int, weight: int) -> Iterator[BoxScheme]:

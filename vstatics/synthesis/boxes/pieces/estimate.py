@@ -50,8 +50,7 @@ def box_estimate(search: BoxSearch) -> BoxEstimate:
 
 def _of_all(search: BoxSearch) -> BoxEstimate | None:
     """What a small search gives, as it gives that; nothing of one that takes long."""
-    line = stems(search).ends
-    if len(line) and line[-1] > FEW_SCHEMES * UNIT:
+    if stems(search).total > FEW_SCHEMES * UNIT:
         return None
     schemes = [*box_schemes(search)]
     if sum(len(one.ports) for one in schemes) > FEW_PORTS:

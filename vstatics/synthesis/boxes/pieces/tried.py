@@ -12,8 +12,6 @@ from collections.abc import Iterator
 from threading import get_ident
 from typing import NamedTuple
 
-import numpy as np
-
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.pieces.arrays import asked_arrays, room_of
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
@@ -101,19 +99,19 @@ class DrawnPorts(NamedTuple):
 def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
     """Choices of ports from everywhere, without end: even along the weights of stems."""
     found = stems(search)
-    total = int(found.ends[-1]) if len(found.ends) else 0
+    total = found.total
     number = 0
     while True:
         number += 1
         place = int(number * GOLDEN % 1.0 * total)
-        stem = int(np.searchsorted(found.ends, place, side="right"))
+        stem = found.at(place)
         schemes = found.schemes(stem) if total else []
         choices = sum(len(one.ports) for one in schemes)
         if not choices:
             yield None
             continue
-        first = int(found.ends[stem - 1]) if stem else 0
-        weight = int(found.ends[stem]) - first
+        first = found.before(stem)
+        weight = found.before(stem + 1) - first
         chosen = (place - first) * choices // weight
         for one in schemes:
             if chosen < len(one.ports):

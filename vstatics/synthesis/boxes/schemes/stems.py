@@ -46,6 +46,19 @@ class Stems(NamedTuple):
     """The sum of the weights of each stem and of those before: about `UNIT` for each of its
     schemes, shape (all stems,)."""
 
+    @property
+    def total(self) -> int:
+        """The sum of all weights."""
+        return self.before(len(self.ends))
+
+    def before(self, stem: int) -> int:
+        """The sum of the weights of those before a stem."""
+        return int(self.ends[stem - 1]) if stem else 0
+
+    def at(self, place: int) -> int:
+        """The stem at a place of the line on which each is as long as its weight."""
+        return int(np.searchsorted(self.ends, place, side="right"))
+
     def schemes(self, stem: int) -> list[BoxScheme]:
         """All that grow from a stem, in their order."""
         search = self.search

@@ -19,7 +19,7 @@ from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
-NARROW_CELL = 1.05
+NARROW_CELL = 1.001
 """A cell is not halved further along a ratio whose bounds are so near. [-]"""
 MOST_SWEEPS = 4
 """So often a cell is made less by all targets in turn."""

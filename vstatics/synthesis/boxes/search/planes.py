@@ -15,11 +15,7 @@ import numpy as np
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
-
-LEAST_STIFFNESS = 1e-9
-"""Of the normal equations, as a share of their largest diagonal: they may be singular. [-]"""
-PLANE_ROUNDING = 1e-9
-"""By so much more the solutions may lie apart, as a share of half the cell. [-]"""
+from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 
 
 class PlaneRoom(NamedTuple):

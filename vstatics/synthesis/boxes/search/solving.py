@@ -34,9 +34,10 @@ from vstatics.synthesis.boxes.search.set_ratios import (
     fitted_within,
 )
 
-SPREADS = np.array([0.5, 0.2, 0.06])
+SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
-below each of the others; what has not been found then is not there. [-]"""
+below each of the others; what has not been found then is not there. So a box is lost only where
+its ranges leave less than the last of them. [-]"""
 MOST_CELLS = 200_000
 """With more cells a set of elements is given up."""
 EACH, NONE = -1, -2
