@@ -88,10 +88,20 @@ def _find_steps(cell: Floats, count: int, room: ChoiceRoom, sums: Floats) -> Non
                 low, high = high, low
             elif _is_bounded(one, room) and _is_bounded(other, room):
                 low, high = _step(cell[one], cell[other], sums)
+            else:  # one goes through 0 or infinity
+                low = _less(room.ends[one, 0], room.ends[other, 1], -math.inf)
+                high = _less(room.ends[one, 1], room.ends[other, 0], math.inf)
             room.steps[one, other, 0] = low
             room.steps[one, other, 1] = high
             room.steps[other, one, 0] = -high
             room.steps[other, one, 1] = -low
+
+
+@compiled
+def _less(one: float, other: float, unknown: float) -> float:
+    """The difference of two ends, unknown if one of them is infinite."""
+    is_known = -math.inf < one < math.inf and -math.inf < other < math.inf
+    return one - other if is_known else unknown
 
 
 @compiled

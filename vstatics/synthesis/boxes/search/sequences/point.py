@@ -13,23 +13,23 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
 
 @compiled
 def is_best(room: SequenceRoom) -> bool:
-    """Whether nothing can be better than what there is, but for its sum of squares."""
-    return bool(room.best[0] == room.wanted.most and room.best[1] > 0)
+    """Whether nothing can be better than what there is, as far as is looked for now."""
+    if room.is_single_left[0]:
+        return bool(room.best[1] > 0)
+    return bool(room.best[0] == room.wanted.most)
 
 
 @compiled
 def fewest(room: SequenceRoom) -> int:
-    """So many gears has what is better, at least: with one more single shifts may be none."""
-    fewest = room.best[0] + 1
-    if room.best[0] > 0 and room.best[1] == 0:
-        fewest = room.best[0]
-    return int(max(room.wanted.least, fewest))
+    """So many gears has what is better, at least."""
+    longer = 0 if room.is_single_left[0] else 1
+    return int(max(room.wanted.least, room.best[0] + longer))
 
 
 @compiled
-def is_singly(length: int, room: SequenceRoom) -> int:
-    """Whether so many gears are better only if they shift singly."""
-    return 1 if room.wanted.singly or length == room.best[0] else 0
+def is_singly(room: SequenceRoom) -> int:
+    """Whether something is better only if it shifts singly."""
+    return 1 if room.wanted.singly or room.is_single_left[0] else 0
 
 
 @compiled

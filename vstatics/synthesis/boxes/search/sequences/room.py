@@ -112,6 +112,8 @@ class SequenceRoom(NamedTuple):
     """ln(i) of each gear in a fit, or its slope, shape (gears,)."""
     best: Integers
     """Gears of the sequence that is told, whether they shift singly, shape (2,)."""
+    is_single_left: Booleans
+    """Whether no longer one is looked for, only one that shifts singly, shape (1,)."""
     squares: Floats
     """Its sum of squares, shape (1,). [-]"""
     best_chosen: Integers
@@ -146,6 +148,7 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
         rows=np.zeros((rows, 5)),
         gear_logs=np.zeros(gears),
         best=np.zeros(2, np.int64),
+        is_single_left=np.zeros(1, np.bool_),
         squares=np.zeros(1),
         best_chosen=np.zeros(gears, np.int64),
         best_gears=np.zeros(gears, np.int64),

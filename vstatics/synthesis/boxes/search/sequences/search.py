@@ -7,8 +7,8 @@ ranges: the least squares, with the choices of ratios at a grid of points. Where
 asked for, only such sequences are looked for, so as many gears as can be shifted so.
 
 The bounds are halved again and again. A cell is left where no choice is possible by the bounds of
-its steps; in its middle the best is looked for; where it is narrow enough, from its middle what is
-possible in it is fitted, and what is not found then is not there.
+its steps; in its middle the best is looked for; where it is small, what is possible in it is fitted
+from its middle, and what is not found then is not there.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from vstatics.synthesis.boxes.search.sequences.choosing import (
     may_use_all,
     next_choice,
 )
-from vstatics.synthesis.boxes.search.sequences.fitting import fitted_choice
+from vstatics.synthesis.boxes.search.sequences.fitting import fitted_choice, squares_at
 from vstatics.synthesis.boxes.search.sequences.nearest import find_nearest
 from vstatics.synthesis.boxes.search.sequences.point import (
     fewest,
@@ -46,10 +46,9 @@ MOST_AT_POINT = 50_000
 MOST_CELLS = 20_000
 """With more cells a set of elements is given up."""
 MORE_CELLS = 1000
-"""So many are looked at for what is better than what there is."""
-SETTLED_SPREAD = 0.25
-"""All that is possible in a cell is fitted where ln(i) of no gear spreads by more; what is not
-found then is not there. [-]"""
+"""So many are looked at for as many gears that shift singly."""
+SMALL = 1.05
+"""All that is possible in a cell is fitted where no ratio of a set has bounds farther apart. [-]"""
 MOST_FITS = 40
 """So many choices are fitted in a cell, before it is halved."""
 
@@ -73,33 +72,43 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
     room.squares[0] = math.inf
     if count < len(asked.targets) + room.wanted.least:
         return 0, False
+    room.is_single_left[0] = False
+    is_open = _looked(parts, MOST_CELLS, asked, room)
+    if best[0] > 0 and best[1] == 0:
+        room.is_single_left[0] = True
+        _looked(parts, MORE_CELLS, asked, room)
+    if best[0] > 0:
+        find_nearest(parts, asked, room)
+    return best[0], bool(is_open and best[0] == 0)
+
+
+@compiled
+def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
+    """Look for what is better in so many cells; whether there may be more."""
+    count, top, is_open = len(parts), 1, False
     for ratio in range(count):
         put(parts[ratio, 0], room.parts[0, ratio, 0])
         put(parts[ratio, 1], room.parts[0, ratio, 1])
     fill(room.low[0], asked.low)
     fill(room.high[0], asked.high)
-    more, top, is_open = 0, 1, False
-    end = min(room.steps[1], room.steps[0] + MOST_CELLS)
-    while top > 0 and room.steps[0] < end and more < MORE_CELLS and not is_best(room):
+    end = min(room.steps[1], room.steps[0] + most)
+    while top > 0 and room.steps[0] < end and not is_best(room):
         top -= 1
         room.steps[0] += 1
-        more += best[0] > 0
         if not _may_be_better(count, top, asked, room):
             continue
         _find_middle(top, room)
         if _is_point_better(parts, asked, room) and not _may_be_better(count, top, asked, room):
             continue
         number = _widest(count, top, room)
-        if _is_settled(parts, top, asked, room, SETTLED_SPREAD if number >= 0 else math.inf):
+        if _is_small(top, room) and _is_settled(parts, top, number, asked, room):
             continue
         if number < 0:
             is_open = True
             continue
         _halve(room, count, top, number)
         top += 2
-    if best[0] > 0:
-        find_nearest(parts, asked, room)
-    return best[0], bool((is_open or top > 0) and best[0] == 0)
+    return bool(is_open or top > 0)
 
 
 @compiled
@@ -115,7 +124,7 @@ def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bo
         depth = next_choice(room.wanted, goal, depth, own)
         if depth <= 0:
             return depth < 0
-        if may_use_all(targets, depth, is_singly(depth - targets, room), room):
+        if may_use_all(targets, depth, is_singly(room), room):
             return True
 
 
@@ -137,18 +146,16 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
         depth = next_choice(room.wanted, goal, depth, room.point)
         if depth <= 0:
             break
-        if depth - targets >= fewest(room) and note(
-            depth, asked, is_singly(depth - targets, room), math.inf, room
-        ):
+        if depth - targets >= fewest(room) and note(depth, asked, is_singly(room), math.inf, room):
             is_better = True
     return is_better
 
 
 @compiled
-def _is_settled(parts: Floats, top: int, asked: Asked, room: SequenceRoom, widest: float) -> bool:
-    """Whether all that is possible in a cell was fitted, so nothing better is left in it.
+def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
+    """Whether all that is possible in a small cell was fitted, so nothing better is left in it.
 
-    That can't be where some ratio of a choice spreads by more than the widest.
+    It was not where a gear of a choice turns the other way in the middle, but in a narrow one.
     """
     targets, own, depth, fits = len(asked.targets), room.cell, 0, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_LOOKS)
@@ -158,17 +165,15 @@ def _is_settled(parts: Floats, top: int, asked: Asked, room: SequenceRoom, wides
         if depth <= 0:
             return depth == 0
         gears = depth - targets
-        if gears >= fewest(room) and may_use_all(targets, depth, is_singly(gears, room), room):
-            for gear in range(targets, depth):
-                ratio = own.chosen[gear]
-                if own.ends[ratio, 1] - own.ends[ratio, 0] > widest:
-                    return False
+        if gears >= fewest(room) and may_use_all(targets, depth, is_singly(room), room):
             fits += 1
             put(own.chosen[:depth], room.point.chosen)
             _find_middle(top, room)
+            if widest >= 0 and squares_at(parts, depth, asked, room) == math.inf:
+                return False
             if fitted_choice(parts, depth, asked, room) < math.inf:
                 find_logs(parts, asked, room)
-                note(depth, asked, is_singly(gears, room), math.inf, room)
+                note(depth, asked, is_singly(room), math.inf, room)
     return is_best(room)
 
 
@@ -186,6 +191,15 @@ def _widest(count: int, top: int, room: SequenceRoom) -> int:
         if total > most:
             found, most = number, total
     return found
+
+
+@compiled
+def _is_small(top: int, room: SequenceRoom) -> bool:
+    """Whether a cell is so small that what is possible in it is fitted."""
+    for number in range(room.low.shape[1]):
+        if room.high[top, number] > SMALL * room.low[top, number]:
+            return False
+    return True
 
 
 @compiled
