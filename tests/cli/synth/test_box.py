@@ -173,7 +173,15 @@ def test_filters(options: tuple[object, ...], count: int) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (("--tolerance", 1e-300), "none of 600 comes within 1e-300 of these ratios"),
+        (
+            ("--tolerance", 1e-300),
+            "none of 600 comes within 1e-300 of these ratios; "
+            "the nearest has 1: 3, 2: 1: --tolerance 1.01e-09 finds it",
+        ),
+        (
+            ("--tolerance", "1e-300,1=.0001", "--brakes", 1),
+            "none of 600 comes within these ranges",
+        ),
         (("--brakes", 0), "4 boxes with these ratios, none as wanted"),
         (("--limit", "torque=1.9"), "4 boxes with these ratios, none as wanted"),
     ],
