@@ -67,6 +67,7 @@ class FinishedParts:
     """
 
     def __init__(self, output: str, options: Description) -> None:
+        self.output = output
         self.directory = os.path.realpath(output) + SUFFIX
         self.path = os.path.join(self.directory, PARTS)  # noqa: PTH118
         self.options = options

@@ -189,7 +189,7 @@ def _done_before(
             raise
         raise click.UsageError(error.problems[0].message) from None  # it had other options
     except OSError as error:
-        raise ReadError([unwritable(parts.directory, error)]) from None
+        raise ReadError([unwritable(parts.output, error)]) from None
     if without and not quiet:
         files.say(f"{parts.directory}: {without}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}
