@@ -55,7 +55,7 @@ def missing_folder(output: str) -> Problem | None:
     "nowhere/new.csv: error: can't be written: there is no directory nowhere, make it [E030]"
     """
     folder = os.path.dirname(output.rstrip("/"))  # noqa: PTH120
-    if not folder or os.path.lexists(folder):  # noqa: PTH110
+    if not folder or os.path.lexists(folder):
         return None
     message = f"can't be written: there is no directory {folder}, make it"
     return of_file("E030", output, message)

@@ -101,14 +101,12 @@ class RequiredUnless(click.Option):
         """As click does it; one that is missing is told with what may stand in its place."""
         try:
             return super().process_value(ctx, value)
-        except click.MissingParameter as error:
-            other = self._other(ctx)
-            if other is not None:
-                this, that = (
-                    f"{one.opts[-1]} {one.metavar or ''}".rstrip() for one in (self, other)
-                )
-                error.message = f"Expected {this}, or {that} in its place."
-            raise
+        except click.MissingParameter:
+            if (other := self._other(ctx)) is None:
+                raise
+            this, that = (f"{one.opts[-1]} {one.metavar or ''}".rstrip() for one in (self, other))
+            message = f"Expected {this}, or {that} in its place."
+            raise click.MissingParameter(message, ctx, self) from None
 
     def _other(self, ctx: click.Context) -> click.Option | None:
         """The option that makes it needless."""

@@ -20,6 +20,7 @@ from vstatics.errors import ReadError, plural
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.finished_parts import FinishedParts
+from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -173,8 +174,13 @@ def to_stream(
             made = _in_order(cases, done, parts, made)
         for text in texts.joined(made, job.to, job.own_frame):
             write(text)
+        if parts is not None:
+            parts.stays = bool(count.failures)
     if whole and count.total > 1:
         count.summary(quiet=telling.quiet)
+    if parts is not None and parts.exists():
+        there = f"{output}{SUFFIX} keeps the others"
+        files.say(f"{there}: the same command with --resume calculates what failed or is changed")
     return count.status
 
 
