@@ -16,7 +16,7 @@ from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import ReadError, plural
+from vstatics.errors import ReadError, listed, plural
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.finished_parts import FinishedParts
@@ -103,7 +103,7 @@ def to_directory(
     """
     suffix, telling = job.to.suffix, job.options.telling
     with FinishedCases(folder, suffix, _depends(job)) as finished:
-        todo = tasks(cases, folder, suffix, [*others, finished.path])
+        todo = planned = tasks(cases, folder, suffix, [*others, finished.path])
         try:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103
             finished.lock()
@@ -123,7 +123,18 @@ def to_directory(
                 pass
     if count.total > 1:
         count.summary(quiet=telling.quiet)
+        if job.command == "run" and not telling.quiet:
+            _tell_others(folder, suffix, planned)
     return count.status
+
+
+def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
+    """Name results that are of no case of a run: it may be that the case is no more."""
+    own = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
+    there = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
+    if others := sorted(there - own):
+        count, noun = len(others), plural("result", len(others))
+        files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
 
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
