@@ -36,6 +36,16 @@ def test_results_of_several_cases_are_the_same_in_every_format_and_order(
     assert lines(results(f"turned.{one}", *reversed(cases)), expected) == []
 
 
+def test_directories_without_a_result_are_not_the_same(tmp_path: Path) -> None:
+    both = [tmp_path / "new", tmp_path / "golden"]
+    for one in both:
+        one.mkdir()
+        (one / "box.yaml").write_text("links: 3", encoding="utf-8")
+    for form in ("text", "json"):
+        said = vstatics("compare", *both, "-f", form)
+        assert (said.status, said.out, "nothing to compare" in said.err) == (1, "", True)
+
+
 def test_a_directory_that_is_not_there_is_named(tmp_path: Path) -> None:
     for named in ((tmp_path, "goldn"), ("goldn", tmp_path)):
         said = vstatics("compare", *named)

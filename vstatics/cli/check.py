@@ -113,7 +113,7 @@ def conditions(file: str, results: Results) -> Grid:
 
 
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @click.option(
     "--explain",
     metavar="ID",

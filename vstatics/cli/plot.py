@@ -45,7 +45,7 @@ _WITHOUT_GEARS = {
 
 
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @click.option(
     "-k",
     "--kind",

@@ -189,7 +189,7 @@ def _shown(
     live: bool,
 ) -> texts.CaseOutput:
     """The page of a case."""
-    chosen = arguments.gear_indices(results.case, asked.gears) if asked.gears else ()
+    chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
     def html(_: str | None) -> str:

@@ -14,7 +14,6 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
-from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError, printable
 from vstatics.jobs.files import STDOUT, is_stream
@@ -31,7 +30,7 @@ MANY = 100
 
 
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @formats.options(*FORMATS, says="Format of the results")
 @click.option(
     "--files-from",
@@ -233,10 +232,10 @@ def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
     if files_from is None:
         if not cases:
             raise click.UsageError("Missing argument 'CASE...'.")
-        names = expanded(cases)
+        names = [*cases]
     else:
         if files_from == files.STDIN and files.STDIN in cases:
             raise click.UsageError("standard input (-) is the list of cases, and no case")
-        names = [*expanded(cases), *files.read_names(files_from)]
+        names = [*cases, *files.read_names(files_from)]
     arguments.check_streams(names)
     return names

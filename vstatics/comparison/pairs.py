@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
 from vstatics.comparison.verdicts import CaseVerdict, Tolerances, by_name, compared
-from vstatics.errors import CaseError, Problem, of_file
+from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.readers.results import read_results
 from vstatics.readers.sweep_tables import is_sweep
@@ -73,8 +73,17 @@ def verdicts_of_directories(
 
     Files are paired by their relative paths without suffix; a file of several results has a name
     for each, behind its own.
+
+    Raises
+    ------
+    ReadError
+        If there is no result in either of them.
     """
     here, there = _found(actual), _found(expected)
+    if not (here or there):
+        message = f"no result is there, nor in {expected}, so there is nothing to compare"
+        suffixes = spoken(SUFFIXES, "or")
+        raise ReadError([of_file("E050", actual, f"{message}: expected files {suffixes}")])
     for name in sorted({*here, *there}):
         try:
             found, wanted = (

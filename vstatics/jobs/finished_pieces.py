@@ -91,6 +91,8 @@ class FinishedPieces:
         """
         if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if self.into_folder:  # it is made with its parents, as every directory of results
+            os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
         self.lock()
         known = self._known()
         finished = [piece for piece in self.finished() if piece < pieces]

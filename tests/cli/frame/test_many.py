@@ -103,6 +103,20 @@ def test_the_earlier_result_of_a_case_that_fails_now_is_set_aside() -> None:
 
 
 @pytest.mark.usefixtures("folder")
+def test_results_of_cases_that_are_no_more_are_named() -> None:
+    """As long as they are there; of another format they are other results."""
+    Path("in/old.yaml").write_text(NEUTRAL, encoding="utf-8")
+    said = vstatics("run", *GOOD, "in/old.yaml", "-f", "json", "-o", "out")
+    assert said.err.splitlines()[-1] == "3 of 3 cases calculated"
+    named = "out: 1 further result of no case of this run: old.json"
+    for more in ((), ("--resume",)):
+        said = vstatics("run", *GOOD, "-f", "json", "-o", "out", *more)
+        assert (said.status, said.err.splitlines()[-1]) == (0, named)
+    assert named not in vstatics("run", *GOOD, "-f", "json", "-o", "out", "-q").err
+    assert "further" not in vstatics("run", *GOOD, "-o", "out").err
+
+
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_an_error_of_the_program_in_one_case_harms_no_other(
     jobs: int, monkeypatch: pytest.MonkeyPatch

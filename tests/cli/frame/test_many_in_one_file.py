@@ -104,6 +104,9 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     cases = ("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1])
     other = vstatics("run", *cases, "-o", f"all.{form}", "--resume", "--coast")
     assert (other.status, "--coast was not given, is true" in other.err) == (2, True)
+    anew = vstatics("run", *cases, "-o", f"all.{form}")
+    held = f"all.{form}.parts: error: holds 2 finished cases of a run that was stopped"
+    assert (anew.status, held in anew.err) == (1, True)
     with Path(f"all.{form}.parts/parts").open("ab") as parts:
         parts.write(b'["pipe.dat", "0", {}, 1000]\ncut')  # as by a power failure
     Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), encoding="utf-8")
@@ -115,6 +118,27 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     assert vstatics("run", *cases, "-o", f"whole.{form}").status == 0
     assert Path(f"all.{form}").read_bytes() == Path(f"whole.{form}").read_bytes()
     assert not Path(f"all.{form}.parts").exists()
+
+
+def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
+    """And it may be begun anew, since it was not stopped."""
+    cases = ("drawer/a.dat", "bad.yaml", "neutral.yaml")
+    for _ in range(2):
+        said = vstatics("run", *cases, "-o", "all.jsonl", "-q")
+        assert (said.status, said.err.splitlines()[-1]) == (
+            1,
+            "all.jsonl.parts keeps the others: the same command with --resume calculates what "
+            "failed or is changed",
+        )
+    Path("bad.yaml").write_text(NEUTRAL, encoding="utf-8")
+    said = vstatics("run", *cases, "-o", "all.jsonl", "--resume")
+    assert (said.status, said.err.splitlines()[-1]) == (
+        0,
+        "3 of 3 cases calculated (2 of them before)",
+    )
+    assert vstatics("run", *cases, "-o", "whole.jsonl").status == 0
+    assert Path("all.jsonl").read_bytes() == Path("whole.jsonl").read_bytes()
+    assert not Path("all.jsonl.parts").exists()
 
 
 def test_nothing_to_go_on_with_is_told_and_nothing_is_left() -> None:

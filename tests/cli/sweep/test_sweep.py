@@ -242,7 +242,10 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
         ("--vary D.ratio=1 --min ratio", "--min:1:1: error: `ratio` has one value per gear"),
         ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no count"),
         ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: can't be read"),
-        ("--vary D.ratio=1 --coast -o nowhere/out.csv", "can't be written: No such file"),
+        (
+            "--vary D.ratio=1 --coast -o nowhere/out.csv",
+            "can't be written: there is no directory nowhere",
+        ),
         ("--vary D.ratio=1 -o folder.csv", "folder.csv: error: can't be written: Is a directory"),
     ],
 )

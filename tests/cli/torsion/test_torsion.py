@@ -170,7 +170,7 @@ def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None
     command, *options = call
     answer = said(command, *options, "-o", "no/new.json")
     assert (answer.status, answer.out) == (1, "")
-    assert "no/new.json: error: can't be written: No such file or directory" in answer.err
+    assert "no/new.json: error: can't be written: there is no directory no, make it" in answer.err
 
 
 # gears

@@ -235,3 +235,12 @@ def test_panels_go_on_on_further_pages_of_a_width() -> None:
             wide, high = 72 * figure.get_size_inches()
             assert wide <= style.width
             assert high <= style.height
+
+
+@pytest.mark.parametrize("kind", ["map", "curves", "histogram"])
+def test_a_sweep_of_which_nothing_is_left_says_so(kind: str, tmp_path: Path) -> None:
+    written = tmp_path / "none.csv"
+    asked = ("--vary", "D1.ratio=-0.9:-0.7:3", "--where", "ratio[1]>1e9", "-o", written)
+    assert vstatics("sweep", CASES / "mzkt7922.dat", *asked).status == 0
+    said = vstatics("plot", written, "--kind", kind, "-o", tmp_path / "none.svg")
+    assert (said.status, "none.csv: error: the sweep has no row" in said.err) == (1, True)

@@ -13,6 +13,7 @@ from vstatics import readers
 from vstatics.checking import located_messages
 from vstatics.cli.frame import documents, files
 from vstatics.cli.frame.options import Command, gathered
+from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
@@ -28,7 +29,18 @@ from vstatics.texts import Language
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
-argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
+argument, optional_argument = (
+    click.argument(
+        "cases",
+        nargs=-1,
+        required=required,
+        type=click.Path(),
+        metavar="CASE...",
+        callback=lambda _, __, cases: tuple(expanded(cases)),
+    )
+    for required in (True, False)
+)
+"""Cases of a command, and of one that may do without; patterns among them are expanded."""
 input_format = click.option(
     "--from",
     "input_format",
@@ -80,10 +92,26 @@ class RequiredUnless(click.Option):
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         """As click has it, with what makes it needless."""
         said = super().get_help_record(ctx)
-        other = next((one.opts[-1] for one in ctx.command.params if one.name == self.unless), "")
-        if said is None or not other:
+        other = self._other(ctx)
+        if said is None or other is None:
             return said
-        return said[0], said[1].replace("[required]", f"[required without {other}]")
+        return said[0], said[1].replace("[required]", f"[required without {other.opts[-1]}]")
+
+    def process_value(self, ctx: click.Context, value: Any) -> Any:
+        """As click does it; one that is missing is told with what may stand in its place."""
+        try:
+            return super().process_value(ctx, value)
+        except click.MissingParameter:
+            if (other := self._other(ctx)) is None:
+                raise
+            this, that = (f"{one.opts[-1]} {one.metavar or ''}".rstrip() for one in (self, other))
+            message = f"Expected {this}, or {that} in its place."
+            raise click.MissingParameter(message, ctx, self) from None
+
+    def _other(self, ctx: click.Context) -> click.Option | None:
+        """The option that makes it needless."""
+        options = (one for one in ctx.command.params if isinstance(one, click.Option))
+        return next((one for one in options if one.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
         """Whether it is needed, and not given."""
@@ -161,19 +189,19 @@ settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 """The options of how cases are read, calculated and told."""
 
 
-def gear_number(case: Transmission, asked: str) -> int:
+def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
     """The number of a gear from 1: the one of this name, else the one of this number.
 
     Raises
     ------
     BadParameter
-        If there is none; it tells the nearest name.
+        If there is none; it tells the option that asked, and the nearest name.
     """
-    with wrong_value("--gear"):
+    with wrong_value(option):
         return case.gear_number(asked)
 
 
-def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
+def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
     """The indices of the gears that are asked for, each once; all where none is.
 
     Raises
@@ -181,7 +209,7 @@ def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
     BadParameter
         If there is no such gear.
     """
-    numbers = dict.fromkeys(gear_number(case, one) for one in asked)
+    numbers = dict.fromkeys(gear_number(case, one, option) for one in asked)
     return [number - 1 for number in numbers] or range(len(case.gears))
 
 

@@ -19,6 +19,8 @@ MOST_SHOWN_PROBLEMS = 100
 """So many problems of a case are printed."""
 MOST_SEARCHED = 1000
 """So many files of a folder are looked at for one that may be meant."""
+ALIKE, SHORT = 0.75, 0.66
+"""So near the name of one that may be meant is, from 0 to 1; of three letters one may differ."""
 CLOSED = "it is closed"
 
 
@@ -40,6 +42,9 @@ def read_input(file: str) -> tuple[bytes, str]:
         reason = CLOSED
     except FileNotFoundError as error:
         reason = f"{error.strerror}{_nearest_file(file)}"
+    except IsADirectoryError as error:
+        pattern = os.path.join(file, "**", "*.yaml")  # noqa: PTH118
+        reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         reason = error.strerror or str(error)
     except ValueError as error:  # a name that holds a zero byte
@@ -64,14 +69,27 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _nearest_file(file: str) -> str:
-    """A hint that names the file of its folder that is nearest to one that is not there."""
+    """A hint that names the file of its folder that is nearest to one that is not there.
+
+    Suffixes make names alike that are not, so those are near whose stems are.
+    """
+    from difflib import get_close_matches  # costs start-up time
+
     folder, name = os.path.split(file)
     try:
         with os.scandir(folder or os.curdir) as entries:
-            there = [one.name for one in itertools.islice(entries, MOST_SEARCHED)]
+            some = itertools.islice(entries, MOST_SEARCHED)
+            stems = {one.name: _stem(one.name) for one in some if one.is_file()}
     except OSError:
         return ""
-    return nearest(name, there)
+    asked = _stem(name)
+    cutoff = ALIKE if len(asked) > 3 else SHORT
+    near = get_close_matches(asked, {*stems.values()}, n=10, cutoff=cutoff)
+    return nearest(name, [one for one, stem in stems.items() if stem in near])
+
+
+def _stem(name: str) -> str:
+    return os.path.splitext(name)[0].casefold()  # noqa: PTH122
 
 
 def show(problems: Iterable[Problem]) -> None:

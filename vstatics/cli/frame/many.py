@@ -16,10 +16,11 @@ from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import ReadError, plural
+from vstatics.errors import ReadError, listed, plural
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.finished_parts import FinishedParts
+from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -102,7 +103,7 @@ def to_directory(
     """
     suffix, telling = job.to.suffix, job.options.telling
     with FinishedCases(folder, suffix, _depends(job)) as finished:
-        todo = tasks(cases, folder, suffix, [*others, finished.path])
+        todo = planned = tasks(cases, folder, suffix, [*others, finished.path])
         try:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103
             finished.lock()
@@ -122,7 +123,18 @@ def to_directory(
                 pass
     if count.total > 1:
         count.summary(quiet=telling.quiet)
+        if job.command == "run" and not telling.quiet:
+            _tell_others(folder, suffix, planned)
     return count.status
+
+
+def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
+    """Name results that are of no case of a run: it may be that the case is no more."""
+    own = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
+    there = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
+    if others := sorted(there - own):
+        count, noun = len(others), plural("result", len(others))
+        files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
 
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
@@ -173,8 +185,13 @@ def to_stream(
             made = _in_order(cases, done, parts, made)
         for text in texts.joined(made, job.to, job.own_frame):
             write(text)
+        if parts is not None:
+            parts.stays = bool(count.failures)
     if whole and count.total > 1:
         count.summary(quiet=telling.quiet)
+    if parts is not None and parts.exists():
+        there = f"{output}{SUFFIX} keeps the others"
+        files.say(f"{there}: the same command with --resume calculates what failed or is changed")
     return count.status
 
 
@@ -189,7 +206,7 @@ def _done_before(
             raise
         raise click.UsageError(error.problems[0].message) from None  # it had other options
     except OSError as error:
-        raise ReadError([unwritable(parts.directory, error)]) from None
+        raise ReadError([unwritable(parts.output, error)]) from None
     if without and not quiet:
         files.say(f"{parts.directory}: {without}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}

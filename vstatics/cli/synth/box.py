@@ -43,7 +43,8 @@ def box(
     tolerance. Found boxes are told by mean loss of the forward gears; boxes with equal ratios
     in all gears are one family, and none of these is the best by its ratios.
 
-    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page.
+    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page; of
+    an earlier search there it replaces all files, and refuses if one has been edited since.
 
     \b
     Examples:
@@ -98,8 +99,9 @@ def _check_folder(output: str) -> None:
     from vstatics.cli.synth.box_output import of_others
 
     if name := of_others(output):
-        there = f"{output} holds {name}, but no boxes.json of an earlier search"
-        raise click.UsageError(f"{there}, so it may be yours: expected another directory")
+        path = os.path.join(output, name)  # noqa: PTH118
+        what = f"{path} is not as a search wrote it, so it may be yours, and would be lost"
+        raise click.UsageError(f"{what}; move it away, or expected another directory")
 
 
 class BoxSearchEstimate(NamedTuple):

@@ -9,6 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli.frame import files
 from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.files import missing_folder
 from vstatics.model.transmission import Transmission
 from vstatics.tables.suffixes import suffix_of
 from vstatics.writers.saving import case_data
@@ -30,6 +31,8 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     ------
     UsageError
         If the suffix is none, or what is read or written besides would be written over.
+    ReadError
+        If its directory is not there.
     """
     files.spare(inputs, target)
     if output is not None and target == output:
@@ -39,6 +42,8 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     if form is None:
         message = f"can't tell the format of {target}: expected a suffix such as .yaml, .json, .dat"
         raise click.BadParameter(message, param_hint="--write")
+    if problem := missing_folder(target):
+        raise ReadError([problem])
     return form
 
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures.sweeps.columns import DrawnColumns
 
@@ -64,6 +65,9 @@ def sweep_figures(
     require("plot", "a picture")
     from vstatics.pictures.sheet.files import settings_of
 
+    if not sweep.variants:
+        message = "the sweep has no row, so there is nothing to draw: expected one with variants"
+        raise CaseError("E433", f"{message} that its --where leaves")
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
         return list(module.draw(sweep, style, asked))
