@@ -124,7 +124,7 @@ def test_what_swings_and_what_runs_has_units_too() -> None:
     data = sweep(sprung, {"propshaft.stiffness": [5e4]}, out="omega[1,1]").to_xarray()
     assert data["propshaft.stiffness"].attrs == {"units": "N*m/rad"}
     assert data["omega[1,1]"].attrs == {"units": "rad/s"}
-    run = load_varied(str(CASES / "scenarios/tarasik-set-upshift.yaml"))
+    run = load_varied(CASES / "scenarios/tarasik-set-upshift.yaml")
     duration = run.own.scenario.duration
     asked = "sum(heat), max(speeds), events"
     data = sweep(run, {"duration": [duration]}, out=asked).to_xarray()
