@@ -41,7 +41,7 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> made = exercise(solve(case), "1")
-    >>> "[2] ____" in made.worksheet(), "[2] .2857" in made.solution("markdown")
+    >>> "[2] ____" in made.worksheet(), "[2] .286" in made.solution()
     (True, True)
     """
     expect_one_case(results, "exercise")
