@@ -21,6 +21,7 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     "start",
     "errors",
+    "arguments",
     "extras",
     "texts",
     "numerics",

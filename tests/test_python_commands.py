@@ -127,3 +127,28 @@ def test_the_page_names_every_command() -> None:
     assert every <= named
     headings = re.findall(r"^## (.*)$", lines, re.MULTILINE)
     assert every - {"serve"} == {one for heading in headings for one in heading.split(", ")}
+
+
+@pytest.mark.parametrize("seed", [None, 7])
+def test_an_exercise_is_that_of_the_command(seed: int | None) -> None:
+    made = vstatics.exercise(vstatics.solve(vstatics.example("zf-8hp70")), "R", seed=seed)
+    asked = ["explain", str(CASES / "zf-8hp70.yaml"), "--gear", "R"]
+    asked += [] if seed is None else ["--seed", str(seed)]
+    told = json.loads(commands.vstatics(*asked, "--solution", "-f", "json").out)
+    assert made.document() == told
+    assert [one._asdict() for one in made.blanks] == told["blanks"]
+    for form in ("text", "markdown", "latex"):
+        for option, written in (("--worksheet", made.worksheet), ("--solution", made.solution)):
+            said = commands.vstatics(*asked, option, "-f", form, "--lang", "de")
+            assert written(form, lang="de") == said.out
+    assert made._repr_html_().count("____") == len(made.blanks)
+
+
+def test_an_exercise_is_refused_as_by_the_command() -> None:
+    results = vstatics.solve(vstatics.example("simpson"))
+    with pytest.raises(ValueError, match="seed is -1, expected 0 or more"):
+        vstatics.exercise(results, "1", seed=-1)
+    with pytest.raises(ValueError, match="no gear '9'"):
+        vstatics.exercise(results, "9")
+    with pytest.raises(ValueError, match="expected 'text', 'markdown' or 'latex'; did you mean"):
+        vstatics.exercise(results, "1").worksheet("markdwon")  # type: ignore[arg-type]

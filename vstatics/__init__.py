@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
     from vstatics.examples import example
+    from vstatics.explain.exercise import exercise
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
@@ -94,6 +95,7 @@ __all__ = [
     "damages",
     "distribution_matrix",
     "example",
+    "exercise",
     "explain_gear",
     "flows",
     "load",
@@ -126,6 +128,7 @@ _LATER = {
     "cycle": "vstatics.summary.operation.cycles",
     "damages": "vstatics.damage.devices",
     "example": "vstatics.examples",
+    "exercise": "vstatics.explain.exercise",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from vstatics import readers
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, Problem, ReadError, not_allowed, plural, spoken
 from vstatics.model.checks import hints
 from vstatics.readers.reading import Reading
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
 
+@refusing()
 def check(source: str | os.PathLike[str]) -> list[Problem]:
     """All problems, warnings and notes of a case or a scenario; a case is calculated for that.
 

@@ -378,13 +378,3 @@ def typed_number(text: str, last: int) -> int | None:
 def listed(names: Sequence[str], most: int = 8) -> str:
     """The first of some names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
-
-
-def type_and_value(given: object) -> str:
-    """What was given to a function, for a TypeError.
-
-    >>> type_and_value("box.yaml")
-    "str 'box.yaml'"
-    """
-    shown = repr(given)
-    return f"{type(given).__name__} {shown if len(shown) <= 40 else shown[:37] + '...'}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
+from vstatics.arguments import refusing
 from vstatics.comparison.numbers import ATOL, RTOL
 from vstatics.comparison.pairs import verdicts_of_directories, verdicts_of_files
 from vstatics.comparison.verdicts import CaseVerdict, Tolerances, Verdict, verdict
@@ -17,6 +18,7 @@ from vstatics.tables.written_results import WrittenResult
 Compared = str | os.PathLike[str] | Results
 
 
+@refusing()
 def compare(
     actual: Compared,
     expected: Compared,

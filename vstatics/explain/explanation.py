@@ -8,6 +8,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import speed_system, torque_system
@@ -21,7 +22,7 @@ from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
@@ -81,6 +82,7 @@ class Explanation(NamedTuple):
     """What was noticed in this gear."""
 
 
+@refusing()
 def explain_gear(results: Results, gear: int | str) -> Explanation:
     """Explain a gear: its matrix, its equations and their solution, its ratio as a formula.
 
@@ -112,7 +114,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.
     """
-    expect_results(results, "explain_gear")
+    expect_one_case(results, "explain_gear")
     if kinds := [one.name for one in results.case.mechanisms if one.kind]:
         whole = results.case
         pairs = whole.as_pairs(whole.gears[whole.gear_number(gear) - 1])
@@ -120,7 +122,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
             message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
             raise CaseError("E279", message)
         results = solve(pairs)
-    state, number = results.gear(gear), results.case.gear_number(gear) - 1
+    number = results.case.gear_number(gear) - 1
+    state = results.gear_at(number)
     case, actual = state.case, state.gear
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0

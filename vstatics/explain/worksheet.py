@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from importlib import import_module
+from typing import Any, Literal, NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError
 from vstatics.explain.text import engaged
@@ -14,10 +16,11 @@ from vstatics.statics.results import Results
 from vstatics.tables.answer import plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
 from vstatics.tables.grids import structural_zeros
+from vstatics.tables.html import shown
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Quantity, Table
 from vstatics.tables.values import tables
-from vstatics.texts import tr
+from vstatics.texts import Language, speaking, tr
 from vstatics.writers import result_json
 
 ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
@@ -28,6 +31,7 @@ LEAST = 10
 NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}
 """What the only number of a table is called."""
 LINE = "____"
+SheetForm = Literal["text", "markdown", "latex"]
 
 
 class Blank(NamedTuple):
@@ -51,7 +55,7 @@ class GearExercise(NamedTuple):
     """Of the gear, from 0."""
     seed: int | None
     """By which its numbers were drawn."""
-    shown: Sequence[Table]
+    asked: Sequence[Table]
     """The tables that have a blank."""
     blanks: Sequence[Blank]
 
@@ -59,6 +63,31 @@ class GearExercise(NamedTuple):
     def gear(self) -> str:
         """Its name."""
         return self.results.case.gears[self.place].name
+
+    def titles(self, file: str = "") -> list[str]:
+        """What stands over it: the case, or its file; the seed finds sheet and solution."""
+        seed = "" if self.seed is None else f" (--seed {self.seed})"
+        return [f"{self.results.case.name or file}{seed}"]
+
+    @refusing()
+    def worksheet(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
+        """The exercise with blanks, as text, Markdown or LaTeX."""
+        return self._written(form, lang, solved=False)
+
+    @refusing()
+    def solution(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
+        """The same with its numbers."""
+        return self._written(form, lang, solved=True)
+
+    def _written(self, form: SheetForm, lang: Language, *, solved: bool) -> str:
+        writer = import_module(f"vstatics.tables.{form}")
+        with speaking(lang):
+            made: str = writer.write(self.titles(), grids(self, solved=solved))
+        return made
+
+    def _repr_html_(self) -> str:
+        """The exercise with blanks, for a notebook."""
+        return shown(grids(self, solved=False))
 
     def document(self) -> dict[str, Any]:
         """The solution as plain data; `case` is a case that can be run."""
@@ -104,12 +133,10 @@ def worksheet(results: Results, index: int, seed: int | None = None) -> GearExer
         found = list(_blanks(results, index, wanted, telling=False))
     if not found:
         gear = results.case.gears[index].name
-        raise CaseError(
-            "E910", f"gear {gear} has no numbers to ask for; ask for another with --gear"
-        )
+        raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
     keys = {one.table for one in found}
-    shown = [one for one in wanted if one.quantity.key in keys]
-    return GearExercise(results, index, seed, shown, found)
+    asked = [one for one in wanted if one.quantity.key in keys]
+    return GearExercise(results, index, seed, asked, found)
 
 
 def _blanks(
@@ -139,7 +166,7 @@ def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
         Whether the numbers stand in them.
     """
     yield from _given(sheet)
-    for one in sheet.shown:
+    for one in sheet.asked:
         own = [blank for blank in sheet.blanks if blank.table == one.quantity.key]
         yield _asked(one.quantity, own, solved=solved)
 

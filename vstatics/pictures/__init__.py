@@ -22,7 +22,7 @@ for the pages of several lists of gears.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -59,6 +59,30 @@ OF_VIBRATION = ("modes", "campbell", "response", "dump")
 """Kinds that show vibration: a converter may be open."""
 OF_ORDERS = ("campbell", "response")
 """Kinds that are over orders of a speed: `Style.excited` tells which."""
+OPTIONS: Mapping[str, tuple[Sequence[str], str]] = {
+    "motion": (OF_RUNS, f"only {' and '.join(OF_RUNS)} show a run"),
+    "merge": (("lever",), "only levers can be merged"),
+    "wheels": (("stick",), "only stick diagrams name them"),
+    "orders": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} have orders"),
+    "at": (("response",), "only a response is that of a link"),
+    "gear": (
+        [kind for kind in PICTURES if kind != "shift"],
+        "a run goes through all gears of its scenario",
+    ),
+}
+"""By option: the kinds that it is for, and what is said of others."""
+
+
+def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str]]:
+    """Options that a kind of picture has not, and why.
+
+    >>> [*misplaced("plan", {"merge": True, "wheels": False})]
+    [('merge', 'only levers can be merged')]
+    """
+    for name, value in given.items():
+        kinds, why = OPTIONS[name]
+        if kind not in kinds and value not in (None, False, "", ()):
+            yield name, why
 
 
 def picture(

@@ -218,7 +218,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
     if results.tied_up[number] or excess:
         yield from _excess(results, number, gear)
     if missing:
-        free = _without_value(case.link_names, results.gear(number + 1).speeds)
+        free = _without_value(case.link_names, results.gear_at(number).speeds)
         named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
         links = "" if results.tied_up[number] else named
         neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
@@ -294,7 +294,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 def _digit_messages(results: Results, number: int) -> Iterator[Said]:
     """What rounding shows in, near a singular train."""
-    lost = None if results.conflict[number] else digits.lost_digits(results.gear(number + 1))
+    lost = None if results.conflict[number] else digits.lost_digits(results.gear_at(number))
     if lost is None:
         return
     of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
@@ -347,7 +347,7 @@ def _gaining(results: Results, number: int) -> str:
     """Converters that would gain power at the speed ratio of the gear."""
     if not results.case.has_converter:
         return ""
-    state = results.gear(number + 1)
+    state = results.gear_at(number)
     variant = state.ideal.variant
     torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
     names = ideal.gaining(variant, state.gear, state.ideal.speeds, torques_)
@@ -370,7 +370,7 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
     """What has no torque by statics in a gear that has torques in balance."""
     if not results.calculable[number]:
         return []
-    torques = results.gear(number + 1).torques
+    torques = results.gear_at(number).torques
     return _without_value([*results.case.devices, "the output"], torques.on_first_link)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vstatics.errors import listed, type_and_value
+from vstatics.errors import listed
 from vstatics.extras import AnyPicture, higher
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
@@ -171,7 +171,11 @@ class Results(PhysicalResults):
         """
         if self.ratio.ndim != 1:
             raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
-        index, case = self.case.gear_number(gear) - 1, self.case
+        return self.gear_at(self.case.gear_number(gear) - 1)
+
+    def gear_at(self, index: int) -> GearState:
+        """The same by the index of the gear."""
+        case = self.case
         gears = self.points.gears if self.points else case.gears
         efficiencies: Sequence[Any] = [one.efficiency for one in case.mechanisms]
         if self.points and self.points.efficiencies:
@@ -244,17 +248,12 @@ class Results(PhysicalResults):
         return bool(self.tied_up.any() or self.conflict.any())
 
 
-def expect_results(given: object, function: str) -> None:
-    """Refuse what is no `Results` of one case, in the words of the function that was given it.
+def expect_one_case(given: Results, function: str) -> None:
+    """Refuse results of variants, in the words of the function that was given them.
 
     Raises
     ------
-    TypeError
     ValueError
-        For arrays of variants.
     """
-    if not isinstance(given, Results):
-        advice = "solve(case) gives them"
-        raise TypeError(f"{function} of {type_and_value(given)}: expected Results; {advice}")
     if given.ratio.ndim != 1:
         raise ValueError(f"{function} of results of shape {given.ratio.shape}: expected one case")

@@ -24,8 +24,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
@@ -65,6 +66,7 @@ class Summary(NamedTuple):
     """What shift elements must carry, if a reserve is asked for."""
 
 
+@refusing()
 def summarize(
     results: Results,
     *,
@@ -104,7 +106,7 @@ def summarize(
     >>> made.design.spread, [line.ratio for line in made.design.gears]
     (3.5, [1.0, 3.5])
     """
-    expect_results(results, "summarize")
+    expect_one_case(results, "summarize")
     case = results.case
     return Summary(
         results,

@@ -78,7 +78,7 @@ some_gears = click.option(
     "gears",
     multiple=True,
     metavar="G",
-    help="This gear only, by its name or number; may be given several times.",
+    help="This gear only, by its name, or the third by '#3'; may be given several times.",
 )
 
 

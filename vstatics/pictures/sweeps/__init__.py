@@ -14,6 +14,7 @@ b'<?xml'
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -34,6 +35,12 @@ SWEEP_PICTURES = {
     "histogram": "vstatics.pictures.sweeps.histogram",
 }
 """Kind of picture of a sweep -> module."""
+COLUMNS: Mapping[str, Sequence[str]] = {
+    "map": ("x", "y", "z", "by"),
+    "curves": ("x", "y", "by"),
+    "histogram": ("y", "by"),
+}
+"""By kind: which columns may be named."""
 
 
 def render_sweep(

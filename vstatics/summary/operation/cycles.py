@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from vstatics.arguments import naming, refusing
 from vstatics.errors import CaseError
 from vstatics.summary.operation.drive_cycle import DriveCycle, GearChoice, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from vstatics.model.transmission import Transmission
 
 
+@refusing(Transmission="vstatics.model.transmission")
+@naming
 def cycle(
     case: Transmission,
     trace: str | os.PathLike[str] | Trace,

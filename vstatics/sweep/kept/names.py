@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from vstatics.errors import quoted, typed_number
+from vstatics.errors import nearest, quoted, typed_number
+from vstatics.model.fields import gear_place, numbered_gear
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.evaluation import FUNCTIONS
 from vstatics.readers.expressions.excerpt import Excerpt
@@ -189,7 +190,11 @@ class SweepNames:
             return found[0]
         if found:
             raise self.source.error(several(name, found, names), subscript.at)
-        number = typed_number(written.removeprefix("#"), len(names))
+        number = (
+            gear_place(written, names)
+            if kind == "one"
+            else typed_number(written.removeprefix("#"), len(names))
+        )
         if number is not None:
             return number - 1
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
@@ -201,6 +206,8 @@ class SweepNames:
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
         second = f"; a gear goes in the second place: [:,{written}]"
         hint = second if kind != "one" and name in self.gears else ""
+        if kind == "one":
+            hint = nearest(name, names) + numbered_gear(written, names)
         return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:
