@@ -6,7 +6,7 @@ import time
 from typing import NamedTuple
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import tell_outside
+from vstatics.cli.frame.cases import outside_notes
 from vstatics.cli.frame.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.sweep.estimate import check_room
@@ -128,7 +128,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
             f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} {what} a second"
         )
     if report.outside and not run.quiet:
-        tell_outside(report.outside, run.plan.case, str(output))
+        files.show(outside_notes(report.outside, run.plan.case, str(output)))
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say("no variant has a solution")
