@@ -122,6 +122,8 @@ DOUBTS = {
     "W425": "no power flows through a mechanism by coincidence, on whose direction torques depend",
     "W426": "no torque, or more than one, agrees with losses that depend on speed or torque",
     "W427": "no torque, or more than one, balances the battery of a gear",
+    "W428": "the engine of a driving cycle would turn faster than at its last point",
+    "W429": "the engine of a driving cycle would have to give more than at full load",
     "W501": "a partial frequency that is taken out is near one that is kept",
     "W502": "what a simplified scheme takes no account of",
     "W503": "what is doubtful about the modes of a gear",

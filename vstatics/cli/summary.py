@@ -10,7 +10,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, tell_outside
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, outside_notes
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
@@ -216,7 +216,8 @@ def _summarized(
     if duty is None:
         return summary
     made = duty.of(results)
-    tell_outside(getattr(made, "outside", ()), results.case, outcome.file)
+    notes = outside_notes(getattr(made, "outside", ()), results.case, outcome.file)
+    files.show(outcome.telling._replace(notes=True).printed(notes))
     return summary._replace(cycle=made)
 
 

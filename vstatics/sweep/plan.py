@@ -14,7 +14,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression
-from vstatics.sweep.kept.meanings import Tables
+from vstatics.sweep.kept.meanings import OF_RATIOS, Tables
 from vstatics.sweep.kept.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -133,6 +133,14 @@ class SweepPlan:
         """Whether the results of statics are asked for: unless all that is asked is of modes."""
         tables = {part.table for one in self.expressions for part in one.selections}
         return tables != {OMEGA}
+
+    @property
+    def asked_gears(self) -> list[int]:
+        """Indices of the gears that are asked for: all where a number is of all, or of none."""
+        parts = [part for one in self.expressions for part in one.selections]
+        if not parts or any(part.gear is None or part.table in OF_RATIOS for part in parts):
+            return [*range(len(self.case.gears))]
+        return sorted({part.gear for part in parts if part.gear is not None})
 
     @property
     def modes(self) -> dict[int, list[int]]:

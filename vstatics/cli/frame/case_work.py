@@ -73,7 +73,8 @@ def _shown_of_case(
     if case.results is None:
         return case, None
     try:
-        return case, job.show(case, case.results)
+        shown = job.show(case, case.results)
+        return case.with_told(shown.problems), shown
     except ReadError as error:
         why = error.problems
     except click.BadParameter as error:

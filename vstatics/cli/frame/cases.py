@@ -167,6 +167,10 @@ class CalculatedCase(NamedTuple):
             return True
         return self.telling.fails(self.problems)
 
+    def with_told(self, more: Sequence[Problem]) -> CalculatedCase:
+        """The same, with what is told of what is shown."""
+        return self._replace(problems=[*self.problems, *more])
+
 
 class CaseOptions(NamedTuple):
     """How cases are read and calculated; what is None is as the case says."""
@@ -222,12 +226,12 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
         yield outcome
 
 
-def tell_outside(names: Sequence[str], case: Transmission, file: str) -> None:
-    """Say which laws were asked outside their points, if any and nobody allowed it."""
+def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
+    """Which laws were asked outside their points, if any and nobody allowed it."""
     from vstatics.statics.diagnosis import outside_message
 
-    for one in not_allowed([outside_message(names)] if names else [], case.allow):
-        files.say(f"{file}: {one}")
+    found = not_allowed([outside_message(names)] if names else [], case.allow)
+    return [of_file(one.id, file, one.text) for one in found]
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:

@@ -238,7 +238,7 @@ def _follow(
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
     """Tell and count what becomes of each case, and give its part of a stream, which is kept."""
-    quiet = telling.quiet
+    quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.kept)
         for done in results:

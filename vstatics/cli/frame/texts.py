@@ -17,6 +17,7 @@ from vstatics.tables.grid import Grid
 from vstatics.texts import speaking
 
 if TYPE_CHECKING:
+    from vstatics.errors import Problem
     from vstatics.jobs.finished_cases import FinishedCases
     from vstatics.statics.results import Results
     from vstatics.tables.answer import Answer
@@ -35,6 +36,8 @@ class CaseOutput(NamedTuple):
     """What JSON is made of."""
     lay_out: Callable[[Any], str] | None = None
     """The lines of that in JSON, where they are not those of any data."""
+    problems: Sequence[Problem] = ()
+    """What is to be told of it, besides what is of the case."""
 
 
 class CaseTables(NamedTuple):

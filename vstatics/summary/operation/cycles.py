@@ -32,9 +32,10 @@ def cycle(
     ----------
     case : Transmission
     trace : path-like or Trace
-        CSV with columns time [s], speed [km/h], and perhaps gear and slope.
+        CSV with columns time [s], speed [km/h], and perhaps gear and slope, a sine [-].
     least_speed : float, optional
-        The highest gear in which the engine turns as fast. [rad/s]
+        The highest gear in which the engine turns as fast, else the lowest in which it turns no
+        faster than at its last point. [rad/s]
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     fuel : path-like or FuelMap, optional
@@ -43,7 +44,7 @@ def cycle(
     Returns
     -------
     DriveCycle
-        Energies [J], losses [J], fuel [g], and the steps.
+        Energies [J], losses [J], fuel [g], the steps, and messages: what the engine can't.
 
     Raises
     ------
