@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import Any, Literal, NamedTuple
 
@@ -11,7 +11,7 @@ from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.explain.given import given
 from vstatics.statics.results import Results
-from vstatics.tables.answer import plain_data
+from vstatics.tables.answer import Known, plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
 from vstatics.tables.grids import structural_zeros
 from vstatics.tables.html import shown
@@ -41,8 +41,18 @@ class Blank(NamedTuple):
     """Its key in the JSON of a result."""
     row: str | None
     """Of the table; None where it has one number for each gear."""
-    value: float
+    value: Known
     """As it is there."""
+
+
+class SolvedExercise(NamedTuple):
+    """What an exercise has been solved to."""
+
+    case: Mapping[str, Any]
+    """As a file has it, so that it can be run."""
+    gear: str
+    seed: int | None
+    blanks: Sequence[Blank]
 
 
 class GearExercise(NamedTuple):
@@ -89,12 +99,10 @@ class GearExercise(NamedTuple):
 
     def document(self) -> dict[str, Any]:
         """The solution as plain data; `case` is a case that can be run."""
-        return {
-            "case": result_json.document(self.results)["case"],
-            "gear": self.gear,
-            "seed": self.seed,
-            "blanks": [plain_data(one) for one in self.blanks],
-        }
+        case = result_json.document(self.results)["case"]
+        solved = SolvedExercise(case, self.gear, self.seed, self.blanks)
+        made: dict[str, Any] = plain_data(solved)
+        return made
 
 
 def worksheet(results: Results, index: int, seed: int | None = None) -> GearExercise:
