@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.explain.given import twist_text
+from vstatics.explain.given_parts import twist_text
 from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, SpringLimit
 from vstatics.model.transmission import HOUSING, Transmission
