@@ -164,4 +164,4 @@ def _idle(state: GearState) -> Grid:
         )
         if idle
     ]
-    return grid_of("Signs of idle mechanisms", ["mechanism", "x"], rows, key="idle")
+    return grid_of("Signs of idle mechanisms", ["mechanism", "sign"], rows, key="idle")
