@@ -26,13 +26,13 @@ if TYPE_CHECKING:
 @click.command()
 @arguments.argument
 @arguments.some_gears
-@click.option("--worksheet", is_flag=True, help="An exercise: its numbers are blanks.")
+@click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks.")
 @click.option("--solution", is_flag=True, help="The same exercise with its numbers.")
 @click.option(
     "--seed",
     type=click.IntRange(min=0),
     metavar="N",
-    help="With other teeth and ratios, which can be assembled; the same of the same N.",
+    help="With other teeth, which can be assembled, and ratios; others for each N.",
 )
 @formats.options(*formats.TABLES)
 @arguments.settings

@@ -183,6 +183,8 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
         return ideal, None
     matrix = distribution_matrix(state.case, ratios) + 0.0
     dragging = {link: plain(torque) for link, torque in state.drag.external.items()}
+    signs = signs_of(state)
+    names = names.with_losses([one.sign for one in signs], [one.efficiency for one in signs])
     lossy = torque_system(state.case, state.gear, names, matrix, state.lossy_torques, drag=dragging)
     return ideal, lossy
 

@@ -55,6 +55,8 @@ class Cell(NamedTuple):
     """Whether its text is no name of the case but of this program, which has it in languages."""
     look: str = ""
     """A class that a page gives it besides."""
+    math: str = ""
+    """The same for LaTeX in math mode, if it is a formula."""
 
     @property
     def datum(self) -> Datum:
