@@ -103,6 +103,7 @@ def test_tolerances_that_are_none_are_wrong_use() -> None:
     for number in ("nan", "inf", "-1"):
         for option in ("--rtol", "--atol"):
             assert vstatics("compare", file, file, option, number).status == 2
+        assert vstatics("summary", "neutral.yaml", "--reserve", number).status == 2
         with pytest.raises(ValueError, match="tolerance of compare"):
             library.compare(file, file, rtol=float(number))
 

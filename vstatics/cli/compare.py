@@ -26,9 +26,9 @@ FORMATS = ("text", "markdown", "json", "junit")
 
 
 def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
-    least, is_one = click.FloatRange(min=0), value(tolerance)
+    is_one = value(tolerance)
     return click.option(
-        name, type=least, default=default, show_default=True, callback=is_one, help=says
+        name, type=float, default=default, show_default=True, callback=is_one, help=says
     )
 
 

@@ -38,7 +38,7 @@ def tolerance(number: float) -> float:
     ValueError
     """
     if not 0 <= number < math.inf:
-        raise ValueError(f"{number}, expected a finite number, 0 or more")
+        raise ValueError(f"read {number:g}, expected a finite number of 0 or more")
     return number
 
 
