@@ -166,7 +166,8 @@ def to_stream(
     telling, whole = job.options.telling, not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
     names = {os.path.basename(file) for file in cases}  # noqa: PTH119
-    job = job._replace(folders=len(names) < len({*cases}))
+    are_alike = len(names) < len({*cases})
+    job = job._replace(folders=are_alike and job.to.form in ("json", "jsonl"))
     with ExitStack() as stack:
         parts, done = None, set[str]()
         if whole and job.to.form in STREAMS and len(cases) > 1:
