@@ -16,7 +16,8 @@ from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
 from vstatics.comparison.pairs import content, verdicts_of_directories, verdicts_of_files
 from vstatics.comparison.sweeps import sweep_lines
-from vstatics.comparison.verdicts import Tolerances, Verdict, left_out, tolerance, verdict
+from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.comparison.verdicts import Verdict, verdict
 from vstatics.errors import plural
 from vstatics.tables.answer import plain_data
 from vstatics.tables.written_results import WrittenSweep

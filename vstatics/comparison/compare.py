@@ -13,7 +13,8 @@ from vstatics.comparison.pairs import (
     verdicts_of_directories,
     verdicts_of_files,
 )
-from vstatics.comparison.verdicts import Tolerances, Verdict, left_out, tolerance, verdict
+from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.comparison.verdicts import Verdict, verdict
 from vstatics.statics.results import Results
 
 Compared = str | os.PathLike[str] | Results

@@ -8,7 +8,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
 from vstatics.comparison.sweeps import sweep_places
-from vstatics.comparison.verdicts import CaseVerdict, Tolerances, compared, unreadable
+from vstatics.comparison.tolerances import Tolerances
+from vstatics.comparison.verdicts import CaseVerdict, compared, unreadable
 from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.readers import sweep_tables

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 from vstatics.comparison.case_changes import CaseChange, case_changes
-from vstatics.comparison.numbers import ATOL, RTOL, Difference, differences
+from vstatics.comparison.numbers import Difference, differences
 from vstatics.comparison.steps import step_differences, steps_of
-from vstatics.errors import Problem, ReadError, plural, quoted
+from vstatics.comparison.tolerances import Tolerances
+from vstatics.errors import Problem, plural
 from vstatics.tables.answer import Sometimes, told
-from vstatics.tables.names import quantity_named
 from vstatics.tables.written_results import WrittenResult
 from vstatics.texts import tr
 
@@ -20,48 +20,6 @@ State = Literal["same", "changed", "added", "gone", "unreadable"]
 MAIN = {"ratio": "ratio", "step": "step", "ETA": "efficiency"}
 """Tables that are told first, by what they are called there."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
-
-
-class Tolerances(NamedTuple):
-    """How numbers are compared, and keys of the tables that are not."""
-
-    atol: float = ATOL
-    rtol: float = RTOL
-    leave_out: frozenset[str] = frozenset()
-
-
-def tolerance(number: float) -> float:
-    """A tolerance that can be one.
-
-    Raises
-    ------
-    ValueError
-    """
-    if not 0 <= number < math.inf:
-        raise ValueError(f"read {number:g}, expected a finite number of 0 or more")
-    return number
-
-
-def left_out(names: str | Iterable[str]) -> frozenset[str]:
-    """The keys of tables that are not compared, by a name or several.
-
-    Raises
-    ------
-    ReadError
-        If there is no such table.
-
-    Examples
-    --------
-    >>> sorted(left_out("ratio") | left_out(["losses", "efficiency"]))
-    ['ETA', 'losses', 'ratio']
-    """
-    given = [names] if isinstance(names, str) else names
-    keys = set()
-    for name in given:
-        if "," in name:
-            raise ReadError("E113", f"{quoted(name)} is no table: give each of them by itself")
-        keys.add(quantity_named(name).key)
-    return frozenset(keys)
 
 
 class NumberRecord(NamedTuple):
