@@ -158,6 +158,7 @@ HIGHER.update(
     plot_sweep="vstatics.pictures.sweeps.plotting",
     results_html="vstatics.summary.pretty",
     to_dataframe="vstatics.tables.dataframe",
+    to_json="vstatics.writers.result_json",
     to_xarray="vstatics.tables.dataset",
     with_part_numbers="vstatics.sweep.variants.part_numbers",
 )

@@ -16,7 +16,7 @@ from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
-from vstatics.cli.frame.values import value
+from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
@@ -62,6 +62,7 @@ def _torque(text: str) -> float:
 @click.option(
     "--exponent",
     type=click.FloatRange(min=0, min_open=True, max=100),
+    callback=value(above_0),  # NaN is in every range
     default=3.0,
     show_default=True,
     metavar="P",
@@ -76,6 +77,7 @@ def _torque(text: str) -> float:
 @click.option(
     "--reserve",
     type=click.FloatRange(min=0, min_open=True, max=1e6),
+    callback=value(above_0),
     metavar="FACTOR",
     help="Capacities that shift elements need: the largest torque by so much, 1.2.",
 )

@@ -99,6 +99,24 @@ class Results(PhysicalResults):
         made: xr.Dataset = higher("to_xarray")(self)
         return made
 
+    def to_json(self, file: str = "") -> str:
+        """The text that `vstatics run -f json` writes of one case: a golden result.
+
+        Parameters
+        ----------
+        file : str
+            The file of the case, which stands in it without folders; without one it has none.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()]))
+        >>> results.to_json("cases/pair.yaml").splitlines()[1:4]
+        ['  "format": "vstatics-result",', '  "version": 1,', '  "file": "pair.yaml",']
+        """
+        text: str = higher("to_json")(self, file)
+        return text
+
     def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
         """A picture, which a notebook shows: `vstatics.plot` of these results.
 

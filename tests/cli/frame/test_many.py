@@ -154,6 +154,8 @@ def test_results_of_one_name_are_refused_and_all_pairs_named() -> None:
         "  in/mzkt.yaml is named twice",
         "  in/mzkt.dat and in/mzkt.yaml would both give out/mzkt.lst",
         "  in/neutral.yaml and other/neutral.dat would both give out/neutral.lst",
+        "  cases of one name are told apart by their folders: write all to one file, "
+        "-o all.jsonl, where they keep their folders, or each folder to a directory of its own",
     ]
 
 

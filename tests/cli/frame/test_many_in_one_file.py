@@ -46,6 +46,15 @@ def test_patterns_are_expanded_in_order() -> None:
     assert vstatics("run", "odd[1].dat", "-f", "json").status == 0
 
 
+def test_files_of_one_name_are_told_with_their_folders() -> None:
+    Path("drawer/deep/a.dat").write_text(BAD, encoding="utf-8")
+    names = sorted([*NAMES, "drawer/deep/a.dat"])
+    for form in ("json", "jsonl"):
+        text = vstatics("run", "drawer/**/*.dat", "-f", form).out
+        found = json.loads(text) if form == "json" else map(json.loads, text.splitlines())
+        assert [one["file"] for one in found] == names
+
+
 def test_parquet_has_the_rows_of_csv() -> None:
     """But for those of conventions, which no program needs."""
     cases = ("drawer/**/*.dat", "bad.yaml", "neutral.yaml")

@@ -39,7 +39,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
-            part = texts.among_several(case, shown, job.to)
+            part = texts.among_several(case, shown, job.to, folders=job.folders)
             is_kept = job.marked and not case.failed
             mark = case_mark(case.data, _beside(case)) if is_kept else None
             return Done(file, problems, case.failed, part, mark=mark)

@@ -165,6 +165,9 @@ def to_stream(
     """
     telling, whole = job.options.telling, not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
+    names = {os.path.basename(file) for file in cases}  # noqa: PTH119
+    are_alike = len(names) < len({*cases})
+    job = job._replace(folders=are_alike and job.to.form in ("json", "jsonl"))
     with ExitStack() as stack:
         parts, done = None, set[str]()
         if whole and job.to.form in STREAMS and len(cases) > 1:
@@ -282,4 +285,5 @@ def _depends(job: Job) -> dict[str, object]:
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,
+        "files with folders": job.folders or None,
     }

@@ -84,11 +84,19 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
     return [_bytes(made, to)] if isinstance(made, str | bytes) else made
 
 
-def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destination) -> Part:
-    """What a stream has of a case among several; one that failed is in JSON only."""
+def among_several(
+    outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
+) -> Part:
+    """What a stream has of a case among several; one that failed is in JSON only.
+
+    Parameters
+    ----------
+    folders : bool
+        Whether JSON tells the file with its folders.
+    """
     file = outcome.file
     if to.form in ("json", "jsonl"):
-        text = _json(file, shown or _failed(outcome), to)
+        text = _json(file, shown or _failed(outcome), to, folders=folders)
         return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
@@ -161,12 +169,12 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
             yield _bytes("\n" * bool(number) + made, to)
 
 
-def _json(file: str, shown: CaseOutput, to: Destination) -> str:
+def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
     """A case in JSON, on several lines or on one, with its end."""
     from vstatics.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
-    document = with_file(shown.answer(), file)
+    document = with_file(shown.answer(), file, folders=folders)
     if to.form == "json" and shown.lay_out:
         return shown.lay_out(document) + "\n"
     return as_json(document, to.form)
@@ -192,3 +200,5 @@ class Job(NamedTuple):
     """Of the directory that results go to, if they do."""
     marked: bool = False
     """Whether parts of a stream tell of which case they are."""
+    folders: bool = False
+    """Whether JSON tells files with their folders, as without them some are alike."""
