@@ -1,5 +1,7 @@
 """What Sphinx is told of the site; nothing in it comes from a network, nor is read from one."""
 
+from sphinx.application import Sphinx
+
 from vstatics import __version__
 
 project = "vstatics"
@@ -23,3 +25,19 @@ suppress_warnings = [
     "misc.highlighting_failure",
     "ref.python",
 ]  # a shell within a shell; a word as a name
+
+
+def setup(app: Sphinx) -> None:
+    """What else is done with docstrings."""
+    app.connect("autodoc-process-docstring", _no_type_before_colon, priority=400)
+
+
+def _no_type_before_colon(
+    app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]
+) -> None:
+    """Napoleon takes what stands before a colon in the first line of an attribute for its type.
+
+    Here it is never that, as types are annotated: an empty comment is the first line.
+    """
+    if what in {"attribute", "data", "property"}:
+        lines[:0] = ["..", ""]

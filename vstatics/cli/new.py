@@ -20,14 +20,14 @@ TEMPLATES = (
     "stepped",
     "ravigneaux",
     "planet_group",
-    "simpson",
+    "simpson_train",
     "lepelletier",
     "countershaft",
     "drive_axle",
-    "power_split",
+    "input_split",
     "worm",
 )
-"""Their names, the simplest first."""
+"""Their names, the simplest first; none is that of a shipped case, `_` and `-` being one sign."""
 
 
 def template(name: str) -> str:
@@ -44,8 +44,14 @@ def template(name: str) -> str:
 
 
 def _known(name: str) -> str:
-    """The name of a template or an example, or wrong use that tells the nearest."""
+    """The name of a template or an example, or wrong use that tells the nearest.
+
+    >>> _known("drive-axle"), _known("power_split")
+    ('drive_axle', 'power-split')
+    """
     known = [*TEMPLATES, *example_files()]
+    alike = {one.replace("_", "-"): one for one in known}
+    name = alike.get(name.replace("_", "-"), name)
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)
         raise ValueError(

@@ -28,8 +28,7 @@ from vstatics.report.parts import (
 from vstatics.report.sheets import flow_sheets
 from vstatics.report.tools.marks import marked_links
 from vstatics.report.vibration import shown_vibration
-from vstatics.summary.grids import WITH_LOAD, Marks, element_signs
-from vstatics.summary.grids import grids as summary_grids
+from vstatics.summary.grids import WITH_LOAD, Marks, element_signs, summary_grids
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results, without_missing, without_zeros
 from vstatics.tables.html import Markup, table, tables, tag, terms

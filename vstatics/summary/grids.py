@@ -28,7 +28,7 @@ class Marks(NamedTuple):
     open: str = NO
 
 
-def grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
+def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
     """All tables of a summary; those that would be empty are left out.
 
     What was asked for and gave nothing stays, without rows and columns.

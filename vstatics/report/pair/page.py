@@ -25,7 +25,7 @@ from vstatics.report.sections import Part, gears_grid
 from vstatics.report.tools import toolbar
 from vstatics.report.tools.marks import RELATIVE
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall
-from vstatics.summary.grids import grids as summary_grids
+from vstatics.summary.grids import summary_grids
 from vstatics.tables.grid import Cell, Grid, grid_of, text
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, joined, table, tables, tag, terms
