@@ -1,5 +1,7 @@
 """What Sphinx is told of the site; nothing in it comes from a network, nor is read from one."""
 
+from typing import Any
+
 from sphinx.application import Sphinx
 
 from vstatics import __version__
@@ -32,12 +34,11 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", _no_type_before_colon, priority=400)
 
 
-def _no_type_before_colon(
-    app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]
-) -> None:
+def _no_type_before_colon(_: Sphinx, what: str, *named: Any) -> None:
     """Napoleon takes what stands before a colon in the first line of an attribute for its type.
 
     Here it is never that, as types are annotated: an empty comment is the first line.
     """
+    *_others, lines = named
     if what in {"attribute", "data", "property"}:
         lines[:0] = ["..", ""]
