@@ -12,7 +12,7 @@ import yaml
 
 import vstatics
 from vstatics.examples import example_files
-from website.documents import gallery_name
+from website.documents import case_of, gallery_name
 from website.page import Page, escaped
 
 OF_CASE = {"stick": "Stick diagram", "structure": "Structure", "lever": "Levers"}
@@ -86,11 +86,11 @@ def _of_run(name: str, path: str, folder: Path) -> Exhibit:
     vstatics.plot(results, "shift", motion=motion).save(folder / picture)
     lines = _head(title, *(str(told.get(key, "")) for key in ("description", "source")))
     lines += ["## The run", "", f"![The run of {escaped(title)}]({picture})", ""]
-    case = Path(told["case"]).stem
+    case = case_of(name)
     lines += _file(
         path,
         f"vstatics new {case}.yaml -t {case}",
-        f"mkdir -p {Path(name).parent} && vstatics new {name}.yaml -t {name}",
+        f"vstatics new {name}.yaml -t {name}",
         f"vstatics simulate {name}.yaml",
     )
     return Exhibit(_page(page, lines), title, picture)

@@ -132,7 +132,7 @@ TERMS = {
     r"\bsuns?\b": ("Sonnenr", "солнечн"),
     r"\brings?\b": ("Hohlr", "эпицикл"),
     r"\bcarriers?\b": ("Steg", "водил"),
-    r"\bplanets?\b|^(short|long)$": ("Planet", "сат(еллит|\.)"),
+    r"\bplanets?\b|^(short|long)$": ("Planet", r"сат(еллит|\.)"),
     r"\bfreewheels?\b": ("Freil", "муфт.* своб"),
     r"\bhousing\b": ("Gehäuse", "корпус"),
     r"\bshift elements?\b": ("Schaltelement", "элемент.* управления"),
