@@ -156,6 +156,27 @@ def test_a_notebook_shows_the_table_of_the_gears_escaped() -> None:
     assert "<b>" not in many._repr_html_()
 
 
+def test_a_notebook_shows_what_is_told_of_gears_escaped() -> None:
+    """Tables in place of all that the values hold; their names stay names."""
+    case = vstatics.load(BOX)
+    evil = case.replace(gears=[case.gears[0]._replace(name="<b>"), *case.gears[1:]])
+    results = vstatics.solve(evil)
+    summary, flow = vstatics.summarize(results), vstatics.flows(results)[0]
+    explained = vstatics.explain_gear(results, 1)
+    assert flow.shown is not None
+    for one, number in (
+        (summary, summary.design.spread),
+        (flow, flow.shown.leaving),
+        (explained, explained.ratio),
+    ):
+        shown = one._repr_html_()
+        assert shown.count("<tr>") > 4
+        assert f"{number:.3f}" in shown
+        assert "<b>" not in shown
+        assert len(repr(one)) < 200
+        assert f"{number:.4g}" in repr(one)
+
+
 @pytest.fixture(scope="module")
 def stopped() -> vstatics.Motion:
     """A wheel of 2 kg*m^2 at 10 rad/s, which a brake of 40 N*m stops in 0.5 s: 100 J."""

@@ -148,6 +148,8 @@ _LATER = {
 HIGHER.update(
     box_grids="vstatics.synthesis.boxes.grids",
     by_name="vstatics.tables.names",
+    explanation_grids="vstatics.explain.grids",
+    flow_grids="vstatics.flow.rows",
     from_dict="vstatics.readers",
     modes_grids="vstatics.torsion.vibration.grids",
     motion_grids="vstatics.simulation.record.grids",
@@ -157,6 +159,7 @@ HIGHER.update(
     plot_motion="vstatics.pictures.plotting",
     plot_sweep="vstatics.pictures.sweeps.plotting",
     results_html="vstatics.summary.pretty",
+    summary_grids="vstatics.summary.grids",
     to_dataframe="vstatics.tables.dataframe",
     to_json="vstatics.writers.result_json",
     to_xarray="vstatics.tables.dataset",

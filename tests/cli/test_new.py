@@ -9,6 +9,7 @@ import pytest
 
 from tests.commands import vstatics
 from vstatics.cli.new import TEMPLATES, template
+from vstatics.examples import example_files
 
 
 @pytest.mark.parametrize("name", [*TEMPLATES])
@@ -21,6 +22,15 @@ def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
     document = json.loads(said.out)
     assert not any(ratio is None for ratio in document["ratio"])
     assert document["case"]["elements"]
+
+
+def test_a_name_means_one_file() -> None:
+    """A template does not hide a case of the gallery; the signs between words are one."""
+    shipped = {name.replace("-", "_") for name in example_files()}
+    assert shipped.isdisjoint(TEMPLATES)
+    for name in ("simpson", "power-split", "power_split"):
+        file = example_files()[name.replace("_", "-")]
+        assert vstatics("new", "-t", name).out.encode() == file.data()
 
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:

@@ -120,9 +120,9 @@ def _shown(
         return text.write(explanations, style.digits)
 
     def grids() -> Iterable[Grid]:
-        from vstatics.explain.grids import grids
+        from vstatics.explain.grids import explanation_grids
 
-        return grids(explanations)
+        return explanation_grids(explanations)
 
     def answer() -> ExplanationAnswer:
         from vstatics.explain.answer import ExplanationAnswer

@@ -232,9 +232,9 @@ def _shown(
     summary = summarized(outcome, results)
 
     def tables() -> Iterable[Grid]:
-        from vstatics.summary.grids import grids
+        from vstatics.summary.grids import summary_grids
 
-        return grids(summary)
+        return summary_grids(summary)
 
     def answer() -> SummaryAnswer:
         from vstatics.summary.answer import summary_answer

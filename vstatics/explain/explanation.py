@@ -17,6 +17,7 @@ from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
 from vstatics.explain.sums import System
+from vstatics.extras import higher
 from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
@@ -27,6 +28,7 @@ from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.answer import Known, Words, schema
+from vstatics.tables.html import shown
 
 
 class Together(NamedTuple):
@@ -80,6 +82,15 @@ class Explanation(NamedTuple):
     """[-]"""
     messages: Sequence[str]
     """What was noticed in this gear."""
+
+    def __repr__(self) -> str:
+        """Of which gear, its ratio; not all its equations."""
+        told = f" = {self.formula.text}" if self.formula else ""
+        return f"<Explanation {self.gear!r}: ratio {self.ratio:.4g}{told}>"
+
+    def _repr_html_(self) -> str:
+        """Its matrix, equations, solution and ratio, for a notebook."""
+        return shown(higher("explanation_grids")([self]))
 
 
 @refusing()

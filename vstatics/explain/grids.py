@@ -11,7 +11,7 @@ from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole, wor
 from vstatics.texts import tr
 
 
-def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
+def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     """The tables of gears; those of a gear share a sheet.
 
     Examples
@@ -19,7 +19,8 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.explain import explain_gear
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> [table.title.partition(": ")[2] for table in grids([explain_gear(solve(case), 1)])]
+    >>> tables = explanation_grids([explain_gear(solve(case), 1)])
+    >>> [table.title.partition(": ")[2] for table in tables]
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
     for one in explained:

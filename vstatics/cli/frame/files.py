@@ -41,7 +41,7 @@ def read_input(file: str) -> tuple[bytes, str]:
             return sys.stdin.buffer.read(), name
         reason = CLOSED
     except FileNotFoundError as error:
-        reason = f"{error.strerror}{_nearest_file(file)}"
+        reason = f"{error.strerror}{_nearest_file(file)}{_shipped(file)}"
     except IsADirectoryError as error:
         pattern = os.path.join(file, "**", "*.yaml")  # noqa: PTH118
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
@@ -90,6 +90,15 @@ def _nearest_file(file: str) -> str:
 
 def _stem(name: str) -> str:
     return os.path.splitext(name)[0].casefold()  # noqa: PTH122
+
+
+def _shipped(file: str) -> str:
+    """How one gets a file that comes with the program, if this is the name of one."""
+    from vstatics.examples import example_files
+
+    path = os.path.splitext(file)[0].replace(os.sep, "/")  # noqa: PTH122
+    name = path.removeprefix("cases/")
+    return f"; `vstatics new {file} -t {name}` copies it" if name in example_files() else ""
 
 
 def show(problems: Iterable[Problem]) -> None:

@@ -20,12 +20,12 @@ from vstatics.report.overview import alerts
 from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, in_spoken, inline
 from vstatics.report.pair.paged import PagedCase, merged_tables
 from vstatics.report.pair.runs import runs
-from vstatics.report.parts import figures
+from vstatics.report.parts import conventions, figures
 from vstatics.report.sections import Part, gears_grid
 from vstatics.report.tools import toolbar
 from vstatics.report.tools.marks import RELATIVE
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall
-from vstatics.summary.grids import grids as summary_grids
+from vstatics.summary.grids import summary_grids
 from vstatics.tables.grid import Cell, Grid, grid_of, text
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, joined, table, tables, tag, terms
@@ -99,12 +99,7 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
         SECTIONS["largest"]: tables(of(LARGEST)),
         SECTIONS["shifts"]: tables(of(OF_SHIFTS)),
         SECTIONS["tables"]: tables([*of(others), *_results(both)]),
-        SECTIONS["conventions"]: [
-            terms(
-                (tr(name.replace("_", " ")), tr(said))
-                for name, said in both[0].material.document["conventions"].items()
-            )
-        ],
+        SECTIONS["conventions"]: [conventions(both[0].material.document["conventions"])],
     }
 
 
