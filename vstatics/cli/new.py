@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from importlib import resources
 
 import click
@@ -76,14 +75,12 @@ def new(target: str, name: str) -> None:
       vstatics run gearbox.yaml
 
     A file that is there already is left as it is, and the exit status is 1. A scenario,
-    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, which is copied likewise.
+    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
+    second command writes: vstatics new ../tarasik-box.yaml -t tarasik-box
     """
     kind = format_of_name(target)
     if kind not in (None, "yaml"):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
         raise ReadError([of_file("E015", target, message)])
-    if target != STDOUT and os.path.lexists(target):
-        raise ReadError(
-            [of_file("E016", target, "is there already; expected the name of a new file")]
-        )
+    files.refuse_existing(target)
     files.write_output(template(name), target)
