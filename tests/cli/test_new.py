@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -41,3 +43,15 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
     assert "is there already" in said.err
     said = vstatics("new", "--template", "ravigneau")
     assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
+
+
+def test_a_scenario_that_lacks_its_case_tells_how_to_write_it(tmp_path: Path) -> None:
+    folder = tmp_path / "runs"
+    folder.mkdir()
+    file = folder / "up.yaml"
+    assert vstatics("new", file, "-t", "scenarios/tarasik-box").status == 0
+    said = vstatics("check", file)
+    assert said.status == 1
+    (command,) = re.findall(r"`vstatics (new [^`]*)`", said.err)
+    assert vstatics(*shlex.split(command)).status == 0
+    assert vstatics("check", file) == (0, f"{file}: 6 s, 4 controls, 2 torques\n", "")

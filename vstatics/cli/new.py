@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from importlib import resources
 
 import click
@@ -38,8 +37,8 @@ def template(name: str, suffix: str = ".yaml") -> str:
     """
     if name not in TEMPLATES:
         file = example_file(name)
-        other = os.path.splitext(file.path)[0] + suffix  # noqa: PTH122
-        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()  # noqa: PTH110
+        other = os.path.splitext(file.path)[0] + suffix
+        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()
     return (resources.files("vstatics.cli") / "templates" / f"{name}.yaml").read_text(
         encoding="utf-8"
     )
@@ -88,17 +87,15 @@ def new(target: str, name: str) -> None:
     Folders of FILE that are missing are made.
 
     A file that is there already is left as it is, and the exit status is 1. A scenario,
-    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, which is copied likewise.
+    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
+    second command writes: vstatics new ../tarasik-box.yaml -t tarasik-box
     """
     kind = format_of_name(target)
-    text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
+    text = template(name, os.path.splitext(target)[1])
     if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
         raise ReadError([of_file("E015", target, message)])
-    if target != STDOUT and os.path.lexists(target):
-        raise ReadError(
-            [of_file("E016", target, "is there already; expected the name of a new file")]
-        )
-    if folder := os.path.dirname(target):  # noqa: PTH120
-        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+    files.refuse_existing(target)
+    if folder := os.path.dirname(target):
+        os.makedirs(folder, exist_ok=True)
     files.write_output(text, target)

@@ -18,7 +18,7 @@ from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
-from vstatics.statics import digits, freewheels, ideal, matrix, torques
+from vstatics.statics import carried, digits, freewheels, ideal, matrix, torques
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -64,6 +64,7 @@ def _messages(results: Results) -> Iterator[Message]:
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag
+    above = list(carried.overloads(results))
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):
@@ -78,6 +79,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
             *_outside_messages(results, number, gear),
+            *(Said("W430", text) for index, text in above if index == number),
         )
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)

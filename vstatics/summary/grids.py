@@ -248,7 +248,13 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     yield grid_of("Duty cycle", ["", f"energy, {unit}"], rows, key="duty")
     members = [
         (
-            *(name, one.torque.largest, one.torque.row, one.speed.largest, one.speed.row),
+            *(
+                name,
+                one.torque.largest,
+                one.torque.row or math.nan,
+                one.speed.largest,
+                one.speed.row,
+            ),
             *(one.revolutions, one.equivalent_torque),
         )
         for name, one in cycle.members.items()

@@ -212,6 +212,9 @@ def test_a_dry_run_says_how_many() -> None:
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
+    said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
+    assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
+    assert not Path("found").exists()
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:

@@ -151,6 +151,18 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
                 raise click.UsageError(f"{message}; expected another output")
 
 
+def refuse_existing(output: str) -> None:
+    """Refuse to write a case over a file, which may have been edited; streams are none.
+
+    Raises
+    ------
+    ReadError
+    """
+    if not is_stream(output) and os.path.lexists(output):
+        message = "is there already; expected the name of a new file"
+        raise ReadError([of_file("E016", output, message)])
+
+
 def write_output(text: str, output: str | None) -> None:
     """Write to a file, whole or not at all, or to stdout; always in UTF-8.
 
