@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from importlib import resources
 
 import click
@@ -37,8 +38,8 @@ def template(name: str, suffix: str = ".yaml") -> str:
     """
     if name not in TEMPLATES:
         file = example_file(name)
-        other = os.path.splitext(file.path)[0] + suffix
-        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()
+        other = os.path.splitext(file.path)[0] + suffix  # noqa: PTH122
+        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()  # noqa: PTH110
     return (resources.files("vstatics.cli") / "templates" / f"{name}.yaml").read_text(
         encoding="utf-8"
     )
@@ -91,11 +92,11 @@ def new(target: str, name: str) -> None:
     second command writes: vstatics new ../tarasik-box.yaml -t tarasik-box
     """
     kind = format_of_name(target)
-    text = template(name, os.path.splitext(target)[1])
+    text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
     if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
         raise ReadError([of_file("E015", target, message)])
     files.refuse_existing(target)
-    if folder := os.path.dirname(target):
-        os.makedirs(folder, exist_ok=True)
+    if folder := os.path.dirname(target):  # noqa: PTH120
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
     files.write_output(text, target)
