@@ -54,6 +54,7 @@ def words_of(page: str) -> str:
     """What a page shows or tells those who do not see it; formulas stand in `pre`."""
     body = page[page.index("<body") :]
     body = re.sub(r"<script.*?</script>", "", body, flags=re.DOTALL)
+    body = re.sub(r'<li class="(error|warning|note)">.*?</li>', "", body)  # messages
     found = re.findall(r'(?<=>)[^<>]+(?=<)|(?<=aria-label=")[^"]+|(?<= title=")[^"]+', body)
     told = (one for one in found if "не нарисовано" not in one)  # what follows is a message
     return html.unescape("\n".join(told))

@@ -186,6 +186,11 @@ class CaseOptions(NamedTuple):
     of_vibration: bool = False
     """Whether vibration is shown, in which a converter without a speed ratio is open."""
 
+    @property
+    def on_page(self) -> CaseOptions:
+        """The same where a page tells notes, which are not printed."""
+        return self._replace(telling=self.telling._replace(notes=True, on_page=True))
+
 
 telling = gathered("telling", Telling, quiet, strict, allow)
 """The options of what is printed and what fails."""

@@ -19,6 +19,8 @@ class Telling(NamedTuple):
     """Whether warnings make the command fail."""
     notes: bool = False
     """Whether notes are told, as `vstatics check` does."""
+    on_page: bool = False
+    """Whether a page tells them alone, and nothing is printed."""
     each_gear: bool = False
     """Whether one text about several gears is told of each, at its place."""
 
@@ -32,7 +34,10 @@ class Telling(NamedTuple):
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
         """Those of them that go to stderr."""
-        return [one for one in self.told(problems) if not self.quiet or one.severity == "error"]
+        found = self.told(problems)
+        if self.quiet:
+            return [one for one in found if one.severity == "error"]
+        return [one for one in found if not self.on_page or one.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
         """That a case fails by warnings, where these are not printed."""

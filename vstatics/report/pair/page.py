@@ -35,6 +35,8 @@ ON_ONE_SCALE = ("steps", "efficiency")
 """Pictures of both that have a scale in common."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
+SIGN = "Changes are by the size of A: below 0 where a number falls, so where a negative one grows."
+"""What the sign of a change means, as in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) -> str:
@@ -130,6 +132,7 @@ def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Marku
     said = verdict.headline.removeprefix(f"{verdict.name}: ")
     yield tag("p", f"{said[:1].upper()}{said[1:]}.", class_="verdict")
     yield table(merged_tables(both, [_figures(one.material) for one in both]), headed=False)
+    yield tag("p", tr(SIGN), class_="note")
     for one in both:
         if one.material.messages:
             yield tag("h3", tr("Messages of {case}", case=one.label))
