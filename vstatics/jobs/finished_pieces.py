@@ -22,7 +22,7 @@ from vstatics.jobs.piece_file import ASSEMBLED, Account, read_account
 SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
-CASE = "the case or a file that it names"
+CASE = "the case, a file that it names, or an option"
 """What is changed where nothing else is told of."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
 """What another build may have otherwise for the same work."""
