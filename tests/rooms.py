@@ -21,8 +21,8 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     "start",
     "errors",
-    "arguments",
     "extras",
+    "arguments",
     "texts",
     "numerics",
     "model",

@@ -139,6 +139,13 @@ def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder() -> None:
     assert (far.status, "did you mean" in far.err) == (1, False)
 
 
+def test_a_link_to_what_is_not_there_is_no_misspelling(tmp_path: Path) -> None:
+    link = tmp_path / "box.yaml"
+    link.symlink_to("gone.yaml")
+    said = vstatics("check", link)
+    assert "it is a link to gone.yaml, which is not there" in said.err
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [
@@ -152,3 +159,10 @@ def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder() -> None:
 def test_wrong_use_is_told_by_the_option_that_was_typed(line: str, words: str) -> None:
     said = vstatics(*line.replace("differential.yaml", str(CASES / "differential.yaml")).split())
     assert (said.status, words in said.err) == (2, True)
+
+
+@pytest.mark.parametrize("group", [[], ["torsion"], ["damage"], ["synth"]])
+def test_a_group_alone_shows_its_help(group: list[str]) -> None:
+    said = vstatics(*group)
+    assert (said.status, said.out) == (2, "")
+    assert said.err == vstatics(*group, "--help").out

@@ -16,6 +16,7 @@ from typing import Any, ParamSpec, TypeVar
 from vstatics.arguments.types import fits, hints
 from vstatics.arguments.words import expected, is_no_choice, type_and_value
 from vstatics.errors import CaseError, listed, nearest
+from vstatics.extras import needed
 
 __all__ = ["naming", "refusing", "type_and_value"]
 
@@ -65,7 +66,10 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
                     read = f" of {what}:" if name == names[0] else f": `{name}` is {what},"
                     wrong = ValueError if is_no_choice(given, known[name]) else TypeError
                     raise wrong(f"{function.__name__}{read} {expected(given, known[name])}")
-            return function(*args, **kwargs)
+            try:
+                return function(*args, **kwargs)
+            except ImportError as error:
+                raise needed(error, function.__name__, function.__module__) from None
 
         return refused
 

@@ -8,6 +8,7 @@ from importlib import resources
 import click
 
 from vstatics.cli.frame import files
+from vstatics.cli.frame.options import completing
 from vstatics.cli.frame.values import value
 from vstatics.errors import ReadError, nearest, of_file
 from vstatics.examples import example_file, example_files
@@ -72,6 +73,7 @@ def _known(name: str) -> str:
     default=TEMPLATES[0],
     show_default=True,
     callback=value(_known),
+    shell_complete=completing(lambda: [*TEMPLATES, *example_files()]),
     help=f"One of {', '.join(TEMPLATES)}; or a shipped case by its name, as zf-8hp70.",
 )
 def new(target: str, name: str) -> None:

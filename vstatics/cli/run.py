@@ -36,7 +36,7 @@ MANY = 100
     "--files-from",
     type=click.Path(),
     metavar="FILE",
-    help="More cases: one a line, or ended by NUL; - is standard input.",
+    help="More cases: one a line, # begins a comment; or ended by NUL; - is standard input.",
 )
 @click.option(
     "-j",
@@ -189,7 +189,8 @@ def _frame() -> texts.Frame:
     """Around the rows of several results in CSV."""
     from vstatics.writers import result_csv
 
-    return texts.Frame(result_csv.head(several=True), "", result_csv.tail(several=True))
+    head, tail = result_csv.head(several=True), result_csv.tail(several=True)
+    return texts.Frame(head, "", tail, head + tail)
 
 
 def _pretty(

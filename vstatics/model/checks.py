@@ -150,7 +150,7 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
         message = (
             f"shares a wheel and the carrier with {other}: if they share planets too, the "
             "losses of this form are not exact; give the set as an element, or each mesh as a "
-            "mechanism (docs/elements.md)"
+            "mechanism (example: `vstatics check --explain N202`)"
         )
         yield Problem("N202", message, ("mechanisms", number))
 

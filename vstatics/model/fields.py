@@ -87,11 +87,18 @@ class TransmissionFields:
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None
+    hushed: Sequence[str] = field(default=(), repr=False, compare=False)
+    """Ids that whoever asks wants to hear nothing of: no part of the case, and written nowhere."""
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 
     def __post_init__(self) -> None:
         """Nothing is checked here, but by `Transmission`."""
+
+    @property
+    def untold(self) -> Sequence[str]:
+        """Ids of messages that are not told: what the case allows, and who asks."""
+        return (*self.allow, *self.hushed)
 
     @property
     def main_output(self) -> int:

@@ -53,7 +53,7 @@ def given_conditions(gear: Gear) -> int:
 
 def messages(results: Results) -> list[Message]:
     """What is worth saying about the results of one case, but for what it allows."""
-    return not_allowed(_messages(results), results.case.allow)
+    return not_allowed(_messages(results), results.case.untold)
 
 
 def _messages(results: Results) -> Iterator[Message]:

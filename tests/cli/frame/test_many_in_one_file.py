@@ -176,3 +176,23 @@ def test_many_cases_are_shared_by_all_cores(
     assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl").status == 0
     assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl", "-j", 3).status == 0
     assert asked == [jobs, 3]
+
+
+def test_a_table_of_nothing_has_its_headings() -> None:
+    """Of no case at all, and where all cases failed: whoever reads it finds no rows."""
+    Path("cut.dat").write_text("KJG= 3", encoding="utf-8")
+    failed = vstatics("run", "cut.dat", "cut.dat", "-q", "-o", "all.csv")
+    assert (failed.status, "0 of 2 cases calculated, 2 failed:" in failed.err) == (1, True)
+    none = vstatics("run", "--files-from", "-", "-f", "csv", stdin=b"# none\n")
+    assert (none.status, none.out) == (0, Path("all.csv").read_text("utf-8"))
+    assert none.out.startswith("case,table,row,gear,value\n")
+    assert vstatics("run", "--files-from", "-", "-f", "json").out == "[]\n"
+
+
+def test_a_file_that_a_pattern_finds_is_there_once() -> None:
+    named = ["./drawer/deep/c.dat", "drawer/deep/?.dat", "drawer/**/*.dat", "drawer/a.dat"]
+    said = vstatics("run", *named, "-q", "-f", "csv")
+    cases = dict.fromkeys(row["case"] for row in csv.DictReader(io.StringIO(said.out)))
+    assert [*filter(None, cases)] == ["./drawer/deep/c.dat", "drawer/deep/b.dat", "drawer/a.dat"]
+    ratios = said.out.count("drawer/a.dat,ratio,")
+    assert ratios == vstatics("run", "drawer/a.dat", "-f", "csv").out.count("\nratio,")

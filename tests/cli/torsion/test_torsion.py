@@ -286,7 +286,7 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict() -> None:
         assert answer.status == status, options
         assert ("lost has neither an inertia nor a device" in answer.err) is is_told, options
         assert answer.out == said("modes", text=text).out
-    quiet = "<stdin>: error: 1 warning, which --strict makes fail; without -q it is told\n"
+    quiet = "<stdin>: error: 1 warning (W503), which --strict makes fail; without -q it is told\n"
     assert said("modes", "-q", "--strict", text=text).err == quiet
 
 

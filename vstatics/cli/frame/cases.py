@@ -12,11 +12,12 @@ from click.core import ParameterSource
 from vstatics import readers
 from vstatics.checking import located_messages
 from vstatics.cli.frame import documents, files
-from vstatics.cli.frame.options import Command, gathered
+from vstatics.cli.frame.options import Command, completing, gathered
 from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
-from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.extras import broken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.model.checks import hints
 from vstatics.model.open_converters import with_needed_ratios
@@ -71,7 +72,8 @@ allow = click.option(
     multiple=True,
     metavar="ID",
     callback=value(allowable),
-    help="A warning or note that is not told, as W201; may be given several times.",
+    shell_complete=completing(lambda: DOUBTS),
+    help="Warnings or notes that are not told, as W201 or W201,N318; may be given several times.",
 )
 some_gears = click.option(
     "--gear",
@@ -235,7 +237,7 @@ def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[P
     """Which laws were asked outside their points, if any and nobody allowed it."""
     from vstatics.statics.diagnosis import outside_message
 
-    found = not_allowed([outside_message(names)] if names else [], case.allow)
+    found = not_allowed([outside_message(names)] if names else [], case.untold)
     return [of_file(one.id, file, one.text) for one in found]
 
 
@@ -276,7 +278,7 @@ def calculate_one(
         found = located_messages(reading, results, each_gear=each)
         if settings.of_runs and scenario is not None:
             found = (one._replace(id="N004") for one in found)
-        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
+        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
     except ReadError as error:
         taken = ["scenario"] * settings.scenarios
         no_case = documents.no_case(data, name, taken)
@@ -322,7 +324,12 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """The problem that the program itself has a fault, with the line to look at."""
+    """The problem that the program itself has a fault, with the line to look at.
+
+    A package that can't be imported is none of it.
+    """
+    if why := broken(error):
+        return of_file("E014", name, why)
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next

@@ -46,6 +46,12 @@ def _is_sweep(data: bytes, _name: str) -> bool:
     return is_sweep(data)
 
 
+def _is_sweep_file(data: bytes, name: str) -> bool:
+    from vstatics.sweep.file import is_sweep_file
+
+    return is_sweep_file(data, name)
+
+
 KINDS = {
     "boxes": DocumentKind(
         b'"searched"',
@@ -57,6 +63,11 @@ KINDS = {
         b"duration",
         _is_scenario,
         "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
+    ),
+    "sweep file": DocumentKind(
+        b"case",
+        _is_sweep_file,
+        "this is a sweep file, expected a case; `vstatics sweep --file` takes it",
     ),
     "sweep": DocumentKind(b"", _is_sweep),
 }

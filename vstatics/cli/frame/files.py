@@ -80,6 +80,8 @@ def _nearest_file(file: str) -> str:
         with os.scandir(folder or os.curdir) as entries:
             some = itertools.islice(entries, MOST_SEARCHED)
             stems = {one.name: _stem(one.name) for one in some if one.is_file()}
+        if os.path.islink(file):  # noqa: PTH114
+            return f"; it is a link to {os.readlink(file)}, which is not there"  # noqa: PTH115
     except OSError:
         return ""
     asked = _stem(name)
@@ -245,17 +247,22 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 def read_names(file: str) -> list[str]:
     r"""The names in a list of files: one a line, or ended by NUL as `find -print0` does.
 
+    Lines are taken without blanks around them; what is empty or begins with # names nothing.
+
     Raises
     ------
     ReadError
-        If the list cannot be read, or names nothing.
+        If the list cannot be read.
     """
     data, name = read_input(file)
     data = data.removeprefix(b"\xef\xbb\xbf")
-    ended = data.split(b"\0") if b"\0" in data else data.replace(b"\r\n", b"\n").split(b"\n")
-    names = [os.fsdecode(one) for one in ended if one]
+    if b"\0" in data:
+        named = data.split(b"\0")
+    else:
+        named = [line.strip() for line in data.split(b"\n") if not line.lstrip().startswith(b"#")]
+    names = [os.fsdecode(one) for one in named if one]
     if not names:
-        raise ReadError([of_file("E007", name, "names no file, expected one a line")])
+        say(f"{name}: names no file")
     return names
 
 

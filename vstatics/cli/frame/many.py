@@ -36,12 +36,17 @@ class _Count:
         """Begin with the cases that need not be calculated again."""
         self.total, self.kept = total, kept
         self.done = kept
+        self.calculated = kept
+        self.doubtful = 0
+        """So many have results, and yet fail."""
         self.failures: list[str] = []
         """A line for each case that failed."""
 
     def add(self, done: Done) -> None:
         """Count a case."""
         self.done += 1
+        self.calculated += done.has_result
+        self.doubtful += done.has_result and done.failed
         if done.failed:
             self.failures.append(_failure(done))
 
@@ -50,15 +55,18 @@ class _Count:
         """The exit status."""
         return FAILED if self.failures else DONE
 
-    def summary(self, *, quiet: bool) -> None:
+    def summary(self, *, quiet: bool, strict: bool) -> None:
         """Say what became of the cases; quietly, where one failed."""
         if quiet and not self.failures:
             return
-        line = f"{self.done - len(self.failures)} of {self.total} cases calculated"
+        line = f"{self.calculated} of {self.total} cases calculated"
         if self.kept:
             line += f" ({self.kept} of them before)"
-        if self.failures:
-            line += f", {len(self.failures)} failed:"
+        if self.doubtful:
+            line += f", {self.doubtful} with errors{' or warnings' * strict}"
+        if without := len(self.failures) - self.doubtful:
+            line += f", {without} failed"
+        line += ":" * bool(self.failures)
         for sentence in (line, *self.failures):
             files.say(sentence)
 
@@ -122,7 +130,7 @@ def to_directory(
             for _ in _follow(count, results, stop, telling):
                 pass
     if count.total > 1:
-        count.summary(quiet=telling.quiet)
+        count.summary(quiet=telling.quiet, strict=telling.strict)
         if job.command == "run" and not telling.quiet:
             _tell_others(folder, suffix, planned)
     return count.status
@@ -191,7 +199,7 @@ def to_stream(
         if parts is not None:
             parts.stays = bool(count.failures)
     if whole and count.total > 1:
-        count.summary(quiet=telling.quiet)
+        count.summary(quiet=telling.quiet, strict=telling.strict)
     if parts is not None and parts.exists():
         there = f"{output}{SUFFIX} keeps the others"
         files.say(f"{there}: the same command with --resume calculates what failed or is changed")
@@ -281,6 +289,7 @@ def _depends(job: Job) -> dict[str, object]:
         "--coast": job.options.coast,
         "--idle": job.options.idle,
         "--strict": job.options.telling.strict,  # a result without errors counts as done or not
+        "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
         "--digits": style.digits,
         "--raw": style.raw or None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import Problem, of_file, plural
+from vstatics.errors import Problem, listed, of_file, plural
 
 
 class Telling(NamedTuple):
@@ -33,7 +33,7 @@ class Telling(NamedTuple):
         return others + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Those of them that go to stderr."""
+        """Those of them that -q and a page of their own do not hold back."""
         found = self.told(problems)
         if self.quiet:
             return [one for one in found if one.severity == "error"]
@@ -43,8 +43,9 @@ class Telling(NamedTuple):
         """That a case fails by warnings, where these are not printed."""
         found = list(problems)
         if self.quiet and self.fails(found) and not self.printed(found):
-            count = sum(one.severity == "warning" for one in found)
-            told = f"{count} {plural('warning', count)}, which --strict makes fail"
+            ids = [one.id for one in found if one.severity == "warning"]
+            count, names = len(ids), listed(sorted(set(ids)))
+            told = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
             yield of_file(
                 "E013", file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told"
             )

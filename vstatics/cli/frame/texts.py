@@ -58,12 +58,14 @@ class Frame(NamedTuple):
     first: str
     between: str
     last: str
+    empty: str = ""
+    """What there is in place of all that where there are no parts."""
 
 
 FRAMES = {
     "text": Frame("", "\n", ""),
     "listing": Frame("", "\n", ""),
-    "json": Frame("[\n", ",\n", "\n]\n"),
+    "json": Frame("[\n", ",\n", "\n]\n", "[]\n"),
     "jsonl": Frame("", "", ""),
 }
 
@@ -130,13 +132,13 @@ def joined(
         tables = (one for one in parts if isinstance(one, CaseTables))
         yield from _of_grids(tables, to, several=True)
         return
-    before = frame.first
+    before, is_empty = frame.first, True
     for text in parts:
         if text and isinstance(text, bytes):
             yield _bytes(before, to) + text
             before = frame.between
-    if before != frame.first:
-        yield _bytes(frame.last, to)
+            is_empty = False
+    yield _bytes(frame.empty if is_empty else frame.last, to)
 
 
 def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:

@@ -130,7 +130,7 @@ def drive(
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
-    messages = not_allowed(_doubts(steps, beyond, outside), case.allow)
+    messages = not_allowed(_doubts(steps, beyond, outside), case.untold)
     return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
 
 
