@@ -22,6 +22,7 @@ ROOMS = (
     "start",
     "errors",
     "extras",
+    "arguments",
     "texts",
     "numerics",
     "model",

@@ -131,7 +131,7 @@ def test_all_ids_are_an_array_in_json() -> None:
     ("options", "why"),
     [
         (("--explain", "W999"), "there is no message `W999`"),
-        (("--explain", "w201"), "did you mean `W201`?"),
+        (("--explain", "w2011"), "did you mean `W201`?"),
         (("--explain", "W201", "box.yaml"), "--explain takes no case"),
         (("--explain", "W201", "-f", "sarif"), "--explain gives text or json, not sarif"),
         ((), "Missing argument 'CASE...'"),
@@ -192,7 +192,7 @@ def test_conversion_keeps_what_is_allowed() -> None:
     [
         ("W999", "there is no message `W999`"),
         ("E201", "`E201` is an error, expected a warning or a note"),
-        ("w201", "there is no message `w201`; did you mean `W201`?"),
+        ("W201B", "there is no message `W201B`; did you mean `W201`?"),
     ],
 )
 def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(

@@ -77,7 +77,7 @@ def test_a_fault_in_a_text_has_its_line() -> None:
         (lambda: anything.solve("box.yaml"), "vstatics.load reads a file"),
         (lambda: anything.solve(BOX), "expected a Transmission"),
         (lambda: anything.load(3), "load of int 3: expected a path or a stream"),
-        (lambda: anything.loads(BOX), "expected a text, or `load` for a file"),
+        (lambda: anything.loads(BOX), "expected a text or bytes; vstatics.load reads a file"),
         (
             lambda: anything.Transmission.from_dict("box.yaml"),
             "expected a mapping, or `load` for a file",
@@ -85,8 +85,8 @@ def test_a_fault_in_a_text_has_its_line() -> None:
         (lambda: Transmission.from_dict({"links": object()}), "is no plain data"),
         (lambda: anything.flows(vstatics.load(BOX)), "expected Results; solve(case) gives them"),
         (lambda: anything.summarize("box.yaml"), "summarize of str 'box.yaml': expected Results"),
-        (lambda: anything.explain_gear(vstatics.load(BOX), 1), "explain_gear of Transmission"),
-        (lambda: anything.plot(vstatics.load(BOX)), "plot of Transmission"),
+        (lambda: anything.explain_gear(vstatics.load(BOX), 1), "explain_gear of <Transmission"),
+        (lambda: anything.plot(vstatics.load(BOX)), "plot of <Transmission"),
         (lambda: anything.write_report(BOX, "x.html"), "write_report of "),
         (
             lambda: vstatics.load(BOX).replace(lod=1),
@@ -156,6 +156,27 @@ def test_a_notebook_shows_the_table_of_the_gears_escaped() -> None:
     assert "<b>" not in many._repr_html_()
 
 
+def test_a_notebook_shows_what_is_told_of_gears_escaped() -> None:
+    """Tables in place of all that the values hold; their names stay names."""
+    case = vstatics.load(BOX)
+    evil = case.replace(gears=[case.gears[0]._replace(name="<b>"), *case.gears[1:]])
+    results = vstatics.solve(evil)
+    summary, flow = vstatics.summarize(results), vstatics.flows(results)[0]
+    explained = vstatics.explain_gear(results, 1)
+    assert flow.shown is not None
+    for one, number in (
+        (summary, summary.design.spread),
+        (flow, flow.shown.leaving),
+        (explained, explained.ratio),
+    ):
+        shown = one._repr_html_()
+        assert shown.count("<tr>") > 4
+        assert f"{number:.3f}" in shown
+        assert "<b>" not in shown
+        assert len(repr(one)) < 200
+        assert f"{number:.4g}" in repr(one)
+
+
 @pytest.fixture(scope="module")
 def stopped() -> vstatics.Motion:
     """A wheel of 2 kg*m^2 at 10 rad/s, which a brake of 40 N*m stops in 0.5 s: 100 J."""
@@ -217,6 +238,44 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
         vstatics.plot(results, "levre")
     with pytest.raises(ValueError, match="no gear 'X'"):
         vstatics.plot(results, "lever", gear="X")
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "said"),
+    [
+        ("shift", {}, "expected motion=vstatics.simulate(scenario)"),
+        ("plan", {"merge": True}, "`merge` is not for it, only levers can be merged"),
+        ("lever", {"wheels": True}, "only stick diagrams name them"),
+        ("modes", {"orders": [2]}, "only campbell and response have orders"),
+        ("campbell", {"at": "in"}, "only a response is that of a link"),
+    ],
+)
+def test_a_picture_refuses_at_once_what_it_does_not_show(
+    kind: str, options: dict[str, Any], said: str
+) -> None:
+    pytest.importorskip("matplotlib")
+    with pytest.raises(ValueError, match=re.escape(said)):
+        vstatics.solve(vstatics.load(BOX)).plot(kind, **options)
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "said"),
+    [
+        ("curves", {"z": "ratio[1]"}, "`z` is not for it; it takes `x`, `y` and `by`"),
+        ("histogram", {"x": "P1.ratio"}, "it takes `y` and `by`"),
+        ("map", {"z": "ratio[2]"}, "no column `ratio[2]`; did you mean `ratio[1]`?"),
+        ("curves", {"y": ["ratio[1]", "rato"]}, "no column `rato`"),
+        ("curves", {"by": "gear"}, "no column `gear`"),
+    ],
+)
+def test_a_picture_of_a_sweep_refuses_columns_at_once(
+    kind: str, options: dict[str, Any], said: str
+) -> None:
+    pytest.importorskip("matplotlib")
+    case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5, name="P1")], [Gear()])
+    made = vstatics.sweep(case, {"P1.ratio": [-2, -3]}, out="ratio[1]")
+    with pytest.raises((ValueError, vstatics.CaseError), match=re.escape(said)):
+        made.plot(kind, **options)
 
 
 @pytest.mark.usefixtures("without_pictures")

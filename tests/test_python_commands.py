@@ -6,6 +6,8 @@ import importlib
 import inspect
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -47,6 +49,64 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     assert vstatics.check(CASES / "scenarios/tarasik-set-upshift.yaml") == []
     with pytest.raises(OSError, match="nowhere"):
         vstatics.check("nowhere.yaml")
+
+
+def test_check_allows_as_the_command_does() -> None:
+    Path("box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    assert [one.id for one in vstatics.check("box.yaml")] == ["W414"]
+    assert vstatics.check("box.yaml", allow=["W414"]) == []
+    with pytest.raises(ValueError, match="`E190` is an error"):
+        vstatics.check("box.yaml", allow=["E190"])
+
+
+WITHOUT_SCIPY = """
+import sys
+from importlib import abc, machinery
+
+
+class Finder(abc.MetaPathFinder):
+    def find_spec(self, name, path, target=None):
+        if name.partition(".")[0] == "scipy":
+            return machinery.PathFinder.find_spec(name, ["shadow"]) or absent(name)
+
+
+def absent(name):
+    raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+
+sys.meta_path.insert(0, Finder())
+import vstatics
+from vstatics.model.fatigue import Fatigue
+scenario = vstatics.load_scenario(sys.argv[1])
+for call in (
+    lambda: vstatics.simulate(scenario),
+    lambda: vstatics.rayleigh_life(Fatigue(1e8, 3, 4e6), 6e7),
+    lambda: vstatics.torsion.modes,
+):
+    try:
+        call()
+    except vstatics.CaseError as error:
+        print(error)
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", 'pip install "vstatics['),
+        ("import no_such_part", "there, but can't be imported: ModuleNotFoundError: No module"),
+    ],
+)
+def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, words: str) -> None:
+    """In each function that cannot do without; a package that fails on import is none of ours."""
+    if text:
+        Path("shadow/scipy").mkdir(parents=True)
+        Path("shadow/scipy/__init__.py").write_text(text, encoding="utf-8")
+    scenario = str(CASES / "scenarios/tarasik-set-upshift.yaml")
+    call = [sys.executable, "-c", WITHOUT_SCIPY, scenario]
+    said = subprocess.run(call, env=commands.environment(), capture_output=True, check=True)
+    told = said.stdout.decode().splitlines()
+    assert [words in line and line.endswith("[E014]") for line in told] == [True] * 3, told
 
 
 def test_compare_tells_what_the_command_tells() -> None:
@@ -127,3 +187,28 @@ def test_the_page_names_every_command() -> None:
     assert every <= named
     headings = re.findall(r"^## (.*)$", lines, re.MULTILINE)
     assert every - {"serve"} == {one for heading in headings for one in heading.split(", ")}
+
+
+@pytest.mark.parametrize("seed", [None, 7])
+def test_an_exercise_is_that_of_the_command(seed: int | None) -> None:
+    made = vstatics.exercise(vstatics.solve(vstatics.example("zf-8hp70")), "R", seed=seed)
+    asked = ["explain", str(CASES / "zf-8hp70.yaml"), "--gear", "R"]
+    asked += [] if seed is None else ["--seed", str(seed)]
+    told = json.loads(commands.vstatics(*asked, "--solution", "-f", "json").out)
+    assert made.document() == told
+    assert [one._asdict() for one in made.blanks] == told["blanks"]
+    for form in ("text", "markdown", "latex"):
+        for option, written in (("--worksheet", made.worksheet), ("--solution", made.solution)):
+            said = commands.vstatics(*asked, option, "-f", form, "--lang", "de")
+            assert written(form, lang="de") == said.out
+    assert made._repr_html_().count("____") == len(made.blanks)
+
+
+def test_an_exercise_is_refused_as_by_the_command() -> None:
+    results = vstatics.solve(vstatics.example("simpson"))
+    with pytest.raises(ValueError, match="seed is -1, expected 0 or more"):
+        vstatics.exercise(results, "1", seed=-1)
+    with pytest.raises(ValueError, match="no gear '9'"):
+        vstatics.exercise(results, "9")
+    with pytest.raises(ValueError, match="expected 'text', 'markdown' or 'latex'; did you mean"):
+        vstatics.exercise(results, "1").worksheet("markdwon")  # type: ignore[arg-type]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import html
+import inspect
 import json
 import re
 import subprocess
 import sys
 from collections.abc import Iterator
 from html.parser import HTMLParser
+from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import unquote
@@ -97,6 +100,32 @@ def test_each_page_is_told_with_its_kind(site: Path, told: list[dict[str, str]])
         assert one["title"], one
 
 
+def test_nothing_is_told_of_the_machine_that_builds(site: Path) -> None:
+    places = {str(documents.ROOT), str(Path.home()), str(site.parent)}
+    for path in [*site.glob("**/*.html"), *site.glob("**/*.js*")]:
+        text = path.read_text(encoding="utf-8")
+        assert [one for one in places if f"{one}/" in text] == [], path
+
+
+def plain(text: str) -> str:
+    """Letters and digits: print has other signs."""
+    return re.sub(r"\W+", "", text)
+
+
+def test_sentences_of_attributes_are_whole(site: Path) -> None:
+    """What stands before a colon is no type."""
+    for module in public.MODULES:
+        text = (site / f"api/{module}.html").read_text(encoding="utf-8")
+        assert ">Type<" not in text
+        shown = plain(html.unescape(re.sub(r"<[^>]*>", "", text)))
+        for name in public.names(module):
+            value = getattr(import_module(module), name)
+            for own in vars(value).values() if inspect.isclass(value) else ():
+                if isinstance(own, property) and own.fget is not None and own.fget.__doc__:
+                    first = own.fget.__doc__.split("\n")[0]
+                    assert plain(first) in shown, (name, first)
+
+
 def test_links_and_anchors_resolve(site: Path, pages: dict[str, Read]) -> None:
     assert list(broken(site, pages)) == []
 
@@ -173,4 +202,7 @@ def test_what_is_searched_for_is_found_on_a_disk(site: Path, browser: Any) -> No
     page.goto(f"{(site / 'search.html').as_uri()}?q=W414")
     page.wait_for_selector("ul.search li a")
     assert "Messages" in page.locator("ul.search").inner_text()
+    for word, title in (("Willis", "The method"), ("misprint", "The tables of Vehicle dynamics")):
+        page.goto(f"{(site / 'search.html').as_uri()}?q={word}")
+        page.wait_for_selector(f"ul.search li a:text('{title}')")
     assert {url.partition(":")[0] for url in asked} <= {"file", "data"}

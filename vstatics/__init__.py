@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
     from vstatics.examples import example
+    from vstatics.explain.exercise import exercise
     from vstatics.explain.explanation import explain_gear
     from vstatics.flow.power import flows
     from vstatics.model.clutch_dump import ClutchDump
@@ -94,6 +95,7 @@ __all__ = [
     "damages",
     "distribution_matrix",
     "example",
+    "exercise",
     "explain_gear",
     "flows",
     "load",
@@ -126,6 +128,7 @@ _LATER = {
     "cycle": "vstatics.summary.operation.cycles",
     "damages": "vstatics.damage.devices",
     "example": "vstatics.examples",
+    "exercise": "vstatics.explain.exercise",
     "explain_gear": "vstatics.explain.explanation",
     "flows": "vstatics.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
@@ -145,6 +148,8 @@ _LATER = {
 HIGHER.update(
     box_grids="vstatics.synthesis.boxes.grids",
     by_name="vstatics.tables.names",
+    explanation_grids="vstatics.explain.grids",
+    flow_grids="vstatics.flow.rows",
     from_dict="vstatics.readers",
     modes_grids="vstatics.torsion.vibration.grids",
     motion_grids="vstatics.simulation.record.grids",
@@ -154,7 +159,9 @@ HIGHER.update(
     plot_motion="vstatics.pictures.plotting",
     plot_sweep="vstatics.pictures.sweeps.plotting",
     results_html="vstatics.summary.pretty",
+    summary_grids="vstatics.summary.grids",
     to_dataframe="vstatics.tables.dataframe",
+    to_json="vstatics.writers.result_json",
     to_xarray="vstatics.tables.dataset",
     with_part_numbers="vstatics.sweep.variants.part_numbers",
 )

@@ -8,11 +8,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vstatics import readers
-from vstatics.errors import CaseError, Problem, ReadError, not_allowed, plural, spoken
+from vstatics.arguments import refusing
+from vstatics.errors import (
+    CaseError,
+    Problem,
+    ReadError,
+    not_allowed,
+    plural,
+    spoken,
+    why_not_allowed,
+)
 from vstatics.model.checks import hints
 from vstatics.readers.reading import Reading
 from vstatics.statics.result_arrays import Message
@@ -23,13 +32,16 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
 
-def check(source: str | os.PathLike[str]) -> list[Problem]:
+@refusing()
+def check(source: str | os.PathLike[str], *, allow: Sequence[str] = ()) -> list[Problem]:
     """All problems, warnings and notes of a case or a scenario; a case is calculated for that.
 
     Parameters
     ----------
     source : path-like
         A deck, YAML, JSON or a workbook.
+    allow : sequence of str
+        Ids of warnings and notes that are not told, besides those that the case allows.
 
     Returns
     -------
@@ -41,6 +53,8 @@ def check(source: str | os.PathLike[str]) -> list[Problem]:
     ------
     OSError
         If a file cannot be opened.
+    ValueError
+        If an id to be allowed is of an error, or of nothing.
 
     Examples
     --------
@@ -51,9 +65,11 @@ def check(source: str | os.PathLike[str]) -> list[Problem]:
     ...     [(one.id, one.severity, one.place.line) for one in check(file.name)]
     [('E191', 'error', 1)]
     """
+    for why in filter(None, map(why_not_allowed, allow)):
+        raise ValueError(why)
     file = os.fspath(source)
     with open(file, "rb") as opened:  # noqa: PTH123 (pathlib costs start-up time)
-        return problems_of(opened.read(), file)
+        return not_allowed(problems_of(opened.read(), file), allow)
 
 
 def problems_of(data: bytes, file: str) -> list[Problem]:
@@ -70,7 +86,7 @@ def problems_of(data: bytes, file: str) -> list[Problem]:
         return error.problems
     found = located_messages(reading, results, each_gear=True)
     notes = map(reading.locate, hints(reading.case))
-    return not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
+    return not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
 
 
 def _solved(reading: Reading) -> Results:
@@ -85,7 +101,7 @@ def _of_scenario(read: ScenarioFile) -> list[Problem]:
     """What is doubtful about a scenario and its case."""
     from vstatics.simulation.scenario.checks import scenario_doubts
 
-    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.allow)
+    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.untold)
     return [*read.reading.warnings, *map(read.locate, found)]
 
 

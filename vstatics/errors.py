@@ -93,6 +93,7 @@ DOUBTS = {
     "W101": "a field of a deck is missing, and taken as 0",
     "W102": "a link is joined to nothing else",
     "W201": "a mechanism is no plain set and has no planet ratio: it has no planet speed",
+    "W202": "the inertia of an output seems to hold the mass of the vehicle, which has it already",
     "W301": "a wheel has teeth, but no link",
     "W311": "no planet fits between the wheels around it",
     "W312": "axes of wheels around one planet do not coincide",
@@ -122,6 +123,9 @@ DOUBTS = {
     "W425": "no power flows through a mechanism by coincidence, on whose direction torques depend",
     "W426": "no torque, or more than one, agrees with losses that depend on speed or torque",
     "W427": "no torque, or more than one, balances the battery of a gear",
+    "W428": "the engine of a driving cycle would turn faster than at its last point",
+    "W429": "the engine of a driving cycle would have to give more than at full load",
+    "W430": "a shift element carries more than its capacity",
     "W501": "a partial frequency that is taken out is near one that is kept",
     "W502": "what a simplified scheme takes no account of",
     "W503": "what is doubtful about the modes of a gear",
@@ -378,13 +382,3 @@ def typed_number(text: str, last: int) -> int | None:
 def listed(names: Sequence[str], most: int = 8) -> str:
     """The first of some names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
-
-
-def type_and_value(given: object) -> str:
-    """What was given to a function, for a TypeError.
-
-    >>> type_and_value("box.yaml")
-    "str 'box.yaml'"
-    """
-    shown = repr(given)
-    return f"{type(given).__name__} {shown if len(shown) <= 40 else shown[:37] + '...'}"

@@ -17,6 +17,7 @@ from functools import cache
 from typing import Any, NamedTuple, overload
 
 from vstatics import readers
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, nearest, quoted
 from vstatics.model.transmission import Transmission
 
@@ -42,6 +43,7 @@ def example() -> list[str]: ...
 def example(name: str) -> Transmission | Any: ...
 
 
+@refusing()
 def example(name: str | None = None) -> list[str] | Transmission | Any:
     """A case or a scenario that comes with the program, or the names of all of them.
 

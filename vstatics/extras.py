@@ -52,7 +52,10 @@ def later(package: str, modules: Mapping[str, str]) -> Callable[[str], Any]:
 
     def attribute(name: str) -> Any:
         if name in modules:
-            return getattr(import_module(modules[name]), name)
+            try:
+                return getattr(import_module(modules[name]), name)
+            except ImportError as error:
+                raise needed(error, name, package) from None
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return attribute
@@ -137,8 +140,53 @@ def missing(extra: str, purpose: str) -> str:
 
     for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
         if find_spec(package) is None:
-            needs = f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
-            return f'{needs}, or "vstatics[all]"'
+            return _needs(purpose, package, extra)
+    return ""
+
+
+def _needs(purpose: str, package: str, extra: str) -> str:
+    needs = f'{purpose} needs the package {package}: pip install "vstatics[{extra}]"'
+    return f'{needs}, or "vstatics[all]"'
+
+
+def needed(error: ImportError, purpose: str, module: str) -> Exception:
+    """What to raise for a package that is missing or can't be imported: E014 if it is an extra.
+
+    Parameters
+    ----------
+    error : ImportError
+    purpose : str
+        What needs it.
+    module : str
+        Of that, whose room has the name of the extra where several bring the package.
+
+    Examples
+    --------
+    >>> missed = ModuleNotFoundError("No module named 'scipy'", name="scipy")
+    >>> print(needed(missed, "modes", "vstatics.torsion"))
+    modes needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]" [E014]
+    """
+    if why := broken(error):
+        return CaseError("E014", f"{purpose}: {why}")
+    package = (error.name or "").partition(".")[0]
+    extras = [extra for extra, brought in EXTRAS.items() if brought == package]
+    of_room = [extra for extra in extras if extra in module.split(".")]
+    if not extras or not isinstance(error, ModuleNotFoundError):
+        return error
+    return CaseError("E014", _needs(purpose, package, (of_room or extras)[0]))
+
+
+def broken(error: BaseException) -> str:
+    """Of which package an import fails although it is there; nothing where it is none."""
+    if not isinstance(error, ImportError):
+        return ""
+    trace, packages = error.__traceback__, {*EXTRAS.values(), "networkx", "numpy", "yaml"}
+    while trace is not None:
+        package = str(trace.tb_frame.f_globals.get("__name__")).partition(".")[0]
+        if package in packages:
+            why = " ".join(f"{type(error).__name__}: {error}".split())
+            return f"the package {package} is there, but can't be imported: {why}"
+        trace = trace.tb_next
     return ""
 
 

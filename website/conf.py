@@ -1,5 +1,9 @@
 """What Sphinx is told of the site; nothing in it comes from a network, nor is read from one."""
 
+from typing import Any
+
+from sphinx.application import Sphinx
+
 from vstatics import __version__
 
 project = "vstatics"
@@ -23,3 +27,18 @@ suppress_warnings = [
     "misc.highlighting_failure",
     "ref.python",
 ]  # a shell within a shell; a word as a name
+
+
+def setup(app: Sphinx) -> None:
+    """What else is done with docstrings."""
+    app.connect("autodoc-process-docstring", _no_type_before_colon, priority=400)
+
+
+def _no_type_before_colon(_: Sphinx, what: str, *named: Any) -> None:
+    """Napoleon takes what stands before a colon in the first line of an attribute for its type.
+
+    Here it is never that, as types are annotated: an empty comment is the first line.
+    """
+    *_others, lines = named
+    if what in {"attribute", "data", "property"}:
+        lines[:0] = ["..", ""]

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import yaml
+
+from vstatics.examples import example_file
 from website.page import KINDS, Page, anchor
 
 ROOT = Path(__file__).parents[1]
@@ -23,6 +26,11 @@ SOURCES = ("docs/sources.md",)
 """Besides those in docs/sources."""
 _LINK = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)\s#]+)(#[^)\s]*)?\)")
 _MESSAGE = re.compile(r"^### ([EWN]\d{3})$", re.MULTILINE)
+_FILE = re.compile(r"^<!-- file: (\S+) -->$", re.MULTILINE)
+"""The name of the file whose text follows."""
+_FILES_OF = re.compile(r"^<!-- files of: (\S+) -->$", re.MULTILINE)
+"""A document whose files are used here."""
+_SHIPPED = re.compile(r"\bcases/((?:scenarios/)?[\w-]+)\.(yaml|dat)\b")
 _FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 
 
@@ -55,13 +63,60 @@ def pages() -> Iterator[Page]:
     known = places()
     for document, name in known.items():
         text = (ROOT / document).read_text(encoding="utf-8")
+        text = _FILE.sub(r"`\1`:\n", _FILES_OF.sub(_files_of(document), text))
         text = "".join(
             part if part.startswith("```") else _with_links(part, document, name, known)
             for part in _FENCED.split(text)
         )
+        if shipped := obtained(text):
+            title, line, rest = text.partition("\n")
+            text = f"{title}{line}\n{shipped}{rest}"
         if name == "messages/messages":
             text = _MESSAGE.sub(lambda found: f"{anchor(found[1])}\n{found[0]}", text)
         yield Page(name.partition("/")[0], name, text)
+
+
+def _files_of(document: str) -> Callable[[re.Match[str]], str]:
+    """What a reader is told of the document whose files are used."""
+
+    def said(found: re.Match[str]) -> str:
+        other = (ROOT / document).parent / found[1]
+        title = other.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
+        return f"Files that are not shown here stand in [{title}]({found[1]})."
+
+    return said
+
+
+def obtained(text: str) -> str:
+    """How one gets the shipped files that a document calculates: nothing where there are none.
+
+    >>> print(obtained("```console\\n$ vstatics run cases/simpson.yaml\\n```"))
+    The files of `cases/` come with the program:
+    <BLANKLINE>
+    ```sh
+    vstatics new cases/simpson.yaml -t simpson
+    ```
+    <BLANKLINE>
+    """
+    used = {found.groups() for part in _FENCED.findall(text) for found in _SHIPPED.finditer(part)}
+    for name, _ in sorted(used):
+        if name.startswith("scenarios/"):
+            used.add((case_of(name), "yaml"))
+    if not used:
+        return ""
+    lines = [f"vstatics new cases/{name}.{kind} -t {name}" for name, kind in sorted(used)]
+    said = "The files of `cases/` come with the program:"
+    return "\n".join([said, "", "```sh", *lines, "```", ""])
+
+
+def case_of(scenario: str) -> str:
+    """The name of the case of a shipped scenario, which speaks of it by `../NAME.yaml`.
+
+    >>> case_of("scenarios/8hp70-upshift")
+    'driveline-8hp70'
+    """
+    told = yaml.safe_load(example_file(scenario).data())
+    return Path(told["case"]).stem
 
 
 def _with_links(text: str, document: str, name: str, known: dict[str, str]) -> str:

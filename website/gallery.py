@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -13,7 +12,7 @@ import yaml
 
 import vstatics
 from vstatics.examples import example_files
-from website.documents import gallery_name
+from website.documents import case_of, gallery_name
 from website.page import Page, escaped
 
 OF_CASE = {"stick": "Stick diagram", "structure": "Structure", "lever": "Levers"}
@@ -72,7 +71,8 @@ def _of_case(name: str, path: str, folder: Path) -> Exhibit:
     lines.append("")
     for what, file in pictures.items():
         lines += [f"## {what}", "", f"![{what} of {escaped(title)}]({file})", ""]
-    lines += _file(name, path, f"vstatics report {name}.yaml -o {name}.html")
+    copied = f"vstatics new {name}.yaml -t {name}"
+    lines += _file(path, copied, f"vstatics report {name}.yaml -o {name}.html")
     return Exhibit(_page(page, lines), title, next(iter(pictures.values())))
 
 
@@ -86,7 +86,13 @@ def _of_run(name: str, path: str, folder: Path) -> Exhibit:
     vstatics.plot(results, "shift", motion=motion).save(folder / picture)
     lines = _head(title, *(str(told.get(key, "")) for key in ("description", "source")))
     lines += ["## The run", "", f"![The run of {escaped(title)}]({picture})", ""]
-    lines += _file(name, path, f"vstatics simulate {os.path.basename(path)}")  # noqa: PTH119
+    case = case_of(name)
+    lines += _file(
+        path,
+        f"vstatics new {case}.yaml -t {case}",
+        f"vstatics new {name}.yaml -t {name}",
+        f"vstatics simulate {name}.yaml",
+    )
     return Exhibit(_page(page, lines), title, picture)
 
 
@@ -101,11 +107,10 @@ def _number(value: float) -> str:
     return f"{value:.4g}" if value == value else "-"  # noqa: PLR0124 - NaN: there is none
 
 
-def _file(name: str, path: str, command: str) -> list[str]:
-    """The file itself, and how one goes on with it."""
+def _file(path: str, *commands: str) -> list[str]:
+    """The file itself, how one gets it and goes on with it."""
     text = Path(path).read_text(encoding="utf-8")
-    copied = f"vstatics new {name}.yaml -t {name}" if "/" not in name else f"cp {path} ."
-    lines = ["## The file", "", "```sh", copied, command, "```", ""]
+    lines = ["## The file", "", "```sh", *commands, "```", ""]
     return [*lines, "```yaml", text.rstrip(), "```", ""]
 
 

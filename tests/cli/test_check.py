@@ -88,7 +88,8 @@ def test_json_has_every_gear_of_one_text() -> None:
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
     assert said.status == 1
     assert [one["message"][:8] for one in json.loads(said.out)] == ["gear N: ", "gear P: "]
-    assert vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=text) == (1, "[]\n", "")
+    quiet = vstatics("check", "-", "-f", "json", "-q", "--strict", stdin=text)
+    assert (quiet.status, [one["id"] for one in json.loads(quiet.out)]) == (1, ["E013"])
 
 
 @pytest.mark.usefixtures("files")
@@ -135,3 +136,13 @@ def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
         assert ran.status == 1
         assert "case.yaml:4:22: error: gears.one.drag.out: " + said in ran.err
     assert not result.exists()
+
+
+def test_a_sweep_file_is_told_as_one(tmp_path: Path) -> None:
+    file = tmp_path / "sweep.yaml"
+    file.write_text("{case: box.yaml, vary: {D.ratio: -2:-3:3}}", encoding="utf-8")
+    for command in ("check", "run", "explain"):
+        said = vstatics(command, file)
+        assert (said.status, said.err.count("\n")) == (1, 1)
+        assert "this is a sweep file, expected a case; `vstatics sweep --file`" in said.err
+    assert "a sweep file by --file" in vstatics("sweep", file).err

@@ -130,3 +130,28 @@ def test_a_hook_of_pre_commit_checks_cases() -> None:
     assert vstatics(*arguments, "bad.yaml", "neutral.yaml").status == 1
     assert re.search(hook["files"], "cases/box.yaml")
     assert not re.search(hook["files"], ".github/workflows/ci.yaml")
+
+
+@pytest.mark.parametrize("form", ["github", "sarif", "junit", "json", "text"])
+def test_a_red_job_has_a_red_report(form: str) -> None:
+    """With -q a warning is not told, but that it makes the case fail, and its id, is."""
+    said = vstatics("check", "neutral.yaml", "-q", "--strict", "-f", form)
+    told = said.err if form == "text" else said.out
+    assert (said.status, "1 warning (W414), which --strict makes fail" in told) == (1, True)
+    assert vstatics("check", "neutral.yaml", "-q").out == ""
+
+
+def test_a_case_that_several_scenarios_name_is_told_of_once() -> None:
+    """But in JUnit, where each file has its own verdict."""
+    names = ("8hp70-upshift", "8hp70-downshift")
+    scenarios = [ROOT / "cases/scenarios" / f"{name}.yaml" for name in names]
+    alone = json.loads(vstatics("check", ROOT / "cases/driveline-8hp70.yaml", "-f", "json").out)
+    found = json.loads(vstatics("check", *scenarios, "-f", "json").out)
+    of_case = [one["line"] for one in found if one["file"].endswith("driveline-8hp70.yaml")]
+    assert of_case == [one["line"] for one in alone]
+    assert of_case
+
+
+def test_paths_of_annotations_are_relative() -> None:
+    said = vstatics("check", Path("neutral.yaml").absolute(), "-f", "github")
+    assert said.out.startswith("::warning file=neutral.yaml,")

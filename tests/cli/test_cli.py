@@ -26,7 +26,12 @@ REFERENCE = json.loads(
         ("tied.yaml", 1, "gear both: tied up: C, B and the input speed"),
         ("bad.yaml", 1, "did you mean `ratio`?"),
         ("nowhere.yaml", 1, "nowhere.yaml: error: can't be read: No such file"),
-        (".", 1, ".: error: can't be read: Is a directory"),
+        (
+            ".",
+            1,
+            ".: error: can't be read: Is a directory; expected a file, or of several a pattern, "
+            "'./**/*.yaml'",
+        ),
     ],
 )
 @pytest.mark.parametrize("command", ["run", "check"])
@@ -130,3 +135,34 @@ def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder() -> None:
     said = vstatics("run", MZKT.with_suffix(".dta"))
     assert said.status == 1
     assert "did you mean `mzkt7922.dat`?" in said.err
+    far = vstatics("run", MZKT.with_name("gears.dat"))
+    assert (far.status, "did you mean" in far.err) == (1, False)
+
+
+def test_a_link_to_what_is_not_there_is_no_misspelling(tmp_path: Path) -> None:
+    link = tmp_path / "box.yaml"
+    link.symlink_to("gone.yaml")
+    said = vstatics("check", link)
+    assert "it is a link to gone.yaml, which is not there" in said.err
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("report differential.yaml --gears 9 -o a.html", "Invalid value for --gears: no gear '9'"),
+        ("flow differential.yaml --gear 9", "Invalid value for --gear: no gear '9'"),
+        ("synth box", "'--sets'. Expected --sets N, or --keep CASE in its place."),
+        ("report differential.yaml", "Expected --output FILE, or --watch in its place."),
+        ("flow gears/*.yaml", "no file matches `gears/*.yaml`"),
+    ],
+)
+def test_wrong_use_is_told_by_the_option_that_was_typed(line: str, words: str) -> None:
+    said = vstatics(*line.replace("differential.yaml", str(CASES / "differential.yaml")).split())
+    assert (said.status, words in said.err) == (2, True)
+
+
+@pytest.mark.parametrize("group", [[], ["torsion"], ["damage"], ["synth"]])
+def test_a_group_alone_shows_its_help(group: list[str]) -> None:
+    said = vstatics(*group)
+    assert (said.status, said.out) == (2, "")
+    assert said.err == vstatics(*group, "--help").out

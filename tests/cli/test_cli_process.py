@@ -47,7 +47,7 @@ def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
         return process("--version", cwd=tmp_path, PYTHONPATH=str(tmp_path))[1]
 
     assert told() == process("--version")[1]
-    (copy / "cli" / "templates" / "simpson.yaml").write_text("#", encoding="utf-8")
+    (copy / "cli" / "templates" / "simpson_train.yaml").write_text("#", encoding="utf-8")
     assert told() != process("--version")[1]
 
 
@@ -203,6 +203,22 @@ def test_shell_completion_names_the_commands() -> None:
         _VSTATICS_COMPLETE="bash_complete", COMP_WORDS="vstatics ", COMP_CWORD="1"
     )
     assert (status, re.findall(r"plain,(\w+)", out.decode())) == (0, [*COMMANDS])
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        ("new x.yaml -t zf-8", "zf-8hp70"),
+        ("run --allow w41", "W414"),
+        ("check --explain E01", "E013"),
+    ],
+)
+def test_shell_completion_names_templates_and_ids(words: str, name: str) -> None:
+    count = str(words.count(" ") + 1)
+    _, out, _ = process(
+        _VSTATICS_COMPLETE="bash_complete", COMP_WORDS=f"vstatics {words}", COMP_CWORD=count
+    )
+    assert name in re.findall(r"plain,([\w-]+)", out.decode())
 
 
 def test_no_command_at_all_shows_the_help_and_is_wrong_use() -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
 
+import vstatics as library
 from tests.commands import CASES, MZKT, NEUTRAL, vstatics
 
-FORMS = ("csv", "json", "jsonl")
+FORMS = ("csv", "json", "jsonl", "parquet")
 SWEPT = ("csv", "jsonl", "npz", "parquet")
 pytestmark = pytest.mark.usefixtures("files")
 
@@ -34,6 +37,110 @@ def test_results_of_several_cases_are_the_same_in_every_format_and_order(
     expected = results(f"expected.{other}", *cases)
     assert lines(results(f"actual.{one}", *cases), expected) == []
     assert lines(results(f"turned.{one}", *reversed(cases)), expected) == []
+
+
+def test_directories_without_a_result_are_not_the_same(tmp_path: Path) -> None:
+    both = [tmp_path / "new", tmp_path / "golden"]
+    for one in both:
+        one.mkdir()
+        (one / "box.yaml").write_text("links: 3", encoding="utf-8")
+    for form in ("text", "json"):
+        said = vstatics("compare", *both, "-f", form)
+        assert (said.status, said.out, "nothing to compare" in said.err) == (1, "", True)
+
+
+def test_a_result_that_cannot_be_read_is_told_and_counted_in_every_format(tmp_path: Path) -> None:
+    new, golden = both = [tmp_path / "new", tmp_path / "golden"]
+    for one in both:
+        one.mkdir()
+        for name in ("neutral", "locked", "open"):
+            results(str(one / f"{name}.json"), f"{name}.yaml")
+    (new / "locked.json").write_text("{", encoding="utf-8")
+    results(str(new / "open.json"), "neutral.yaml")
+    (golden / "open.json").write_bytes(b"\xff")
+    for form in ("text", "markdown", "text --summary"):
+        said = vstatics("compare", *both, "-f", *form.split())
+        assert said.status == 1
+        assert said.out.endswith("1 same, 0 changed, 0 added, 0 gone, 2 unreadable\n")
+        assert "no JSON" in next(one for one in said.out.splitlines() if "locked" in one)
+        assert said.err.splitlines()[-1].endswith("differ in 2 places")
+    document = json.loads(vstatics("compare", *both, "-f", "json").out)
+    assert (document["same"], document["unreadable"]) == (1, 2)
+    states = {one["name"]: (one["state"], len(one.get("errors", ()))) for one in document["cases"]}
+    assert states == {
+        "locked": ("unreadable", 1),
+        "neutral": ("same", 0),
+        "open": ("unreadable", 1),
+    }
+    suite = ET.fromstring(vstatics("compare", *both, "-f", "junit").out)[0]  # noqa: S314 - our own
+    assert (suite.get("tests"), suite.get("failures")) == ("3", "2")
+    made = library.compare(*both)
+    assert (made.same, made.unreadable, made.differs) == (1, 2, True)
+    assert [one.id for one in made.cases[0].problems] == ["E110"]
+
+
+@pytest.mark.parametrize("one", [*FORMS, "lst"])
+@pytest.mark.parametrize("other", ["csv", "jsonl"])
+def test_cases_of_one_file_name_are_paired_by_their_folders(one: str, other: str) -> None:
+    """Whatever is missing, and from wherever they were named."""
+    boxes = ["neutral.yaml", "locked.yaml", "open.yaml"]
+    for box in boxes:
+        folder = Path("boxes", Path(box).stem)
+        folder.mkdir(parents=True)
+        for name in ("a.yaml", "b.yaml"):
+            (folder / name).write_bytes(Path(box).read_bytes())
+    expected = results(f"expected.{one}", "boxes/**/*.yaml")
+    less = [f"boxes/open/{name}.yaml" for name in "ba"]
+    less += [f"{Path.cwd()}/boxes/neutral/{name}.yaml" for name in "ab"]
+    assert lines(results(f"actual.{other}", *less, "boxes/locked/b.yaml"), expected) == [
+        "locked/a: gone",
+        "5 same, 0 changed, 0 added, 1 gone",
+    ]
+
+
+def test_tolerances_that_are_none_are_wrong_use() -> None:
+    file = results("x.json", "neutral.yaml")
+    for number in ("nan", "inf", "-1"):
+        for option in ("--rtol", "--atol"):
+            assert vstatics("compare", file, file, option, number).status == 2
+        assert vstatics("summary", "neutral.yaml", "--reserve", number).status == 2
+        with pytest.raises(ValueError, match="tolerance of compare"):
+            library.compare(file, file, rtol=float(number))
+
+
+def test_a_golden_result_of_python_is_that_of_the_command(tmp_path: Path) -> None:
+    for case in ("neutral.yaml", MZKT, CASES / "umdm.yaml"):
+        said = vstatics("run", case, "-q", "-f", "json")
+        assert library.solve(library.load(case)).to_json(str(case)) == said.out
+    made = library.solve(library.load("neutral.yaml"))
+    (tmp_path / "golden.json").write_text(made.to_json(), encoding="utf-8")
+    assert library.compare(made, tmp_path / "golden.json", leave_out="ratio").same == 1
+
+
+def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -> None:
+    """Of drawn elements it has the mechanisms: their rows are not those of the members."""
+    for case, is_drawn in ((CASES / "umdm.yaml", True), (CASES / "mzkt7922.dat", False)):
+        said = vstatics("run", case, "-q", "--lang", "source")
+        Path("source.lst").write_text(said.out, encoding="utf-8")
+        for form in ("json", "csv"):
+            said = vstatics("compare", "source.lst", results(f"x.{form}", case))
+            assert (said.status, "rows of mechanisms" in said.err) == (is_drawn, is_drawn)
+
+
+def test_a_deviation_of_rounding_noise_is_none() -> None:
+    file = results("x.json", "neutral.yaml")
+    document = json.loads(Path(file).read_text("utf-8"))
+    for name, gears in (("noise", [1e-16, 1.0]), ("actual", [0.5, 1.1])):
+        document["ETA"] = gears
+        Path(f"{name}.json").write_text(json.dumps(document), encoding="utf-8")
+    told = {line.split()[1]: line for line in lines("actual.json", "noise.json", "--all")[1:]}
+    assert ("%" in told["N"], "+10.00 %" in told["low"]) == (False, True)
+
+
+def test_a_result_of_another_command_is_named() -> None:
+    Path("x.json").write_text(vstatics("summary", "neutral.yaml", "-f", "json").out, "utf-8")
+    said = vstatics("compare", "x.json", "x.json")
+    assert (said.status, "result 1 is one of summary; results of run" in said.err) == (1, True)
 
 
 def test_a_directory_that_is_not_there_is_named(tmp_path: Path) -> None:
@@ -99,8 +206,10 @@ def test_a_table_is_left_out_by_name_or_alias(name: str) -> None:
 def test_a_table_that_is_none_gets_the_nearest_name() -> None:
     file = results("x.csv", "neutral.yaml")
     said = vstatics("compare", file, file, "--leave-out", "losess")
-    assert said.status == 1
+    assert said.status == 2
     assert "did you mean `losses`?" in said.err
+    said = vstatics("compare", file, file, "--leave-out", "losses,ratio")
+    assert (said.status, "give each of them by itself" in said.err) == (2, True)
 
 
 # sweeps
@@ -133,6 +242,25 @@ def test_numbers_of_a_sweep_are_told_by_variant_and_column() -> None:
     assert "variant 2, ratio[low]: 6.0, expected 5.0" in told
     told = lines(actual, expected, "--leave-out", "efficiency", "--leave-out", "ratio")
     assert told == ["variant 2, D.ratio: -5.0, expected -4.0"]
+
+
+def test_sweeps_are_compared_in_every_format_and_in_directories() -> None:
+    for folder, values in (("new", "-2,-3,-5"), ("golden", "-2,-3,-4")):
+        Path(folder).mkdir()
+        sweep(f"{folder}/a.csv", values)
+        results(f"{folder}/b.json", "neutral.yaml")
+    sweep("golden/c.npz")
+    [case] = json.loads(vstatics("compare", "new/a.csv", "golden/a.csv", "-f", "json").out)["cases"]
+    assert [case["numbers"][0][key] for key in ("table", "row", "gear", "expected", "actual")] == [
+        "D.ratio", "variant 2", None, -4.0, -5.0
+    ]  # fmt: skip
+    for found in (vstatics("compare", "new", "golden").out, library.compare("new", "golden").tally):
+        assert "1 same, 1 changed, 0 added, 1 gone" in found
+    said = vstatics("compare", "new/a.csv", "golden/a.csv", "-f", "junit")
+    assert 'failures="1"' in said.out
+    assert f'message="a: {len(case["numbers"])} places differ"' in said.out
+    results("new/a.csv", "neutral.yaml")
+    assert "1 unreadable" in vstatics("compare", "new", "golden").out
 
 
 def test_a_column_with_many_other_numbers_is_told_in_short() -> None:

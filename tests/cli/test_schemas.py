@@ -66,6 +66,18 @@ def test_gears_without_results_and_cases_in_error_fit(command: str, tmp_path: Pa
         assert complaints(command, json.loads(line)) == []
 
 
+def test_solutions_of_exercises_fit() -> None:
+    """Of one case, of several, drawn by a seed or not."""
+    exercise = validator("exercise")
+    for cases, seed in (([CASES / "simpson.yaml"], ()), (SHIPPED[:2], ("--seed", "3"))):
+        asked = "explain", *cases, "--gear", "1", "--solution", *seed, "-f", "json"
+        written = json.loads(vstatics(*asked).out)
+        assert [*exercise.iter_errors(written)] == []
+        one = written if isinstance(written, dict) else written[0]
+        one["blanks"][0]["value"] = None
+        assert [*exercise.iter_errors(written)] != []
+
+
 def test_what_a_summary_is_asked_for_fits(tmp_path: Path) -> None:
     duty = tmp_path / "duty.yaml"
     duty.write_text("energy: {'1': 1, '2': 2}\n", encoding="utf-8")

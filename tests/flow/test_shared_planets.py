@@ -22,7 +22,7 @@ from tests.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.flow.circulation import CommonLinks, Loop, Node
 from vstatics.flow.grids import remarks
-from vstatics.flow.rows import grids
+from vstatics.flow.rows import flow_grids
 from vstatics.flow.shared_planets import shared
 from vstatics.flow.text import text
 from vstatics.readers.named.reader import read_yaml
@@ -112,7 +112,7 @@ def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
 
 
 def test_tables_say_so_beside_the_sum_and_beside_the_loop() -> None:
-    tables = {grid.title: grid for grid in grids([only(SET)])}
+    tables = {grid.title: grid for grid in flow_grids([only(SET)])}
     [balance], [loop] = tables["Balance"].texts, tables["Circulating power"].texts
     assert balance[-1] == f"{balance[-2]} of it may not be in the metal"
     assert loop[-1] == DOUBT

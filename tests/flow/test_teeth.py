@@ -17,7 +17,7 @@ from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.flow.grids import power_grid
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import PowerFlow
-from vstatics.flow.rows import grids
+from vstatics.flow.rows import flow_grids
 from vstatics.readers.named.reader import read_yaml
 from vstatics.summary.sensitivity import sensitivities
 
@@ -154,7 +154,7 @@ def test_the_table_and_json_show_it_with_kilowatts(tmp_path: Path) -> None:
 
 
 def test_a_spreadsheet_names_the_teeth_of_each_mesh() -> None:
-    power = next(grids([only(read_yaml(RAVIGNEAUX.encode(), "x").case)]))
+    power = next(flow_grids([only(read_yaml(RAVIGNEAUX.encode(), "x").case)]))
     parts = [row[3] for row in power.texts if row[2] == "set"]
     assert parts[-5:] == ["teeth", *(f"teeth {mesh}" for mesh in MESHES)]
 

@@ -85,7 +85,7 @@ def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> Non
         ({"resume": False}, "holds 4 of 4 finished pieces of this sweep.*--resume"),
         ({"out": "ratio"}, "of another sweep: columns changed; .*remove the directory"),
         ({"where": "ratio[low] > 3"}, "of another sweep: where changed"),
-        ({"coast": True}, "of another sweep; "),
+        ({"coast": True}, "of another sweep: the case, a file that it names, or an option"),
     ],
 )
 def test_pieces_that_are_not_asked_for_are_not_lost(
@@ -99,6 +99,7 @@ def test_pieces_that_are_not_asked_for_are_not_lost(
     other = plan(*VARY, piece=8, **wanted)
     with pytest.raises(ReadError, match=words), FinishedPieces(str(tmp_path / "out.csv")) as opened:
         opened.open(description(other, "csv"), other.pieces, resume=more.get("resume", True))
+    assert not opened.is_open  # so the command does not say that it can go on
     assert names(Path(written.store.directory)) == before
 
 

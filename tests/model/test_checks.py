@@ -9,6 +9,8 @@ import pytest
 
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
 from vstatics import solve as solved
+from vstatics.model.checks import doubts
+from vstatics.model.vehicle import Vehicle
 
 
 def test_there_may_be_no_more_than_eight() -> None:
@@ -42,3 +44,17 @@ def test_the_first_of_several_outputs_is_the_output() -> None:
     case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], outputs=[2, 3])
     assert (case.output, case.outputs, case.further_outputs(case.gears[0])) == (2, (2, 3), [3])
     assert Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], outputs=[2]).outputs == ()
+
+
+@pytest.mark.parametrize(
+    ("inertias", "told"),
+    [({2: 6.75}, True), ({2: 3.4}, True), ({2: 0.3}, False), ({1: 6.75}, False), ({}, False)],
+)
+def test_the_mass_of_a_vehicle_is_not_among_the_inertias(
+    inertias: dict[int, float], told: bool
+) -> None:
+    """1200 kg on wheels of .3 m behind a final drive of 4 are 6.75 kg*m^2 at the output."""
+    car = Vehicle(1200, 0.3, final_drive=4)
+    pair = Mechanism(1, 2, 0, -3.0)
+    case = Transmission(2, [], [pair], [Gear()], inertias=inertias, vehicle=car)
+    assert [one.id for one in doubts(case)] == ["W202"] * told

@@ -17,13 +17,11 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
-from tests.oracle.boxes import HELD, Frame, Space, all_frames, triples
+from tests.oracle.boxes import HELD, Frame, Space, all_frames
 from tests.oracle.test_boxes import Pairs, ratio
+from tests.oracle.test_found_boxes import asked, ports_of
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox, WantedSequence
 from vstatics.synthesis.boxes.figures.measured import measured
-from vstatics.synthesis.boxes.pieces.ports import PortSearch
-from vstatics.synthesis.boxes.schemes.choices import BoxScheme
-from vstatics.synthesis.structures.scheme import SetScheme
 
 pytestmark = pytest.mark.slow  # they compile
 BOUNDS = (1.4, 5.0)
@@ -164,16 +162,16 @@ ASKED = {
     "steps from 1": WantedSequence(3, 4, (1.8, 5.0), (1.0, 1.6), falling=True),
 }
 SPACES = {
-    "one set": (Space(1, 3, 2, (), own_input=True), ()),
-    "one set, both": (Space(1, 5, 3, (), own_input=True, own_output=True), ()),
-    "shaft of one set": (Space(1, 4, 2, (), shafts=1), ()),
-    "one engaged": (Space(2, 4, 1, ()), ()),
-    "reverse": (Space(2, 4, 2, (), own_input=True), (-2.2,)),
-    "forward": (Space(2, 4, 2, (), meshed=1, own_input=True), (1.0,)),
-    "meshed": (Space(2, 4, 2, (), meshed=1, own_input=True), ()),
-    "held": (Space(2, 4, 2, (), fixed=1), ()),
-    "own output": (Space(2, 4, 2, (), own_output=True), ()),
-    "shaft": (Space(2, 5, 3, (), shafts=1), ()),
+    "one set": Space(1, 3, 2, (), own_input=True),
+    "one set, both": Space(1, 5, 3, (), own_input=True, own_output=True),
+    "shaft of one set": Space(1, 4, 2, (), shafts=1),
+    "one engaged": Space(2, 4, 1, ()),
+    "reverse": Space(2, 4, 2, (-2.2,), own_input=True, tolerance=WIDTH),
+    "forward": Space(2, 4, 2, (1.0,), meshed=1, own_input=True, tolerance=WIDTH),
+    "meshed": Space(2, 4, 2, (), meshed=1, own_input=True),
+    "held": Space(2, 4, 2, (), fixed=1),
+    "own output": Space(2, 4, 2, (), own_output=True),
+    "shaft": Space(2, 5, 3, (), shafts=1),
 }
 
 
@@ -181,27 +179,16 @@ SPACES = {
 @pytest.mark.parametrize("singly", [False, True])
 def test_sequences_on_a_grid_are_found(space: str, singly: bool) -> None:
     chance = seeded(32 + len(space))
-    own, targets = SPACES[space]
+    own = SPACES[space]
     frames = all_frames(own)
     on_grid_found = 0
     for name in chance.sample(list(ASKED), count(3, 7)):
         wanted = ASKED[name]
-        search = BoxSearch(
-            *(own.sets, own.elements, own.engaged, targets, BOUNDS, own.meshed),
-            own_input=own.own_input,
-            own_output=own.own_output,
-            shafts=own.shafts,
-            fixed=own.fixed,
-            tolerance=WIDTH,
-            sequence=wanted,
-            singly=singly,
-        )
+        search = asked(own)._replace(sequence=wanted, singly=singly)
         for frame in chance.sample(frames, min(len(frames), 3)):
-            scheme = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
-            held = None if frame.held == HELD else frame.held
-            ports = PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))
+            ports = ports_of(search, frame)
             found = {frozenset(one.elements): one for one in ports.boxes(frame.input, frame.output)}
-            assert not ports.given_up or own.sets > 2
+            assert not ports.given_up
             told = {
                 key: told_of(search, found[key])
                 for key in chance.sample([*found], min(len(found), 8))
@@ -215,7 +202,27 @@ def test_sequences_on_a_grid_are_found(space: str, singly: bool) -> None:
                     assert elements in found, (name, frame, sorted(elements), best)
                     if elements in told:
                         assert told[elements][:2] >= best[:2]
-                        in_between = best.single and max(targets, default=0) > 0
+                        in_between = best.single and max(own.targets, default=0) > 0
                         if told[elements][:2] == best[:2] and not in_between:
                             assert told[elements].nearness >= best.nearness - 1e-6
     assert on_grid_found or own.shafts or own.engaged == 1 or singly
+
+
+def test_three_sets_with_a_gear_that_passes_through_infinity() -> None:
+    """Two of the ratios of the first box have a pole within the bounds."""
+    wanted = WantedSequence(5, 7, (5.0, 8.0), (1.2, 1.8))
+    search = BoxSearch(3, 5, 2, (), BOUNDS, sequence=wanted)
+    frame = Frame((0, 1, 2, 0, 3, 4, 2, 3, 5), (False,) * 3, HELD, 3, 0)
+    ports = ports_of(search, frame)
+    found = {frozenset(one.elements): one for one in ports.boxes(frame.input, frame.output)}
+    assert not ports.given_up
+    chance = seeded(3)
+    pole = frozenset({(1, HELD), (2, HELD), (0, 5), (1, 4), (4, 5)})
+    for elements in [pole, *chance.sample(sorted(found, key=sorted), count(5, 30))]:
+        told = told_of(search, found[elements])
+        best = on_grid(frame, sorted(elements), search, wanted, singly=False)
+        assert best is None or told[:2] >= best[:2]
+    others = [frozenset(one) for one in combinations(frame.possible, 5)]
+    for elements in chance.sample(others, count(8, 60)):
+        best = on_grid(frame, sorted(elements), search, wanted, singly=False)
+        assert best is None or elements in found

@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from tests.published.pages import rounded, rows
+from tests.commands import ROOT
+from tests.published.pages import SOURCES, rounded, rows
 from tests.published.test_published_starts import (
     TABLE_3_9,
     TABLE_3_11,
@@ -22,6 +23,7 @@ from tests.published.vehicle_dynamics_cells import cells
 from tests.simulation.boxes import RPM
 from tests.torsion.table_3_8 import TABLE_3_8
 from tests.torsion.test_simplification_tables import GEARS
+from tests.torsion.test_table_2_10 import APART, PUBLISHED
 from vstatics.simulation import simulate
 from vstatics.torsion.clutch.dumped import dump
 
@@ -52,6 +54,29 @@ def test_cells_of_vehicle_dynamics_that_are_wrong_in_print() -> None:
         own = found[row["table"], row["cell"]]
         assert rounded(own, row["here"]) == row["here"], row
         assert own != pytest.approx(float(row["printed"]), rel=0.004), row
+
+
+def test_frequencies_that_differ_are_the_misprints_of_the_page() -> None:
+    """Of the trucks that are counted; the row that is not read is not counted."""
+    told = {
+        row["cell"]
+        for row in rows("vehicle-dynamics", "Cells that are wrong in print")
+        if row["table"] == "2.10"
+    }
+    counted = {
+        f"{name} {GEARS[gear]}, {number}"
+        for name, truck in PUBLISHED.items()
+        for gear, omegas in enumerate(truck["omegas"])
+        for number, _ in enumerate(omegas or [], 1)
+    }
+    assert told & counted == {f"{name} {GEARS[gear - 1]}, {at}" for name, gear, at in APART}
+    page = (SOURCES / "vehicle-dynamics.md").read_text(encoding="utf-8")
+    of_trucks, of_moskvich = len(counted), 48
+    assert f"six trucks | {of_trucks - len(APART)} of {of_trucks} within" in page
+    assert f"| 2.5, frequencies | {of_moskvich - 1} of {of_moskvich} within" in page
+    method = (ROOT / "docs/method.md").read_text(encoding="utf-8")
+    assert f"({of_trucks + of_moskvich} natural frequencies" in method
+    assert f"[{len(APART) + 1} of them misprints]" in method
 
 
 GAZ = [line for line in TABLE_3_8 if line.vehicle == "ГАЗ-53А"]

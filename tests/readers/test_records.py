@@ -31,3 +31,13 @@ def test_a_cell_of_a_million_letters_is_a_located_fault() -> None:
     with pytest.raises(ReadError) as told:
         read_record(b"time,torque\n0," + b"1" * 1_000_000 + b"\n", "r.csv", WANTED)
     assert [problem.id for problem in told.value.problems] == ["E121"]
+
+
+def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
+    links = ",".join(f"speeds[{n}]" for n in range(12))
+    text = f"time,{links},torques[prop],torques[tyres]\n" + "0" + ",1" * 14 + "\n"
+    record = read_record(text.encode(), "r.csv", {"time": None})
+    told = record.lacks("E883", "torques[propshaft]").message
+    assert "did you mean `torques[prop]`?" in told
+    assert told.endswith("columns of torques are torques[prop], torques[tyres]")
+    assert record.lacks("E883", "turns").message.count("speeds[") == 7

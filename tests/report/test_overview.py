@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from html import unescape
+from pathlib import Path
 
 import pytest
 
+from tests.commands import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.explain import formula
 from vstatics.flow.power import flows
@@ -84,3 +86,21 @@ def test_without_sympy_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPat
     low, _ = explained(set_of())
     assert "sympy" not in words(*low)
     assert "i = w_1/w_3 = 3.5" in words(*low)
+
+
+def test_a_page_tells_as_many_notes_as_check_does_and_prints_none(tmp_path: Path) -> None:
+    file = tmp_path / "set.yaml"
+    file.write_text(
+        "elements:\n  P: {kind: planetary, sun: a, ring: b, carrier: c, "
+        "teeth: {sun: 30, ring: 66, planet: 18}, planets: 3}\n"
+        "links: [a, b, c]\nshift_elements: {B: [b, housing]}\ngears: {low: [B]}\n",
+        encoding="utf-8",
+    )
+    counts = []
+    for allow in ((), ("--allow", "N318")):
+        counts.append(vstatics("check", file, *allow).err.count(" note: "))
+        made = vstatics("report", file, "--sections", "overview", *allow, "-o", "-")
+        assert made.err == ""
+        assert made.out.count('<li class="note">') == counts[-1]
+        assert (f">{counts[-1]} note" in made.out) == (counts[-1] > 0)
+    assert counts[0] > counts[1]

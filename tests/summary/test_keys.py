@@ -7,7 +7,7 @@ import pytest
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.summary import Summary, summarize
 from vstatics.summary.contrast import contrasted
-from vstatics.summary.grids import grids
+from vstatics.summary.grids import summary_grids
 from vstatics.tables.grid import Grid
 
 
@@ -25,7 +25,7 @@ def headings(tables: list[Grid], key: str) -> list[str]:
 @pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300), Load(2000)])
 def test_keys_are_small_letters_each_once_and_all_columns_are_headed(load: Load | None) -> None:
     one = summary(load)
-    for tables in (list(grids(one)), list(contrasted([one, one]))):
+    for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
         keys = [grid.key for grid in tables]
         assert all(key and key == key.lower() for key in keys)
         assert len({*keys}) == len(keys)
@@ -33,7 +33,7 @@ def test_keys_are_small_letters_each_once_and_all_columns_are_headed(load: Load 
 
 
 def test_units_stand_behind_a_comma() -> None:
-    loaded = list(grids(summary(Load(2000, 300))))
+    loaded = list(summary_grids(summary(Load(2000, 300))))
     assert headings(loaded, "shift elements with load")[1::2] == [
         "slip, rpm", "torque, N*m", "with losses, N*m",
     ]  # fmt: skip
@@ -45,5 +45,5 @@ def test_units_stand_behind_a_comma() -> None:
         "power, kW",
         "way",
     ]
-    only_torque = list(grids(summary(Load(torque=300))))
+    only_torque = list(summary_grids(summary(Load(torque=300))))
     assert headings(only_torque, "shift elements with load")[1] == "torque, N*m"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from fractions import Fraction
 from pathlib import Path
@@ -79,6 +80,40 @@ def test_what_cannot_be_put_together_is_said_and_its_numbers_stand(
         assert status == ("ok" if fits else "not assembled")
     assert np.isfinite(chunk.columns).all()
     assert chunk.counts == {"ok": said.count("ok"), "not assembled": said.count("not assembled")}
+
+
+@pytest.mark.parametrize("by", [(), ("--by", "gear")])
+def test_what_cannot_be_put_together_is_best_only_if_it_is_asked_for(
+    by: tuple[str, ...], tmp_path: Path
+) -> None:
+    file = tmp_path / "box.json"
+    file.write_text(json.dumps(CASE), encoding="utf-8")
+
+    def suns(*options: str) -> list[int]:
+        said = run(
+            "sweep",
+            file,
+            "--vary",
+            "P1.teeth.sun=25:40:16",
+            "--out",
+            "ok",
+            "-f",
+            "csv",
+            *by,
+            *options,
+        )
+        assert said.status == 0, said.err
+        rows = list(csv.DictReader(said.out.splitlines()))
+        assert [row["ok"] == "1" for row in rows] == [row["status"] == "ok" for row in rows]
+        return list(dict.fromkeys(int(row["P1.teeth.sun"]) for row in rows))
+
+    every = [*range(25, 41)]
+    fitting = [sun for sun in every if (75 - sun) % 2 == 0 and (75 + sun) % 3 == 0]
+    others = [sun for sun in every if sun not in fitting]
+    assert (suns(), suns("--where", "ok"), suns("--where", "not ok")) == (every, fitting, others)
+    best = "--min", "P1.teeth.sun", "--best", "100"
+    assert (suns(*best), suns(*best, "--where", "ok or not ok")) == (fitting, every)
+    assert suns(*best, "--max", "P1.teeth.sun") == fitting  # none dominates another
 
 
 def other_documents() -> tuple[dict[str, Any], list[vstatics.Transmission]]:

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from tests.chance import generator
+from tests.commands import CASES
 from tests.sweep.sweeps import DIFFERENTIAL
-from vstatics import CaseError, loads, solve, sweep
+from vstatics import CaseError, Load, load, load_varied, loads, solve, sweep
 
 pytest.importorskip("xarray")
 BOX = """
@@ -98,3 +99,34 @@ def test_numbers_vary_in_the_order_in_which_they_are_given_texts_among_arrays() 
     found = sweep(DIFFERENTIAL, {"D.ratio": [-2, -3], "D.efficiency": ".9:1:3"}, out="ratio[low]")
     assert found.plan.names == ("D.ratio", "D.efficiency")
     assert found.to_xarray()["ratio[low]"].values.tolist() == [[3] * 3, [4] * 3]
+
+
+def test_variables_of_a_dataset_have_the_units_that_those_of_results_have() -> None:
+    case = load(CASES / "zf-8hp70.yaml").replace(load=Load(2000, 300))
+    tables = ["ratio", "speeds", "speeds_rpm", "lossy_torques_Nm", "losses_kW"]
+    told = solve(case).to_xarray()
+    varied = {"load.torque": [200, 400], "P4.teeth.ring": [81, 85]}
+    for by in (None, "gear"):
+        data = sweep(case, varied, out=",".join(tables), by=by).to_xarray()
+        for name, one in data.data_vars.items():
+            table = str(name).partition("[")[0]
+            if table != "status":
+                assert one.attrs.get("units") == told[table].attrs.get("units")
+        assert data["load.torque"].attrs == {"units": "N*m"}
+        assert data["P4.teeth.ring"].attrs == {}
+    parallel = sweep(case, varied, zip=True, out="x=ratio[1]*1, max(speeds_rpm)").to_xarray()
+    assert parallel["load.torque"].attrs == {"units": "N*m"}
+    assert [parallel[one].attrs.get("units") for one in ("x", "max(speeds_rpm)")] == [None, "rpm"]
+
+
+def test_what_swings_and_what_runs_has_units_too() -> None:
+    sprung = load(CASES / "moskvich412.yaml")
+    data = sweep(sprung, {"propshaft.stiffness": [5e4]}, out="omega[1,1]").to_xarray()
+    assert data["propshaft.stiffness"].attrs == {"units": "N*m/rad"}
+    assert data["omega[1,1]"].attrs == {"units": "rad/s"}
+    run = load_varied(CASES / "scenarios/tarasik-set-upshift.yaml")
+    duration = run.own.scenario.duration
+    asked = "sum(heat), max(speeds), events"
+    data = sweep(run, {"duration": [duration]}, out=asked).to_xarray()
+    assert data["sum(heat)"].attrs == {"units": "J"}
+    assert data["max(speeds)"].attrs == {"units": "rad/s"}

@@ -81,12 +81,12 @@ def test_names_of_a_case_are_no_formulas(command: str, several: bool, case: Path
 
 
 def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None:
-    asked: tuple[Any, ...] = ("sweep", case, "--vary", "@now.ratio=-2,-3", "--out", "-ratio[1]")
+    asked: tuple[Any, ...] = ("sweep", case, "--vary", "@now.ratio=-2,-3", "--out", "-ratio[#1]")
     said = vstatics(*asked, "-o", tmp_path / "new.csv")
     assert said.status == 0, said.err
     lines = (tmp_path / "new.csv").read_text(encoding="utf-8").splitlines()
-    assert lines[0] == "variant,'@now.ratio,status,'-ratio[1]"
-    assert vstatics(*asked, "--raw").out.splitlines()[0] == "variant,@now.ratio,status,-ratio[1]"
+    assert lines[0] == "variant,'@now.ratio,status,'-ratio[#1]"
+    assert vstatics(*asked, "--raw").out.splitlines()[0] == "variant,@now.ratio,status,-ratio[#1]"
     assert vstatics(*asked, "--raw", "-o", tmp_path / "new.npz").status == 2
 
 
@@ -97,7 +97,7 @@ def test_a_table_of_variants_is_read_with_apostrophes_and_without(
 ) -> None:
     table = tmp_path / "variants.csv"
     table.write_text(f"{heading}\n-2.5\n{value}\n", encoding="utf-8")
-    said = vstatics("sweep", case, "--variants", table, "--out", "ratio[1]", "-f", "jsonl")
+    said = vstatics("sweep", case, "--variants", table, "--out", "ratio[#1]", "-f", "jsonl")
     values = [json.loads(line)["@now.ratio"] for line in said.out.splitlines()]
     assert values == pytest.approx([-2.5, -96 / 39])
 

@@ -128,6 +128,68 @@ def test_no_text_has_two_rows() -> None:
     assert [*table("de")] == [row["en"] for row in rows()]
 
 
+TERMS = {
+    r"\bsuns?\b": ("Sonnenr", "солнечн"),
+    r"\brings?\b": ("Hohlr", "эпицикл"),
+    r"\bcarriers?\b": ("Steg", "водил"),
+    r"\bplanets?\b|^(short|long)$": ("Planet", r"сат(еллит|\.)"),
+    r"\bfreewheels?\b": ("Freil", "муфт.* своб"),
+    r"\bhousing\b": ("Gehäuse", "корпус"),
+    r"\bshift elements?\b": ("Schaltelement", "элемент.* управления"),
+    r"\bmechanisms?\b": ("Teilgetriebe", "механизм"),
+    r"\b(not |nothing )?engaged\b": ("geschlossen", "включ"),
+    r"^open$|\bopen ones\b|\bwhen open\b": ("offen", "выключен"),
+    r"^opens$|^released$": ("öffnet", "выключается"),
+    r"^closes$": ("schließt", "включается"),
+    r"\bneutral$|\bneutral:": ("Leerlauf", "нейтраль"),
+    r"\btied up\b": ("blockiert", "заблокирована"),
+    r"\blocked by friction\b": ("durch Reibung gesperrt", "заклинена трением"),
+    r"\binternal ratios?\b|\bRatios, third link held": ("Standübersetzung", "внутренн(ее|ему|ие)"),
+    r"\befficienc(y|ies)\b": ("Wirkungsgrad", "КПД"),
+    r"\bfires\b": ("Zündordnung", "порядок вспышек"),
+    r"\blever diagram$|^levers$": ("Hebeldiagramm", "рычажная схема"),
+    r"\bslips?$|^slip,": ("Schlupf|rutsch", "скольжение|скольз|буксу"),
+    r"\bdamping ratio\b": ("Dämpfungsgrad", "относительное затухание"),
+}
+"""Words of the field: what an English one is in German and Russian."""
+
+
+MEANINGS_OF_CAPITALS = {"change", "input"}
+"""A button and what is changed; what is given and the link."""
+
+
+def words_of(text: str) -> str:
+    """A text without its places."""
+    return re.sub(r"\{.*?\}", "", text)
+
+
+def test_a_term_is_always_the_same_word() -> None:
+    for term, said in TERMS.items():
+        found = [row for row in rows() if re.search(term, words_of(row["en"]), re.IGNORECASE)]
+        assert found, term
+        for row in found:
+            for language, word in zip(("de", "ru"), said, strict=True):
+                assert re.search(word, row[language], re.IGNORECASE), row
+
+
+def test_a_text_with_a_capital_is_said_as_the_one_without() -> None:
+    known: dict[str, dict[str, str]] = {}
+    for row in rows():
+        first = known.setdefault(row["en"].lower(), row)
+        if row["en"].lower() in MEANINGS_OF_CAPITALS:
+            continue
+        for language in ("de", "ru"):
+            assert row[language].lower() == first[language].lower(), (row, first)
+
+
+def test_russian_writes_a_word_with_one_letter() -> None:
+    """Either with ё or with е, but where these are two words."""
+    words = set(re.findall("[а-яё]+", " ".join(row["ru"] for row in rows()).lower()))
+    both = {one for one in words if "ё" in one and one.replace("ё", "е") in words}
+    assert both <= {"всё"}
+    assert words.isdisjoint({"учетом", "расчет", "еще", "вперед", "ее", "дает", "счет"})
+
+
 def test_other_languages_have_letters_of_their_own() -> None:
     for row in rows():
         assert not re.search("[а-яА-Я]", row["en"] + row["de"]), row

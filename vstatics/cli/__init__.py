@@ -100,6 +100,8 @@ def _safely_told() -> Iterator[None]:
     """Let click tell wrong use in a message that is safe to print."""
     try:
         yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise  # its message is the help, and shown as that
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
         raise click.UsageError(message, error.ctx) from None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
@@ -11,11 +12,11 @@ import click
 from vstatics import extras, readers
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import CaseOptions, calculate_one, show_problems, unexpected
+from vstatics.cli.frame.cases import CaseOptions, calculate_one, unexpected
 from vstatics.cli.frame.documents import is_a, scenario_with_case
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
-from vstatics.cli.frame.options import refuse
+from vstatics.cli.frame.options import completing, refuse
 from vstatics.cli.frame.problems import Telling
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
@@ -112,11 +113,18 @@ def conditions(file: str, results: Results) -> Grid:
     return grid_of(title, ["", ""], rows)
 
 
+def _ids() -> list[str]:
+    from vstatics.writers.explained import known_ids
+
+    return [*known_ids(), "all"]
+
+
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @click.option(
     "--explain",
     metavar="ID",
+    shell_complete=completing(_ids),
     help="Cause, cure and an example of a message, such as W201, or of all; takes no case.",
 )
 @click.option(
@@ -142,7 +150,8 @@ def check(
     A scenario is checked with its case.
 
     Problems go to stderr as file:line:col: message, with the line and a caret;
-    the count of conditions goes to stdout. There are no tables. As JSON, for
+    the count of conditions goes to stdout, with -q only of a case that fails. There are
+    no tables. As JSON, for
     editors and CI, the problems of all cases are one array on stdout; each has
     file, line, column, severity (error, warning, note), message and id. Formats github
     (annotations), sarif and junit go to stdout as well.
@@ -214,13 +223,37 @@ def _is_scenario(file: str) -> bool:
     return is_a("scenario", data, name)
 
 
+def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[Problem]:
+    """What is told of a file, and that it fails by what is not."""
+    return [*telling.printed(problems), *telling.quiet_failure(problems, file)]
+
+
+class _Once:
+    """What was told already: a case that several scenarios name has its problems once."""
+
+    def __init__(self) -> None:
+        self._told: set[tuple[str, str, str, int, int]] = set()
+
+    def first(self, problems: Iterable[Problem]) -> list[Problem]:
+        """Those that are told for the first time, at their places, however these are spelled."""
+        found = []
+        for one in problems:
+            file, line, column = one.place[:3] if one.place else ("", 0, 0)
+            key = (one.id, one.message, os.path.realpath(file), line, column)
+            if not file or key not in self._told:
+                found.append(one)
+            self._told.add(key)
+        return found
+
+
 def _told(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
     """The conditions of all cases, and whether one failed; problems are printed."""
-    found, failed = list[str](), False
+    found, failed, once = list[str](), False, _Once()
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
-        show_problems(problems, options.telling, file)
-        found += [] if grid is None else [f"{text}\n" for text in lines(grid, indent="  ")]
+        files.show(once.first(_printed(file, problems, options.telling)))
+        is_told = grid is not None and (fails or not options.telling.quiet)
+        found += [f"{text}\n" for text in lines(grid, indent="  ")] if grid and is_told else []
     return "".join(found), failed
 
 
@@ -229,9 +262,11 @@ def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tupl
     by_file, failed = list[tuple[str, list[Problem]]](), False
     for file, problems, fails, _ in _calculated(cases, options):
         failed |= fails
-        told = options.telling.printed(problems)
+        told = _printed(file, problems, options.telling)
         by_file.append((file, [one if one.place else one.in_file(file) for one in told]))
-    found = [one for _, problems in by_file for one in problems]
+    once = _Once()
+    firsts = [(file, once.first(problems)) for file, problems in by_file]
+    found = [one for _, problems in firsts for one in problems]
     match form:
         case "github":
             from vstatics.writers.problems import github
@@ -244,7 +279,7 @@ def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tupl
         case "junit":
             return _as_junit(by_file, options.telling), failed
     return _array(
-        record for file, problems in by_file for record in problem_records(file, problems)
+        record for file, problems in firsts for record in problem_records(file, problems)
     ), failed
 
 
@@ -282,7 +317,7 @@ def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem],
         read = scenario_with_case(*files.read_input(file), options.input_format)
         read = read.allowing(options.telling.allow)
         found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
-        found = not_allowed(found, read.scenario.case.allow)
+        found = not_allowed(found, read.scenario.case.untold)
         problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
     except ReadError as error:
         return file, error.problems, True, None

@@ -9,27 +9,28 @@ from collections.abc import Callable
 import click
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.options import Command, refuse
+from vstatics.cli.frame.values import value
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
-from vstatics.comparison.pairs import verdicts_of_directories, verdicts_of_files
-from vstatics.comparison.sweeps import sweep_differences
-from vstatics.comparison.verdicts import Tolerances, Verdict, verdict
+from vstatics.comparison.pairs import content, verdicts_of_directories, verdicts_of_files
+from vstatics.comparison.sweeps import sweep_lines
+from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.comparison.verdicts import Verdict, verdict
 from vstatics.errors import plural
-from vstatics.readers import sweep_tables
-from vstatics.readers.results import read_results
 from vstatics.tables.answer import plain_data
-from vstatics.tables.names import quantity_named
+from vstatics.tables.written_results import WrittenSweep
 from vstatics.writers.junit import CaseOutcome, junit
 
 FORMATS = ("text", "markdown", "json", "junit")
 
 
 def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
-    least = click.FloatRange(min=0)
-    return click.option(name, type=least, default=default, show_default=True, help=says)
+    is_one = value(tolerance)
+    return click.option(
+        name, type=float, default=default, show_default=True, callback=is_one, help=says
+    )
 
 
 @click.command()
@@ -41,6 +42,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     "--leave-out",
     multiple=True,
     metavar="TABLE",
+    callback=value(left_out),
     help="Do not compare this table, by name or alias; may be given several times.",
 )
 @click.option("--all", "all_numbers", is_flag=True, help="Every number that differs.")
@@ -51,22 +53,26 @@ def compare(
     expected: str,
     atol: float,
     rtol: float,
-    leave_out: tuple[str, ...],
+    leave_out: frozenset[str],
     all_numbers: bool,
     summary: bool,
     form: str,
 ) -> int:
     """Compare two results, - is standard input: what changed in the case, and what by that.
 
-    Results of run: listing, JSON, JSON lines, CSV, in any mix; or two directories of
-    them, by the paths of the files without suffix. Cases are those of one file, else of
-    one name, gears those of one name, else of one number. The first line tells how much
-    differs, then come changes of the case and the largest ones of ratios, steps,
-    efficiencies and other tables, as expected -> actual, 20 lines at most.
-    A number from a listing matches anything within half of its last digit.
+    Results of run: listing, JSON, JSON lines, CSV, Parquet, in any mix; or two directories
+    of them, by the paths of the files without suffix. Cases are those of one file, with as many
+    folders as tell them apart, else of one name, gears those of one name, else of one number.
     Or two sweeps: CSV, JSON lines, NPZ, Parquet, by the number of the variant.
 
-    Exit status: 0 no number differs; 1 one does, or a result is added or gone; 2 wrong use.
+    The first line tells how much differs, then come changes of the case and the largest
+    ones of ratios, steps, efficiencies and other tables, as expected -> actual, 20 lines at
+    most. The deviation is (actual - expected)/|expected|: a ratio of -3 that becomes -4 deviates
+    by -33 %. A number from a listing matches anything within half of its last digit. Messages,
+    and name, description and source of a case are not compared.
+
+    Exit status: 0 no number differs; 1 one does, a result is added, gone or unreadable;
+    2 wrong use.
 
     \b
     Examples, in CI:
@@ -79,47 +85,36 @@ def compare(
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
-    left = frozenset(quantity_named(name).key for name in leave_out)
-    how = Tolerances(atol, rtol, left)
+    how = Tolerances(atol, rtol, leave_out)
     folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
-    failed = False
+    are_sweeps = False
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
-        cases = []
-        for one in verdicts_of_directories(actual, expected, how, files.read_input):
-            if isinstance(one, list):
-                files.show(one)
-                failed = True
-            else:
-                cases.append(one)
-        made = verdict(cases)
+        made = verdict([*verdicts_of_directories(actual, expected, how, files.read_input)])
     else:
         read = [files.read_input(file) for file in (actual, expected)]
-        sweeps = [is_a("sweep", *file) for file in read]
-        if any(sweeps):
-            refuse(
-                (not all(sweeps), "one is a sweep, the other is not: expected two of a kind"),
-                (form != "text", f"sweeps are compared as text, not as {form}"),
-            )
-            tables = [sweep_tables.read(*file) for file in read]
-            lines = list(sweep_differences(tables[0], tables[1], **how._asdict()))
-            return _told(lines, len(lines), actual, expected)
-        results = [read_results(*file) for file in read]
-        names = read[0][1], read[1][1]
-        made = verdict(verdicts_of_files(results[0], results[1], names, how))
+        here, there = (content(*file) for file in read)
+        sweeps = [isinstance(one, WrittenSweep) for one in (here, there)]
+        are_sweeps = all(sweeps)
+        mixed = any(sweeps) and not are_sweeps
+        refuse((mixed, "one is a sweep, the other is not: expected two of a kind"))
+        made = verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how))
+    for one in made.cases:
+        files.show(one.problems)
     count = sum(len(one.found) or one.differs for one in made.cases)
     if form == "json":
-        text = json.dumps(plain_data(made), ensure_ascii=False, indent=1)
-        status = _told([text], count, actual, expected)
+        lines = [json.dumps(plain_data(made), ensure_ascii=False, indent=1)]
     elif form == "junit":
-        status = _told([_as_junit(made)], count, actual, expected)
+        lines = [_as_junit(made)]
+    elif form == "text" and are_sweeps and not summary:
+        lines = [*sweep_lines(made.cases[0].found)]
     else:
         lines = _lines(made, form, all_numbers=all_numbers, summary=summary)
         tally = all(folders) or (len(made.cases) > 1 and lines)
-        status = _told([*lines, *[made.tally] * bool(tally)], count, actual, expected)
-    return FAILED if failed else status
+        lines += [made.tally] * bool(tally)
+    return _told(lines, count, actual, expected)
 
 
 def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:

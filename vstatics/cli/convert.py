@@ -34,6 +34,7 @@ def convert(
 ) -> int:
     """Convert the case IN to OUT: deck (.dat), YAML, JSON, XLSX or Modelica (.mo); - is a stream.
 
+    OUT is written over if it is there, so that a conversion can be repeated.
     Numbers and names are kept to the last digit; torques and speeds with a unit are
     written relative to the load. A workbook (XLSX) has a sheet for the parts of each kind.
     A deck has mechanisms in place of elements, and

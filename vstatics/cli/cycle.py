@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator
 from functools import partial
@@ -11,7 +12,7 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, tell_outside
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.formats import OutputOptions
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import gathered
@@ -30,11 +31,11 @@ if TYPE_CHECKING:
 
 
 def _speed(text: str) -> float:
-    """A speed of the engine in rad/s, bare or with its unit."""
-    from vstatics.readers.named.si_units import measured
+    """A speed of the engine in rad/s, with its unit as in a load."""
+    from vstatics.readers.named.units import quantity
 
     try:
-        speed = measured(text, "si_speed")
+        speed = quantity(text, "speed") * math.pi / 30
     except ValueError as error:
         raise ValueError(f"read {text!r}, {error}") from None
     if speed < 0:
@@ -67,7 +68,8 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
         "--least-speed",
         callback=value(_speed),
         metavar="SPEED",
-        help="The highest gear in which the engine turns as fast, 1200 rpm; else the first.",
+        help="The highest gear in which the engine turns as fast, '1200 rpm'; else the first in "
+        "which it turns no faster than at its last point.",
     ),
     click.option(
         "--shift",
@@ -95,11 +97,12 @@ def cycle(
     """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
 
     TRACE is a CSV file with the columns time [s] and speed [km/h], and perhaps gear and
-    slope. Between two rows speed is the mean, acceleration constant, gear and slope those
-    of the first row. Without a column gear say --least-speed or --shift.
+    slope, the sine of its angle. Between two rows speed is the mean, acceleration constant,
+    gear and slope those of the first row. Without a column gear say --least-speed or --shift.
 
     The engine gives what wheels, inertias, losses and drag take. Where it would brake more
-    than its `overrun`, brakes take the rest. Fuel is told where the vehicle has a map,
+    than its `overrun`, brakes take the rest. Steps in which it would have to give more, or
+    turn faster, than at full load are warned of. Fuel is told where the vehicle has a map,
     `fuel: {file: fuel.csv}`.
 
     \b
@@ -131,13 +134,6 @@ def _shown(
     made = _driven(outcome, results, trace, choice)
     if steps:
         files.write_output(_as_sweep(made), steps)
-    if made.beyond:
-        files.say(
-            f"{outcome.file}: in {made.beyond} of {len(made.gears)} steps the engine would have "
-            "to give more than at full load"
-        )
-
-    tell_outside(made.outside, results.case, outcome.file)
 
     def tables() -> Iterator[Grid]:
         energy = made.energy
@@ -154,7 +150,9 @@ def _shown(
 
         return CycleAnswer(results.case.name, made)
 
-    return texts.CaseOutput([results.case.name or outcome.file], {}, tables, answer)
+    titles = [results.case.name or outcome.file]
+    problems = [of_file(one.id, outcome.file, one.text) for one in made.messages]
+    return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
 
 
 def _as_sweep(made: DriveCycle) -> str:

@@ -26,13 +26,13 @@ if TYPE_CHECKING:
 @click.command()
 @arguments.argument
 @arguments.some_gears
-@click.option("--worksheet", is_flag=True, help="An exercise: its numbers are blanks.")
+@click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks.")
 @click.option("--solution", is_flag=True, help="The same exercise with its numbers.")
 @click.option(
     "--seed",
     type=click.IntRange(min=0),
     metavar="N",
-    help="With other teeth and ratios, which can be assembled; the same of the same N.",
+    help="With other teeth, which can be assembled, and ratios; others for each N.",
 )
 @formats.options(*formats.TABLES)
 @arguments.settings
@@ -89,23 +89,16 @@ def _exercise(
     outcome: CalculatedCase, results: Results, gear: str, seed: int | None, *, solved: bool
 ) -> texts.CaseOutput:
     """A gear as an exercise."""
-    from vstatics.explain import worksheet as exercises
-    from vstatics.statics.solve import solve
+    from vstatics.explain.exercise import exercise
+    from vstatics.explain.worksheet import grids
 
-    if seed is not None:
-        from vstatics.explain.drawn_numbers import drawn_numbers
-
-        results = solve(drawn_numbers(results.case, seed))
     [index] = arguments.gear_indices(results.case, [gear])
     try:
-        sheet = exercises.worksheet(results, index, seed)
+        sheet = exercise(results, results.case.gears[index].name, seed=seed)
     except CaseError as error:
         raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
-    title = results.case.name or outcome.file
-    if seed is not None:  # sheet and solution are found together by it
-        title = f"{title} (--seed {seed})"
-    shown = partial(exercises.grids, sheet, solved=solved)
-    return texts.CaseOutput([title], {}, shown, sheet.document)
+    shown = partial(grids, sheet, solved=solved)
+    return texts.CaseOutput(sheet.titles(outcome.file), {}, shown, sheet.document)
 
 
 def _shown(
@@ -117,7 +110,7 @@ def _shown(
     case = results.case
     indices = arguments.gear_indices(case, gears)
     try:
-        explanations = [explain_gear(results, index + 1) for index in indices]
+        explanations = [explain_gear(results, case.gears[index].name) for index in indices]
     except CaseError as error:
         raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
 
@@ -127,9 +120,9 @@ def _shown(
         return text.write(explanations, style.digits)
 
     def grids() -> Iterable[Grid]:
-        from vstatics.explain.grids import grids
+        from vstatics.explain.grids import explanation_grids
 
-        return grids(explanations)
+        return explanation_grids(explanations)
 
     def answer() -> ExplanationAnswer:
         from vstatics.explain.answer import ExplanationAnswer

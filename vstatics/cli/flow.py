@@ -68,9 +68,9 @@ def _shown(
         return "\n".join(text(one, style.digits) for one in shown)
 
     def grids() -> Iterable[Grid]:
-        from vstatics.flow.rows import grids
+        from vstatics.flow.rows import flow_grids
 
-        return grids(shown)
+        return flow_grids(shown)
 
     def answer() -> FlowAnswer:
         from vstatics.flow.answer import CONVENTIONS, FlowAnswer

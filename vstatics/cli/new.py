@@ -8,11 +8,12 @@ from importlib import resources
 import click
 
 from vstatics.cli.frame import files
+from vstatics.cli.frame.options import completing
 from vstatics.cli.frame.values import value
 from vstatics.errors import ReadError, nearest, of_file
 from vstatics.examples import example_file, example_files
 from vstatics.jobs.files import STDOUT
-from vstatics.readers import format_of_name
+from vstatics.readers import format_of, format_of_name
 
 TEMPLATES = (
     "planetary",
@@ -20,32 +21,40 @@ TEMPLATES = (
     "stepped",
     "ravigneaux",
     "planet_group",
-    "simpson",
+    "simpson_train",
     "lepelletier",
     "countershaft",
     "drive_axle",
-    "power_split",
+    "input_split",
     "worm",
 )
-"""Their names, the simplest first."""
+"""Their names, the simplest first; none is that of a shipped case, `_` and `-` being one sign."""
 
 
-def template(name: str) -> str:
-    """The text of a template, or of an example of this name.
+def template(name: str, suffix: str = ".yaml") -> str:
+    """The text of a template, or of an example of this name, as a deck if it is there as one.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
     """
     if name not in TEMPLATES:
-        return example_file(name).data().decode()
+        file = example_file(name)
+        other = os.path.splitext(file.path)[0] + suffix  # noqa: PTH122
+        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()  # noqa: PTH110
     return (resources.files("vstatics.cli") / "templates" / f"{name}.yaml").read_text(
         encoding="utf-8"
     )
 
 
 def _known(name: str) -> str:
-    """The name of a template or an example, or wrong use that tells the nearest."""
+    """The name of a template or an example, or wrong use that tells the nearest.
+
+    >>> _known("drive-axle"), _known("power_split")
+    ('drive_axle', 'power-split')
+    """
     known = [*TEMPLATES, *example_files()]
+    alike = {one.replace("_", "-"): one for one in known}
+    name = alike.get(name.replace("_", "-"), name)
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)
         raise ValueError(
@@ -64,6 +73,7 @@ def _known(name: str) -> str:
     default=TEMPLATES[0],
     show_default=True,
     callback=value(_known),
+    shell_complete=completing(lambda: [*TEMPLATES, *example_files()]),
     help=f"One of {', '.join(TEMPLATES)}; or a shipped case by its name, as zf-8hp70.",
 )
 def new(target: str, name: str) -> None:
@@ -75,15 +85,20 @@ def new(target: str, name: str) -> None:
       vstatics new gearbox.yaml --template zf-8hp70
       vstatics run gearbox.yaml
 
+    The MZKT 7922 is there as a deck, too: vstatics new mzkt.dat -t mzkt7922.
+
+    Folders of FILE that are missing are made.
+
     A file that is there already is left as it is, and the exit status is 1. A scenario,
-    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, which is copied likewise.
+    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
+    second command writes: vstatics new ../tarasik-box.yaml -t tarasik-box
     """
     kind = format_of_name(target)
-    if kind not in (None, "yaml"):
+    text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
+    if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
         message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
         raise ReadError([of_file("E015", target, message)])
-    if target != STDOUT and os.path.lexists(target):
-        raise ReadError(
-            [of_file("E016", target, "is there already; expected the name of a new file")]
-        )
-    files.write_output(template(name), target)
+    files.refuse_existing(target)
+    if folder := os.path.dirname(target):  # noqa: PTH120
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+    files.write_output(text, target)

@@ -23,7 +23,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
-from vstatics.pictures import OF_ORDERS, OF_RUNS, OF_VIBRATION, PICTURES, pages
+from vstatics.pictures import OF_ORDERS, OF_RUNS, OF_VIBRATION, OPTIONS, PICTURES, misplaced, pages
 from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import page_width
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, Excitation, Style
@@ -38,14 +38,14 @@ BOXES = "boxes"
 """The kind of picture that shows no case, but a document of found boxes."""
 _WITHOUT_GEARS = {
     BOXES: "found boxes are shown with all their gears",
-    "shift": "a run goes through all gears of its scenario",
+    "shift": OPTIONS["gear"][1],
     **dict.fromkeys(SWEEP_PICTURES, "expected --by gear, or the column of a gear"),
 }
 """Kinds of which no gear can be picked, and what is said then."""
 
 
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @click.option(
     "-k",
     "--kind",
@@ -193,14 +193,12 @@ def plot(
     """
     asked = DrawnColumns(x, y, z, by)
     of_sweeps = kind in SWEEP_PICTURES
+    own = {"merge": merge, "wheels": wheels, "orders": tuple(orders or ()), "at": at}
     refuse(
-        (merge and kind != "lever", "--merge: only levers can be merged"),
-        (wheels and kind != "stick", "--wheels: only stick diagrams name them"),
+        *((True, f"--{name}: {why}") for name, why in misplaced(kind, own)),
         (order != "free" and kind != "stick", "--order: only stick diagrams have sets in a row"),
         (ratios and kind != "plan", "--ratios: only a plan follows from ratios alone"),
         (out and kind != "shift", "--out: only shift has columns of a run"),
-        (orders and kind not in OF_ORDERS, "--orders: only campbell and response have orders"),
-        (at and kind != "response", "--at: only a response is that of a link"),
         (gears and kind in _WITHOUT_GEARS, f"--gear: {_WITHOUT_GEARS.get(kind)}"),
         (cases and ratios is not None, "--ratios: without a case"),
         (not cases and ratios is None, "Missing argument 'CASE...'."),
@@ -209,6 +207,7 @@ def plot(
             "--x, --y, --z, --by: only map, curves and histogram are of columns",
         ),
         (kind == "histogram" and (x or z), "--x, --z: histograms are of the columns of --y"),
+        (kind == "curves" and z, "--z: only a map has contours"),
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)

@@ -131,6 +131,7 @@ def report(
 
         return serve_page(cases[0], digits, lang, settings)
     assert output is not None  # noqa: S101 - it is required
+    settings = settings.on_page
     to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
@@ -189,7 +190,7 @@ def _shown(
     live: bool,
 ) -> texts.CaseOutput:
     """The page of a case."""
-    chosen = arguments.gear_indices(results.case, asked.gears) if asked.gears else ()
+    chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
     def html(_: str | None) -> str:

@@ -14,7 +14,6 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
-from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.texts import Job
 from vstatics.errors import CaseError, ReadError, printable
 from vstatics.jobs.files import STDOUT, is_stream
@@ -31,13 +30,13 @@ MANY = 100
 
 
 @click.command()
-@click.argument("cases", nargs=-1, type=click.Path(), metavar="CASE...")
+@arguments.optional_argument
 @formats.options(*FORMATS, says="Format of the results")
 @click.option(
     "--files-from",
     type=click.Path(),
     metavar="FILE",
-    help="More cases: one a line, or ended by NUL; - is standard input.",
+    help="More cases: one a line, # begins a comment; or ended by NUL; - is standard input.",
 )
 @click.option(
     "-j",
@@ -190,7 +189,8 @@ def _frame() -> texts.Frame:
     """Around the rows of several results in CSV."""
     from vstatics.writers import result_csv
 
-    return texts.Frame(result_csv.head(several=True), "", result_csv.tail(several=True))
+    head, tail = result_csv.head(several=True), result_csv.tail(several=True)
+    return texts.Frame(head, "", tail, head + tail)
 
 
 def _pretty(
@@ -233,10 +233,10 @@ def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
     if files_from is None:
         if not cases:
             raise click.UsageError("Missing argument 'CASE...'.")
-        names = expanded(cases)
+        names = [*cases]
     else:
         if files_from == files.STDIN and files.STDIN in cases:
             raise click.UsageError("standard input (-) is the list of cases, and no case")
-        names = [*expanded(cases), *files.read_names(files_from)]
+        names = [*cases, *files.read_names(files_from)]
     arguments.check_streams(names)
     return names

@@ -17,6 +17,7 @@ from vstatics.damage.devices import DamageAnswer
 from vstatics.damage.rayleigh import RayleighLife
 from vstatics.damage.resize import ResizedShaft
 from vstatics.explain.answer import ExplanationAnswer
+from vstatics.explain.worksheet import SolvedExercise
 from vstatics.flow.answer import FlowAnswer
 from vstatics.model.shape import Measure
 from vstatics.readers.named import schema as case
@@ -52,6 +53,7 @@ ANSWERS = {
     "summary": ("Summary of a case, of vstatics summary", SummaryAnswer),
     "cycle": ("A driving cycle, of vstatics cycle", CycleAnswer),
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
+    "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
     "modes": ("Natural modes, of vstatics torsion modes", ModesAnswer),
     "reduction": (
         "Reduced inertias and compliances, of vstatics torsion reduce",

@@ -145,7 +145,9 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
 
     known, named = _read(file, texts)
     with noted_files() as noted:
-        outcome = calculate_one(file, settings._replace(scenarios=True, of_runs=True), known)
+        outcome = calculate_one(
+            file, settings.on_page._replace(scenarios=True, of_runs=True), known
+        )
     return Calculated(
         outcome.results,
         outcome.problems,

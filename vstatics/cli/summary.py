@@ -10,13 +10,13 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, tell_outside
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, outside_notes
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
-from vstatics.cli.frame.values import value
+from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
@@ -62,6 +62,7 @@ def _torque(text: str) -> float:
 @click.option(
     "--exponent",
     type=click.FloatRange(min=0, min_open=True, max=100),
+    callback=value(above_0),  # NaN is in every range
     default=3.0,
     show_default=True,
     metavar="P",
@@ -76,6 +77,7 @@ def _torque(text: str) -> float:
 @click.option(
     "--reserve",
     type=click.FloatRange(min=0, min_open=True, max=1e6),
+    callback=value(above_0),
     metavar="FACTOR",
     help="Capacities that shift elements need: the largest torque by so much, 1.2.",
 )
@@ -216,7 +218,8 @@ def _summarized(
     if duty is None:
         return summary
     made = duty.of(results)
-    tell_outside(getattr(made, "outside", ()), results.case, outcome.file)
+    notes = outside_notes(getattr(made, "outside", ()), results.case, outcome.file)
+    files.show(outcome.telling._replace(notes=True).printed(notes))
     return summary._replace(cycle=made)
 
 
@@ -229,9 +232,9 @@ def _shown(
     summary = summarized(outcome, results)
 
     def tables() -> Iterable[Grid]:
-        from vstatics.summary.grids import grids
+        from vstatics.summary.grids import summary_grids
 
-        return grids(summary)
+        return summary_grids(summary)
 
     def answer() -> SummaryAnswer:
         from vstatics.summary.answer import summary_answer

@@ -5,48 +5,56 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
+from vstatics.arguments import refusing
 from vstatics.comparison.numbers import ATOL, RTOL
-from vstatics.comparison.pairs import verdicts_of_directories, verdicts_of_files
-from vstatics.comparison.verdicts import CaseVerdict, Tolerances, Verdict, verdict
-from vstatics.errors import ReadError
-from vstatics.readers.results import read_results
+from vstatics.comparison.pairs import (
+    Content,
+    content,
+    verdicts_of_directories,
+    verdicts_of_files,
+)
+from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.comparison.verdicts import Verdict, verdict
 from vstatics.statics.results import Results
-from vstatics.tables.names import quantity_named
-from vstatics.tables.written_results import WrittenResult
 
 Compared = str | os.PathLike[str] | Results
 
 
+@refusing()
 def compare(
     actual: Compared,
     expected: Compared,
     *,
     atol: float = ATOL,
     rtol: float = RTOL,
-    leave_out: Iterable[str] = (),
+    leave_out: str | Iterable[str] = (),
 ) -> Verdict:
     """What changed in cases, and which numbers differ by that.
 
     Parameters
     ----------
     actual, expected : path-like or Results
-        Files of `run` in any format, or two directories of them.
+        Files of `run`: listing, JSON, JSON lines, CSV, Parquet; two sweeps; or two directories
+        of such files.
     atol, rtol : float
         Absolute tolerance, and that relative to the expected number.
-    leave_out : iterable of str
+    leave_out : str or iterable of str
         Tables that are not compared.
 
     Returns
     -------
     Verdict
-        `same`, `changed`, `added` and `gone` count cases; `cases` tell of each what is other.
+        `same`, `changed`, `added`, `gone` and `unreadable` count cases; `cases` tell of each what
+        is other. Messages are not compared, nor the name, description and source of a case.
 
     Raises
     ------
     ReadError
-        If a file holds no results.
+        If a file holds no results, of two directories neither of them, or a table is none.
     OSError
-        If a file cannot be opened.
+        If a file cannot be opened; in a directory it is one that is unreadable.
+    ValueError
+        If a tolerance is below 0 or not finite.
 
     Examples
     --------
@@ -56,14 +64,13 @@ def compare(
     >>> made.changed, made.cases[0].case[0]
     (1, CaseChange(path='D1.ratio', expected=2.0, actual=3.0))
     """
-    how = Tolerances(atol, rtol, frozenset(quantity_named(name).key for name in leave_out))
+    try:
+        how = Tolerances(tolerance(atol), tolerance(rtol), left_out(leave_out))
+    except ValueError as error:
+        raise ValueError(f"tolerance of compare: {error}") from None
     new, old = _folder(actual), _folder(expected)
     if new and old:
-        found = list(verdicts_of_directories(new, old, how, _read_file))
-        problems = [problem for one in found if isinstance(one, list) for problem in one]
-        if problems:
-            raise ReadError(problems)
-        return verdict([one for one in found if isinstance(one, CaseVerdict)])
+        return verdict([*verdicts_of_directories(new, old, how, _read_file)])
     (here, name), (there, other) = _written(actual), _written(expected)
     return verdict(verdicts_of_files(here, there, (name, other), how))
 
@@ -73,15 +80,12 @@ def _folder(given: Compared) -> str:
     return "" if isinstance(given, Results) or not os.path.isdir(given) else os.fspath(given)  # noqa: PTH112
 
 
-def _written(given: Compared) -> tuple[list[WrittenResult], str]:
+def _written(given: Compared) -> tuple[Content, str]:
     """Results as they are written, and the name of their file."""
     if isinstance(given, Results):
-        from vstatics.writers import result_json
-
-        text = result_json.text(result_json.document(given))
-        return read_results(text.encode(), given.case.name), given.case.name
+        return content(given.to_json().encode(), given.case.name), given.case.name
     file = os.fspath(given)
-    return read_results(*_read_file(file)), file
+    return content(*_read_file(file)), file
 
 
 def _read_file(file: str) -> tuple[bytes, str]:

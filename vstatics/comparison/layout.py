@@ -53,8 +53,11 @@ def markdown(one: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
     """The rows that are shown, and a line that tells how many are not.
 
-    Without ratios, steps and efficiencies that differ other tables are shown.
+    Without ratios, steps and efficiencies that differ other tables are shown. Of what can't be
+    read the further errors are told.
     """
+    if one.problems:
+        return [], [*map(str, one.problems[1:])]
     kinds: dict[str, list[Cells]] = {
         "case": [("case", path, *shown_values(old, new), "") for path, old, new in one.case]
     }
@@ -91,7 +94,7 @@ def _cells(one: Difference) -> Cells:
     if isinstance(one.actual, str) or isinstance(one.expected, str):
         return one.table, place, str(one.expected), str(one.actual), ""
     old, new = _numbers(one.expected, one.actual)
-    return one.table, place, old, new, percent(one.deviation)
+    return one.table, place, old, new, percent(one.told_deviation)
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:

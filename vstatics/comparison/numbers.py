@@ -38,6 +38,13 @@ class Difference(NamedTuple):
             return math.nan
         return (self.actual - self.expected) / abs(self.expected)
 
+    @property
+    def told_deviation(self) -> float:
+        """The same for people: NaN also where what is expected is rounding noise."""
+        if not isinstance(self.expected, str) and abs(self.expected) <= ATOL:
+            return math.nan
+        return self.deviation
+
 
 NOT_THERE, THERE = "not there", "there"
 

@@ -3,91 +3,180 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
-from vstatics.comparison.verdicts import CaseVerdict, Tolerances, by_name, compared
-from vstatics.errors import CaseError, Problem, of_file
+from vstatics.comparison.sweeps import sweep_places
+from vstatics.comparison.tolerances import Tolerances
+from vstatics.comparison.verdicts import CaseVerdict, compared, unreadable
+from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
+from vstatics.readers import sweep_tables
+from vstatics.readers.result_rows import is_parquet
 from vstatics.readers.results import read_results
-from vstatics.readers.sweep_tables import is_sweep
 from vstatics.tables.suffixes import known, suffix_of
-from vstatics.tables.written_results import WrittenResult
+from vstatics.tables.written_results import WrittenResult, WrittenSweep
 
 Read = Callable[[str], tuple[bytes, str]]
 """Gives what a file holds, and its name."""
-SUFFIXES = known(("listing", "json", "jsonl", "csv"))
+Content = list[WrittenResult] | WrittenSweep
+"""Of a file that is compared."""
+SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
 """Of the files in a directory that are compared."""
+SEPARATORS = re.compile(r"[/\\]")
+"""Of folders, wherever a result was written."""
+
+
+def content(data: bytes, file: str) -> Content:
+    """The results of a file, or the sweep.
+
+    Raises
+    ------
+    ReadError
+        If it holds neither.
+    """
+    if sweep_tables.is_sweep(data) and not is_parquet(data):
+        return sweep_tables.read(data, file)
+    return read_results(data, file)
 
 
 def verdicts_of_files(
-    actual: Sequence[WrittenResult],
-    expected: Sequence[WrittenResult],
-    names: tuple[str, str],
-    how: Tolerances,
+    actual: Content, expected: Content, names: tuple[str, str], how: Tolerances
 ) -> list[CaseVerdict]:
-    """What is said of each result of two files.
+    """What is said of each result of two files, or of the sweeps in them.
 
     Parameters
     ----------
-    actual, expected : sequence of WrittenResult
+    actual, expected : list of WrittenResult, or WrittenSweep
+        Two of a kind; an empty list is a file that is not there.
     names : (str, str)
         Of the files.
     how : Tolerances
+
+    Raises
+    ------
+    ReadError
+        If one is a sweep, the other is not.
     """
+    of_file_names = [_stem(name) for name in names if name != STDIN_NAME]
+    if isinstance(actual, WrittenSweep) or isinstance(expected, WrittenSweep):
+        name = next(filter(None, of_file_names), "sweep")
+        return [_sweeps_compared(name, actual, expected, names[0], how)]
     if max(len(actual), len(expected)) == 1:
-        one, other = actual[0], expected[0]
-        told = [_called(result) for result in (one, other)]
-        named = [_stem(name) for name in names if name != STDIN_NAME]
-        name = next(filter(None, (*told, *named)), "result")
+        one, other = (next(iter(side), None) for side in (actual, expected))
+        told = [_called(result) for result in (one, other) if result]
+        name = next(filter(None, (*told, *of_file_names)), "result")
         return [compared(name, one, other, how)]
-    found, wanted = by_name(actual, expected)
-    both = {**wanted, **found}
-    called = {name: _called(result) for name, result in both.items()}
+    found, wanted = _paired(actual, expected)
+    called = {name: _called(result, name) for name, result in {**wanted, **found}.items()}
     seen = Counter(called.values())
     return [
         compared(
-            called[name] if seen[called[name]] == 1 and called[name] else name,
-            found.get(name),
-            wanted.get(name),
-            how,
+            short if seen[short] == 1 and short else name, found.get(name), wanted.get(name), how
         )
-        for name in both
+        for name, short in called.items()
     ]
 
 
-def _called(result: WrittenResult) -> str:
-    """What a result is called: the file of its case without suffix, else its name."""
+def _sweeps_compared(
+    name: str, actual: Content, expected: Content, file: str, how: Tolerances
+) -> CaseVerdict:
+    if not (actual and expected):
+        return CaseVerdict(name, "added" if actual else "gone", differs=True)
+    if not (isinstance(actual, WrittenSweep) and isinstance(expected, WrittenSweep)):
+        message = "one is a sweep, the other is not: expected two of a kind"
+        raise ReadError([of_file("E050", file, message)])
+    found = list(sweep_places(actual, expected, **how._asdict()))
+    return CaseVerdict(name, "changed" if found else "same", None, found, {}, bool(found))
+
+
+def _called(result: WrittenResult, way: str = "") -> str:
+    """What a result is called: the file of its case without suffix, else its name.
+
+    Parameters
+    ----------
+    way : str
+        That file with the folders that tell it apart, where these do.
+    """
     file = "" if result.file == STDIN_NAME else result.file
+    if file and SEPARATORS.search(way) and file.endswith(way):
+        return os.path.splitext(way)[0]  # noqa: PTH122
     return _stem(file) or result.case_name
 
 
 def _stem(file: str) -> str:
-    return os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122
+    return os.path.splitext(SEPARATORS.split(file)[-1])[0]  # noqa: PTH122
+
+
+def _paired(
+    actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
+) -> list[dict[str, WrittenResult]]:
+    """Both by what tells the results of each apart: file, name of the case, or number.
+
+    Of its folders a file has so many as it takes, as the same cases may have been named from
+    another place.
+    """
+    for keys in _names(actual, expected):
+        if all(all(side) and len(set(side)) == len(side) for side in keys):
+            break
+    else:
+        keys = [[f"result {n}" for n, _ in enumerate(side, 1)] for side in (actual, expected)]
+    return [dict(zip(*pair, strict=True)) for pair in zip(keys, (actual, expected), strict=True)]
+
+
+def _names(*sides: Sequence[WrittenResult]) -> Iterator[list[list[str]]]:
+    ways = [[SEPARATORS.split(one.file) for one in side] for side in sides]
+    for depth in range(1, max(len(way) for side in ways for way in side) + 1):
+        yield [["/".join(way[-depth:]) for way in side] for side in ways]
+    yield [[one.case_name for one in side] for side in sides]
 
 
 def verdicts_of_directories(
     actual: str, expected: str, how: Tolerances, read: Read
-) -> Iterator[CaseVerdict | list[Problem]]:
-    """What is said of each file of two directories, or what is wrong with it.
+) -> Iterator[CaseVerdict]:
+    """What is said of each file of two directories, also of one that can't be read.
 
     Files are paired by their relative paths without suffix; a file of several results has a name
     for each, behind its own.
+
+    Raises
+    ------
+    ReadError
+        If there is no result in either of them.
     """
     here, there = _found(actual), _found(expected)
+    if not (here or there):
+        message = f"no result is there, nor in {expected}, so there is nothing to compare"
+        suffixes = spoken(SUFFIXES, "or")
+        raise ReadError([of_file("E050", actual, f"{message}: expected files {suffixes}")])
     for name in sorted({*here, *there}):
+        paths = [side.get(name, "") for side in (here, there)]
+        yield from _verdicts_of_pair(name, paths, how, read)
+
+
+def _verdicts_of_pair(
+    name: str, paths: Sequence[str], how: Tolerances, read: Read
+) -> Iterator[CaseVerdict]:
+    """Of two files of one name, of which one may be missing."""
+    contents, problems = list[Content](), list[Problem]()
+    for path in paths:
         try:
-            found, wanted = (
-                _read(side[name], read) if name in side else [] for side in (here, there)
-            )
+            contents.append(content(*read(path)) if path else [])
         except CaseError as error:
-            yield error.problems
-            continue
-        if max(len(found), len(wanted)) == 1:
-            yield compared(name, next(iter(found), None), next(iter(wanted), None), how)
-        else:
-            for part in verdicts_of_files(found, wanted, ("", ""), how):
-                yield part._replace(name=f"{name}/{part.name}")
+            problems += error.problems
+        except OSError as error:
+            problems.append(of_file("E006", path, f"can't be read: {error.strerror}"))
+    if problems:
+        yield unreadable(name, problems)
+        return
+    try:
+        parts = verdicts_of_files(contents[0], contents[1], (paths[0], paths[1]), how)
+    except ReadError as error:  # one is a sweep
+        yield unreadable(name, error.problems)
+        return
+    for part in parts:
+        yield part._replace(name=f"{name}/{part.name}" if len(parts) > 1 else name)
 
 
 def _found(folder: str) -> dict[str, str]:
@@ -106,11 +195,3 @@ def _found(folder: str) -> dict[str, str]:
         stem if counts[stem := os.path.splitext(name)[0]] == 1 else name: path  # noqa: PTH122
         for path, name in relative.items()
     }
-
-
-def _read(file: str, read: Read) -> list[WrittenResult]:
-    data, name = read(file)
-    if is_sweep(data):
-        message = "a sweep, expected a result: compare two sweeps by their files"
-        raise CaseError([of_file("E050", name, message)])
-    return read_results(data, name)

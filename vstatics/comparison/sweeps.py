@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
-from itertools import zip_longest
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import groupby, zip_longest
+from operator import attrgetter
 
-from vstatics.comparison.numbers import ATOL, RTOL, is_same, shown
+from vstatics.comparison.numbers import (
+    ATOL,
+    NOT_THERE,
+    RTOL,
+    THERE,
+    Difference,
+    is_same,
+    shown,
+)
 from vstatics.errors import plural
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import Figure, WrittenSweep
 
+VARIANT = "variant "
 MOST_TOLD_NUMBERS = 20
 """So many numbers of a column are told."""
 
@@ -29,41 +39,83 @@ def sweep_differences(
     leave_out : container of str
         Keys of tables, `Quantity.key`, whose columns are not compared.
     """
+    return sweep_lines(sweep_places(actual, expected, atol=atol, rtol=rtol, leave_out=leave_out))
+
+
+def sweep_places(
+    actual: WrittenSweep,
+    expected: WrittenSweep,
+    *,
+    atol: float = ATOL,
+    rtol: float = RTOL,
+    leave_out: Container[str] = (),
+) -> Iterator[Difference]:
+    """Every place in which two sweeps differ: `table` is the column, `row` the variant.
+
+    A variant that only one has is of the table `variant`, a column has no row.
+    """
     here, there = (
-        {number: place for place, number in enumerate(_rows(one))} for one in (actual, expected)
+        {row: place for place, row in enumerate(_rows(one))} for one in (actual, expected)
     )
-    yield from _lacking("variant", [n for n in there if n not in here], "expected")
-    yield from _lacking("variant", [n for n in here if n not in there], "not expected")
+    yield from (Difference("variant", *row, NOT_THERE, THERE) for row in there if row not in here)
+    yield from (Difference("variant", *row, THERE, NOT_THERE) for row in here if row not in there)
     found, wanted = (
         {name: column for name, column in one.columns.items() if _table(name) not in leave_out}
         for one in (actual, expected)
     )
-    yield from _lacking("column", [name for name in wanted if name not in found], "expected")
-    yield from _lacking("column", [name for name in found if name not in wanted], "not expected")
-    both = [number for number in there if number in here]
-    told = [
-        f"variant {number}, status: {actual.status[here[number]]}, "
-        f"expected {expected.status[there[number]]}"
-        for number in both
-        if actual.status[here[number]] != expected.status[there[number]]
-    ]
-    yield from _first(told, "status")
+    yield from (Difference(n, "", "", NOT_THERE, THERE) for n in wanted if n not in found)
+    yield from (Difference(n, "", "", THERE, NOT_THERE) for n in found if n not in wanted)
+    both = [(row, here[row], place) for row, place in there.items() if row in here]
+    for row, one, other in both:
+        if actual.status[one] != expected.status[other]:
+            yield Difference("status", *row, actual.status[one], expected.status[other])
     for name in (name for name in wanted if name in found):
-        pairs = (
-            (number, found[name][here[number]], wanted[name][there[number]]) for number in both
-        )
-        told = [
-            f"variant {number}, {name}: {shown(one)}, expected {shown(other)}"
-            for number, one, other in pairs
-            if not is_same(Figure(one), Figure(other), atol, rtol)
-        ]
-        yield from _first(told, name)
+        for row, one, other in both:
+            values = found[name][one], wanted[name][other]
+            if not is_same(Figure(values[0]), Figure(values[1]), atol, rtol):
+                yield Difference(name, *row, *values)
 
 
-def _rows(sweep: WrittenSweep) -> list[str]:
-    """What names each row: the number of its variant, and its gear where it has one."""
-    pairs = zip_longest(map(str, sweep.variants), sweep.gears, fillvalue="")
-    return [f"{number}, gear {gear}" if gear else number for number, gear in pairs]
+def sweep_lines(found: Iterable[Difference]) -> Iterator[str]:
+    """Such places in words, a line each; the first ones of a column.
+
+    Parameters
+    ----------
+    found : iterable of Difference
+        Those of `sweep_places`, in their order.
+    """
+    lacking = (_kind_that_lacks, attrgetter("actual"))
+    for kind, ones in groupby(found, lacking[0]):
+        if not kind:
+            for column, places in groupby(ones, attrgetter("table")):
+                yield from _first([_line(one) for one in places], column)
+            continue
+        for side, some in groupby(ones, lacking[1]):
+            names = [_row(one) if kind == "variant" else one.table for one in some]
+            yield from _lacking(kind, names, "expected" if side == NOT_THERE else "not expected")
+
+
+def _kind_that_lacks(one: Difference) -> str:
+    """What one of the sweeps has not: a variant, a column, or nothing."""
+    if one.table == "variant":
+        return "variant"
+    return "" if one.row else "column"
+
+
+def _row(one: Difference) -> str:
+    number = one.row.removeprefix(VARIANT)
+    return f"{number}, gear {one.gear}" if one.gear else number
+
+
+def _line(one: Difference) -> str:
+    values = [each if isinstance(each, str) else shown(each) for each in one[3:]]
+    return f"variant {_row(one)}, {one.table}: {values[0]}, expected {values[1]}"
+
+
+def _rows(sweep: WrittenSweep) -> list[tuple[str, str]]:
+    """What names each row: its variant, and its gear where it has one."""
+    pairs = zip_longest(sweep.variants, sweep.gears, fillvalue="")
+    return [(f"{VARIANT}{number}", gear) for number, gear in pairs]
 
 
 def _table(column: str) -> str:

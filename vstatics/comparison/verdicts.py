@@ -5,28 +5,21 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
 from vstatics.comparison.case_changes import CaseChange, case_changes
-from vstatics.comparison.numbers import ATOL, RTOL, Difference, differences
+from vstatics.comparison.numbers import Difference, differences
 from vstatics.comparison.steps import step_differences, steps_of
-from vstatics.tables.answer import told
+from vstatics.comparison.tolerances import Tolerances
+from vstatics.errors import Problem, plural
+from vstatics.tables.answer import Sometimes, told
 from vstatics.tables.written_results import WrittenResult
 from vstatics.texts import tr
 
-State = Literal["same", "changed", "added", "gone"]
+State = Literal["same", "changed", "added", "gone", "unreadable"]
 MAIN = {"ratio": "ratio", "step": "step", "ETA": "efficiency"}
 """Tables that are told first, by what they are called there."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
-
-
-class Tolerances(NamedTuple):
-    """How numbers are compared, and keys of the tables that are not."""
-
-    atol: float = ATOL
-    rtol: float = RTOL
-    leave_out: frozenset[str] = frozenset()
 
 
 class NumberRecord(NamedTuple):
@@ -34,6 +27,7 @@ class NumberRecord(NamedTuple):
 
     table: str
     row: str | None
+    """Or the variant of a sweep."""
     gear: str | None
     """The lower one of a step; the device of AJK."""
     expected: float | str | None
@@ -43,7 +37,7 @@ class NumberRecord(NamedTuple):
     """By the expected number without its sign."""
 
 
-@told("name", "state", "case", "numbers")
+@told("name", "state", "case", "numbers", "errors")
 class CaseVerdict(NamedTuple):
     """A result that is held against the expected one; `case` and `numbers` say what is other."""
 
@@ -57,6 +51,13 @@ class CaseVerdict(NamedTuple):
     """How many ratios, steps and efficiencies there are."""
     differs: bool = False
     """Whether anything differs but the case."""
+    problems: Sequence[Problem] = ()
+    """Why it can't be compared, where it is unreadable."""
+
+    @property
+    def errors(self) -> Sometimes[Sequence[str]]:
+        """The problems in words, where there are any."""
+        return [*map(str, self.problems)] or None
 
     @property
     def case(self) -> Sequence[CaseChange]:
@@ -69,7 +70,7 @@ class CaseVerdict(NamedTuple):
         return [
             NumberRecord(
                 one.table,
-                None if one.table in PLURALS else one.row or None,
+                None if one.table == "step" else one.row or None,
                 one.gear or None,
                 one.expected,
                 one.actual,
@@ -83,9 +84,15 @@ class CaseVerdict(NamedTuple):
         """What is other, in a line."""
         if self.state in ("added", "gone"):
             return f"{self.name}: {self.state}"
+        if self.problems:
+            return f"{self.name}: {self.state}: {self.problems[0]}"
         if any(one.table == "case" for one in self.found):
             [one] = self.found
             return f"{self.name}: {one.actual}, expected {one.expected}"
+        if not self.counts:  # of a sweep
+            places = len(self.found)
+            verb = "differ" if places > 1 else "differs"
+            return f"{self.name}: {places} {plural('place', places)} {verb}"
         tables = [one.table for one in self.found]
         numbers = [
             tr(f"{{number}} of {{all}} {PLURALS[table]}", number=tables.count(table), all=count)
@@ -106,6 +113,7 @@ class CaseVerdict(NamedTuple):
         return f"{self.name}: {count}; {told}"
 
 
+@told("same", "changed", "added", "gone", "cases", unreadable="some_unreadable")
 class Verdict(NamedTuple):
     """What is said of many results, as it stands in JSON."""
 
@@ -121,9 +129,20 @@ class Verdict(NamedTuple):
         return any(one.differs for one in self.cases)
 
     @property
+    def unreadable(self) -> int:
+        """How many results can't be compared, as they can't be read."""
+        return sum(one.state == "unreadable" for one in self.cases)
+
+    @property
+    def some_unreadable(self) -> Sometimes[int]:
+        """The same where there are any."""
+        return self.unreadable or None
+
+    @property
     def tally(self) -> str:
         """How many results there are of each state."""
-        counts = zip(self._fields[:4], self[:4], strict=True)
+        counts = [*zip(self._fields[:4], self[:4], strict=True)]
+        counts += [("unreadable", self.unreadable)] * bool(self.unreadable)
         return ", ".join(f"{count} {state}" for state, count in counts)
 
 
@@ -137,12 +156,25 @@ def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
     return Verdict(counts["same"], counts["changed"], counts["added"], counts["gone"], cases)
 
 
+OTHER_ROWS = (
+    "a listing of the source has rows of mechanisms, where the other result has those of "
+    "elements: expected a listing in another language, JSON or CSV"
+)
+
+
+def unreadable(name: str, problems: Sequence[Problem]) -> CaseVerdict:
+    """What is said of a result that can't be compared."""
+    return CaseVerdict(name, "unreadable", differs=True, problems=problems)
+
+
 def compared(
     name: str, actual: WrittenResult | None, expected: WrittenResult | None, how: Tolerances
 ) -> CaseVerdict:
     """A result against the expected one; None for one that is not there."""
     if actual is None or expected is None:
         return CaseVerdict(name, "gone" if actual is None else "added", differs=True)
+    if actual.is_of_source != expected.is_of_source and (actual.has_own or expected.has_own):
+        return unreadable(name, [Problem("E110", OTHER_ROWS)])
     found = list(differences(actual, expected, **how._asdict()))
     steps, counts = _steps(actual, expected, found, how)
     changes = _changes(actual, expected, found, how)
@@ -157,7 +189,7 @@ def compared(
 
 def _size(one: Difference) -> float:
     """By which differences are in their order: those without a deviation come first."""
-    return math.inf if math.isnan(one.deviation) else abs(one.deviation)
+    return math.inf if math.isnan(one.told_deviation) else abs(one.told_deviation)
 
 
 def _steps(
@@ -217,16 +249,3 @@ def _changes(
     )
     told = {one.path for one in changes}
     return [*(one for one in gears if one.path not in told), *changes]
-
-
-def by_name(
-    actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
-) -> list[dict[str, WrittenResult]]:
-    """Both by what tells the results of each apart: file, name of the case, or number."""
-    for name in map(attrgetter, ("file", "case_name")):
-        keys = [[name(one) for one in results] for results in (actual, expected)]
-        if all(all(side) and len(set(side)) == len(side) for side in keys):
-            break
-    else:
-        keys = [[f"result {n}" for n, _ in enumerate(side, 1)] for side in (actual, expected)]
-    return [dict(zip(*pair, strict=True)) for pair in zip(keys, (actual, expected), strict=True)]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.damage.rainflow import LoadCycle, rainflow
 from vstatics.model.fatigue import Fatigue
 from vstatics.model.transmission import Transmission
@@ -73,6 +74,7 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
     return DeviceDamage(damage, repeats, float(stresses.max(initial=0.0)), counted)
 
 
+@refusing()
 def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, DeviceDamage]:
     """What records of torques do to the devices of a case.
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.model.fatigue import Fatigue
 from vstatics.tables.answer import document
 
@@ -26,6 +27,7 @@ class RayleighLife(NamedTuple):
     """In cycles, or km where their number a km is given; None: for ever."""
 
 
+@refusing()
 def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> RayleighLife:
     """The life under a stress of a narrow band of frequencies, by (4.40).
 

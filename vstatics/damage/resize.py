@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.tables.answer import Sometimes, document
 
 EXPONENT = 6.0
@@ -28,6 +29,7 @@ class ResizedShaft(NamedTuple):
     """The same reduced to the faster shaft, where the torque is by a ratio. [-]"""
 
 
+@refusing()
 def resized(
     diameter: float, torque: float, repeats: float, exponent: float = EXPONENT
 ) -> ResizedShaft:
@@ -60,12 +62,16 @@ def resized(
     >>> round(made.diameter, 9), round(made.compliance, 9)
     (84.0, 0.0625)
     """
+    for name, number in (("torque", torque), ("repeats", repeats)):
+        if not number > 0:
+            raise ValueError(f"{name} is {number:g}, expected a number above 0")
     factor = (math.log(torque) + math.log(repeats) / exponent) / 3
     if abs(factor) > LARGEST_LOGARITHM:
         raise ValueError("numbers so large or so small give no diameter")
     return ResizedShaft(diameter * math.exp(factor), math.exp(-4 * factor), None)
 
 
+@refusing()
 def resized_by_ratio(diameter: float, ratio: float, exponent: float = EXPONENT) -> ResizedShaft:
     """The same behind a reduction: torques by the ratio, so many times fewer cycles.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from vstatics.arguments import refusing
 from vstatics.elements.element import DrawingFields
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import Planetary
@@ -66,6 +67,7 @@ class Drawing(DrawingFields):
         }
 
 
+@refusing()
 def transmission(
     drawing: Drawing,
     *,

@@ -14,8 +14,6 @@ from vstatics.elements.teeth.layout import Teeth
 from vstatics.model.parts import Law, Mechanism
 from vstatics.model.transmission import Transmission
 
-NEAREST = 40
-"""Teeth are drawn among so many that fit, those that change least."""
 FARTHEST = 0.25
 """By such a part a ratio changes at most."""
 
@@ -23,7 +21,8 @@ FARTHEST = 0.25
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     """The same structure with other teeth, and other ratios of what has none.
 
-    Ratios of 1 stay, as shafts have them; so do those that follow a law.
+    Ratios of 1 stay, as shafts have them; so do those that follow a law. Seeds one after the
+    other give other teeth each, until all that fit have been given.
 
     Examples
     --------
@@ -37,7 +36,7 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     drawing = drawing_of(case)
     if not isinstance(drawing, Drawing):
         return case.replace(mechanisms=[_with_ratio(one, random) for one in case.mechanisms])
-    elements = [_with_teeth(one, random) for one in drawing.elements]
+    elements = [_with_teeth(one, place, seed) for place, one in enumerate(drawing.elements)]
     own = [_with_ratio(one, random) for one in drawing.mechanisms]
     return case.replace(drawing=replace(drawing, elements=elements, mechanisms=own))
 
@@ -51,9 +50,14 @@ def _with_ratio(one: Mechanism, random: Random) -> Mechanism:
     return one._replace(ratio=float(f"{drawn:.3g}"))
 
 
-def _with_teeth(element: Element, random: Random) -> Element:
-    found = list(islice(fitting(element), NEAREST))
-    return _changed(element, random.choice(found)) if found else element
+def _with_teeth(element: Element, place: int, seed: int) -> Element:
+    """Another one of all that fit for each seed, until none is left; then the first ones again."""
+    order = Random(place)  # noqa: S311 - equal elements are not drawn alike
+    others = (
+        one for teeth in fitting(element, order) if (one := _changed(element, teeth)) != element
+    )
+    found = list(islice(others, seed + 1))
+    return found[seed % len(found)] if found else element
 
 
 def _changed(element: Element, teeth: Teeth) -> Element:

@@ -8,6 +8,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import speed_system, torque_system
@@ -16,16 +17,18 @@ from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
 from vstatics.explain.sums import System
+from vstatics.extras import higher
 from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.answer import Known, Words, schema
+from vstatics.tables.html import shown
 
 
 class Together(NamedTuple):
@@ -80,7 +83,17 @@ class Explanation(NamedTuple):
     messages: Sequence[str]
     """What was noticed in this gear."""
 
+    def __repr__(self) -> str:
+        """Of which gear, its ratio; not all its equations."""
+        told = f" = {self.formula.text}" if self.formula else ""
+        return f"<Explanation {self.gear!r}: ratio {self.ratio:.4g}{told}>"
 
+    def _repr_html_(self) -> str:
+        """Its matrix, equations, solution and ratio, for a notebook."""
+        return shown(higher("explanation_grids")([self]))
+
+
+@refusing()
 def explain_gear(results: Results, gear: int | str) -> Explanation:
     """Explain a gear: its matrix, its equations and their solution, its ratio as a formula.
 
@@ -112,7 +125,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     Source: Algin, Schematization and calculation of mobile machine presented as
     multibody system, figures 3 and 4.
     """
-    expect_results(results, "explain_gear")
+    expect_one_case(results, "explain_gear")
     if kinds := [one.name for one in results.case.mechanisms if one.kind]:
         whole = results.case
         pairs = whole.as_pairs(whole.gears[whole.gear_number(gear) - 1])
@@ -120,7 +133,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
             message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
             raise CaseError("E279", message)
         results = solve(pairs)
-    state, number = results.gear(gear), results.case.gear_number(gear) - 1
+    number = results.case.gear_number(gear) - 1
+    state = results.gear_at(number)
     case, actual = state.case, state.gear
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
@@ -180,6 +194,8 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
         return ideal, None
     matrix = distribution_matrix(state.case, ratios) + 0.0
     dragging = {link: plain(torque) for link, torque in state.drag.external.items()}
+    signs = signs_of(state)
+    names = names.with_losses([one.sign for one in signs], [one.efficiency for one in signs])
     lossy = torque_system(state.case, state.gear, names, matrix, state.lossy_torques, drag=dragging)
     return ideal, lossy
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
+from vstatics.explain import typeset
 from vstatics.explain.explanation import Explanation
-from vstatics.explain.sums import System, in_numbers, in_symbols
-from vstatics.tables.grid import Column, Grid, Values, grid_of, whole, word
+from vstatics.explain.sums import Equation, System, in_numbers, in_symbols
+from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole, word
 from vstatics.texts import tr
 
 
-def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
+def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     """The tables of gears; those of a gear share a sheet.
 
     Examples
@@ -18,7 +19,8 @@ def grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.explain import explain_gear
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> [table.title.partition(": ")[2] for table in grids([explain_gear(solve(case), 1)])]
+    >>> tables = explanation_grids([explain_gear(solve(case), 1)])
+    >>> [table.title.partition(": ")[2] for table in tables]
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
     for one in explained:
@@ -43,16 +45,24 @@ def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
 
 def _equations(one: Explanation) -> Grid:
     rows: list[Values] = [
-        [word(name), equation.label, " ".join(in_symbols(equation)), " ".join(in_numbers(equation))]
+        [word(name), equation.label, *(_typeset(equation, how) for how in (in_symbols, in_numbers))]
         for name, system in _systems(one)
         for equation in system.equations
     ]
     return grid_of("equations", ["of", "equation of", "in symbols", "in numbers"], rows)
 
 
+def _typeset(equation: Equation, how: Callable[[Equation], list[str]]) -> Cell:
+    return Cell(" ".join(how(equation)), math=typeset.equation(equation, how))
+
+
+def _symbol(name: str) -> Cell:
+    return Cell(name, math=typeset.symbol(name))
+
+
 def _solution(one: Explanation) -> Grid:
     rows = [
-        (word(name), unknown, value)
+        (word(name), _symbol(unknown), value)
         for name, system in _systems(one)
         for unknown, value in system.values.items()
     ]
@@ -67,11 +77,15 @@ def _signs(one: Explanation) -> Grid:
 
 def _ratio(one: Explanation) -> Grid:
     """The formula, then the values of its symbols."""
+    ends = [typeset.symbol(name) for name in (one.input, one.output)]
+    ratio = Cell(f"{one.input}/{one.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}")
     rows: list[Values] = [
-        ("i", word(one.reason) if one.reason else f"{one.input}/{one.output}", one.ratio)
+        (Cell("i", math="i"), word(one.reason) if one.reason else ratio, one.ratio)
     ]
     if one.formula is not None:
-        rows.append((one.formula.left, one.formula.text, one.formula.value))
-        rows += one.formula.symbols
-        rows += ((name, word("given"), speed) for name, speed in one.formula.speeds.items())
+        right = Cell(one.formula.text, math=typeset.formula(one.formula))
+        rows.append((_symbol(one.formula.left), right, one.formula.value))
+        rows += ((_symbol(each.name), each.meaning, each.value) for each in one.formula.symbols)
+        speeds = one.formula.speeds.items()
+        rows += ((_symbol(name), word("given"), speed) for name, speed in speeds)
     return grid_of("ratio", ["symbol", "is", "value"], rows)

@@ -23,10 +23,29 @@ class Names(NamedTuple):
     """By link, the housing first: the torque that holds a given speed."""
     ratios: Sequence[str]
     """By mechanism."""
+    efficiencies: Sequence[str]
+    """By mechanism."""
+
+    def with_losses(self, signs: Sequence[float], efficiencies: Sequence[float]) -> Names:
+        """The same with ``u eta^x`` in place of each u.
+
+        >>> Names([], [], [], ["u1", "u2"], ["eta1", "eta2"]).with_losses([1, -1], [0.9, 0.8])[3]
+        ['u1 eta1', 'u2/eta2']
+        """
+        signed = zip(self.ratios, self.efficiencies, signs, efficiencies, strict=True)
+        ratios = [
+            ratio
+            if sign == 0 or number == 1
+            else f"{ratio} {eta}"
+            if sign > 0
+            else f"{ratio}/{eta}"
+            for ratio, eta, sign, number in signed
+        ]
+        return self._replace(ratios=ratios)
 
 
 def names_of(case: Transmission) -> Names:
-    """The symbols of a case: ``w_`` and a link, ``M_`` a device, ``u_`` a mechanism.
+    """The symbols of a case: ``w_`` and a link, ``M_`` a device, ``u_``, ``eta_`` a mechanism.
 
     A name that is more than a word stands in brackets; such a mechanism has its number
     instead, as its name would hide the equation.
@@ -54,6 +73,7 @@ def names_of(case: Transmission) -> Names:
         ],
         ["0", *(f"T{subscript(name)}" for name in case.link_names)],
         [f"u{name}" for name in mechanisms],
+        [f"eta{name}" for name in mechanisms],
     )
 
 

@@ -20,7 +20,7 @@ class Term(NamedTuple):
 
     unknown: str
     symbol: str
-    """The coefficient in symbols: ``1``, ``-1``, ``-u_P1``, ``u_P1 - 1``."""
+    """The coefficient in symbols: ``1``, ``-u_P1``, ``u_P1/eta_P1 - 1``, ``u_P1 eta_P1 - 1``."""
     coefficient: float
     """[-]"""
 
@@ -74,7 +74,7 @@ def in_symbols(equation: Equation) -> list[str]:
     (['w_1', '+ (u_P - 1) w_2', '= 0'], ['w_1', '- 3.5 w_2', '= 0'])
     """
     terms = (
-        (f"({term.symbol})" if " " in term.symbol else term.symbol, term.unknown)
+        (f"({term.symbol})" if " - " in term.symbol else term.symbol, term.unknown)
         for term in equation.terms
     )
     return _sum(terms, equation.right)

@@ -266,7 +266,10 @@ def _meaning(text: str) -> str:
     found = _BETWEEN_WHEELS.fullmatch(text)
     if found is None:
         return text
-    return tr("{part}: {first} to {second}, {third} held", **found.groupdict())
+    part, *members = found.groups()
+    first, second, third = (tr(one.replace("_", " ")) for one in members)
+    said = "{part}: {first} to {second}, {third} held"
+    return tr(said, part=part, first=first, second=second, third=third)
 
 
 def _formula(front: str, text: str) -> Iterator[str]:

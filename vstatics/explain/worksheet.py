@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from importlib import import_module
+from typing import Any, Literal, NamedTuple
 
-from vstatics.elements.drawing import drawing_of
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
-from vstatics.explain.text import engaged
-from vstatics.model.parts import Law
+from vstatics.explain.given import given
 from vstatics.statics.results import Results
-from vstatics.tables.answer import plain_data
+from vstatics.tables.answer import Known, plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
 from vstatics.tables.grids import structural_zeros
+from vstatics.tables.html import shown
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Quantity, Table
 from vstatics.tables.values import tables
-from vstatics.texts import tr
+from vstatics.texts import Language, speaking
 from vstatics.writers import result_json
 
 ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
@@ -28,6 +29,7 @@ LEAST = 10
 NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}
 """What the only number of a table is called."""
 LINE = "____"
+SheetForm = Literal["text", "markdown", "latex"]
 
 
 class Blank(NamedTuple):
@@ -39,8 +41,18 @@ class Blank(NamedTuple):
     """Its key in the JSON of a result."""
     row: str | None
     """Of the table; None where it has one number for each gear."""
-    value: float
+    value: Known
     """As it is there."""
+
+
+class SolvedExercise(NamedTuple):
+    """What an exercise has been solved to."""
+
+    case: Mapping[str, Any]
+    """As a file has it, so that it can be run."""
+    gear: str
+    seed: int | None
+    blanks: Sequence[Blank]
 
 
 class GearExercise(NamedTuple):
@@ -51,7 +63,7 @@ class GearExercise(NamedTuple):
     """Of the gear, from 0."""
     seed: int | None
     """By which its numbers were drawn."""
-    shown: Sequence[Table]
+    asked: Sequence[Table]
     """The tables that have a blank."""
     blanks: Sequence[Blank]
 
@@ -60,21 +72,44 @@ class GearExercise(NamedTuple):
         """Its name."""
         return self.results.case.gears[self.place].name
 
+    def titles(self, file: str = "") -> list[str]:
+        """What stands over it: the case, or its file; the seed finds sheet and solution."""
+        seed = "" if self.seed is None else f" (--seed {self.seed})"
+        return [f"{self.results.case.name or file}{seed}"]
+
+    @refusing()
+    def worksheet(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
+        """The exercise with blanks, as text, Markdown or LaTeX."""
+        return self._written(form, lang, solved=False)
+
+    @refusing()
+    def solution(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
+        """The same with its numbers."""
+        return self._written(form, lang, solved=True)
+
+    def _written(self, form: SheetForm, lang: Language, *, solved: bool) -> str:
+        writer = import_module(f"vstatics.tables.{form}")
+        with speaking(lang):
+            made: str = writer.write(self.titles(), grids(self, solved=solved))
+        return made
+
+    def _repr_html_(self) -> str:
+        """The exercise with blanks, for a notebook."""
+        return shown(grids(self, solved=False))
+
     def document(self) -> dict[str, Any]:
         """The solution as plain data; `case` is a case that can be run."""
-        return {
-            "case": result_json.document(self.results)["case"],
-            "gear": self.gear,
-            "seed": self.seed,
-            "blanks": [plain_data(one) for one in self.blanks],
-        }
+        case = result_json.document(self.results)["case"]
+        solved = SolvedExercise(case, self.gear, self.seed, self.blanks)
+        made: dict[str, Any] = plain_data(solved)
+        return made
 
 
 def worksheet(results: Results, index: int, seed: int | None = None) -> GearExercise:
     """The exercise of a gear of one case.
 
-    What the scheme makes 0 is not asked for, nor is the speed of the input, unless there is
-    little else.
+    What the scheme makes 0 is not asked for, nor are given speeds and the signs of idle
+    mechanisms, unless there is little else.
 
     Parameters
     ----------
@@ -104,12 +139,10 @@ def worksheet(results: Results, index: int, seed: int | None = None) -> GearExer
         found = list(_blanks(results, index, wanted, telling=False))
     if not found:
         gear = results.case.gears[index].name
-        raise CaseError(
-            "E910", f"gear {gear} has no numbers to ask for; ask for another with --gear"
-        )
+        raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
     keys = {one.table for one in found}
-    shown = [one for one in wanted if one.quantity.key in keys]
-    return GearExercise(results, index, seed, shown, found)
+    asked = [one for one in wanted if one.quantity.key in keys]
+    return GearExercise(results, index, seed, asked, found)
 
 
 def _blanks(
@@ -117,17 +150,19 @@ def _blanks(
 ) -> Iterator[Blank]:
     """The numbers of a gear; those alone that tell something, if so."""
     case, number = results.case, 0
-    the_input = case.link_name(case.gear_input(case.gears[index]))
+    gear, idle = case.gears[index], results.gear_at(index).search.idle
+    speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
+    told = {"W": {case.link_name(link) for link in speeds}}
+    told["IX"] = {one.name for one, is_idle in zip(case.mechanisms, idle, strict=True) if is_idle}
     for one in wanted:
         zero = structural_zeros(one, results)[:, index].tolist()
+        key = one.quantity.key
         for row, value, is_zero in zip(one.rows, one.values[:, index].tolist(), zero, strict=True):
-            is_given = one.quantity.key == "W" and row == the_input
-            if math.isnan(value) or (telling and (is_zero or is_given)):
+            if math.isnan(value) or (telling and (is_zero or row in told.get(key, ()))):
                 continue
             number += 1
             is_one = one.quantity.rows == "one"
-            kind = one.quantity.kind
-            yield Blank(number, one.quantity.key, None if is_one else row, kind(value))
+            yield Blank(number, key, None if is_one else row, one.quantity.kind(value))
 
 
 def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
@@ -138,8 +173,8 @@ def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
     solved : bool
         Whether the numbers stand in them.
     """
-    yield from _given(sheet)
-    for one in sheet.shown:
+    yield from given(sheet.results, sheet.place)
+    for one in sheet.asked:
         own = [blank for blank in sheet.blanks if blank.table == one.quantity.key]
         yield _asked(one.quantity, own, solved=solved)
 
@@ -161,67 +196,3 @@ def _asked(quantity: Quantity, blanks: Sequence[Blank], *, solved: bool) -> Grid
         head = "torque of" if quantity.rows == "torques" else ROWS[quantity.rows].one
     columns = [text(head), Column("value")]
     return grid_of(f"{quantity.title} [{quantity.key}]", columns, rows, key=quantity.key)
-
-
-def _given(sheet: GearExercise) -> Iterator[Grid]:
-    """What the numbers follow from: the gear, its parts, how they are joined."""
-    case = sheet.results.case
-    gear = case.gears[sheet.place]
-    names = [one.name for one in case.shift_elements]
-    said = engaged([names[number - 1] for number in gear.engaged])
-    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
-    drawing = drawing_of(case)
-    data = result_json.document(sheet.results)["case"]
-    if drawing is not None and drawing.elements:
-        rows: list[Values] = [
-            (one.name, word(one.kind.replace("_", " ")), *_members(data["elements"][one.name]))
-            for one in drawing.elements
-        ]
-        headings = ["element", "kind", "links", "teeth", "efficiency"]
-        yield grid_of("Elements", headings, rows, optional=["teeth", "efficiency"])
-    if drawing is None or drawing.mechanisms:
-        own = case.mechanisms if drawing is None else drawing.mechanisms
-        rows = [
-            (
-                one.name,
-                *(case.link_name(link) for link in (one.first, one.second)),
-                case.link_name(one.third) if one.third else "-",
-                *(tr("by a law") if isinstance(n, Law) else n for n in (one.ratio, one.efficiency)),
-            )
-            for one in own
-        ]
-        headings = ["mechanism", "first", "second", "third", "ratio", "efficiency"]
-        yield grid_of("Mechanisms", headings, rows)
-    rows = [
-        (
-            one.name,
-            *(case.link_name(link) if link else tr("housing") for link in one.links),
-            word("engaged" if number in gear.engaged else "open"),
-        )
-        for number, one in enumerate(case.shift_elements, 1)
-    ]
-    if rows:
-        yield grid_of("Shift elements", ["shift element", "first", "second", "state"], rows)
-    outside = [
-        (case.link_name(case.gear_input(gear)), word("input")),
-        (case.link_name(case.gear_output(gear)), word("output")),
-    ]
-    yield grid_of("Ports", ["link", "port"], outside)
-
-
-def _members(data: Mapping[str, Any]) -> tuple[str, str, Any]:
-    """Links by member, teeth by wheel, and the efficiency of an element, as they are told."""
-    rest = ("kind", "teeth", "planets", "efficiency", "rims", "suns", "rings", "meshes")
-    links = [
-        f"{tr(key.replace('_', ' '))} {one}"
-        for key, one in data.items()
-        if key not in rest and isinstance(one, str | int)
-    ]
-    wheels = [(key, one) for key, one in data.get("teeth", {}).items()]
-    for part in ("suns", "rings"):
-        for wheel in data.get(part, ()):
-            links.append(f"{tr(part)}: {wheel['link']}")
-            wheels.append((str(wheel["link"]), wheel["teeth"]))
-    wheels += [(rim, one) for own in data.get("rims", {}).values() for rim, one in own.items()]
-    teeth = ", ".join(f"{tr(key.replace('_', ' '))} {one}" for key, one in wheels)
-    return ", ".join(links), teeth, data.get("efficiency", "")

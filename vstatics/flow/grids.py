@@ -165,8 +165,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
             said = f"{member}: {link}"
-            name = word(said) if member != link else Cell(said)  # a wheel is called by its link
-            yield 3, _row(flow, link if node.kind == "spring" else name, powers)
+            yield 3, _row(flow, link if node.kind == "spring" else word(said), powers)
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
+from vstatics.arguments import refusing
 from vstatics.flow.circulation import Edge, Node, cancel
 from vstatics.flow.one_piece import divided_by_convention, links_of, pieces_of
 from vstatics.flow.power_flow import GearFlow, MemberPower, PowerFlow
@@ -20,7 +21,7 @@ from vstatics.model.transmission import HOUSING
 from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
 from vstatics.statics.physical import gear_scales
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK
 from vstatics.tables.ports import port_table
@@ -37,6 +38,7 @@ class Exchange(NamedTuple):
     """NaN where it is not determined. [-]"""
 
 
+@refusing()
 def flows(results: Results) -> list[GearFlow]:
     """The power of every gear.
 
@@ -68,10 +70,10 @@ def flows(results: Results) -> list[GearFlow]:
     >>> [(" ".join(map(str, loop.nodes)), round(loop.power, 9)) for loop in gear.ideal.loops]
     [('1 set 2 pair', 1.0)]
     """
-    expect_results(results, "flows")
+    expect_one_case(results, "flows")
     return [
-        _of_gear(results.gear(number), by_unit)
-        for number, by_unit in enumerate(gear_scales(results.case), 1)
+        _of_gear(results.gear_at(index), by_unit)
+        for index, by_unit in enumerate(gear_scales(results.case))
     ]
 
 

@@ -6,11 +6,13 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from vstatics.extras import higher
 from vstatics.flow.circulation import Edge, Loop, Node
 from vstatics.flow.cycles import edges_on_cycles
 from vstatics.flow.teeth import ToothPower
 from vstatics.statics.status import Status
 from vstatics.tables.answer import Flat, defined, told
+from vstatics.tables.html import shown as in_notebook
 from vstatics.tables.ports import PortTable
 
 
@@ -154,6 +156,17 @@ class GearFlow(NamedTuple):
     by_convention: tuple[Node, ...] = ()
     """What turns as one piece and has a part of the power by convention: statics decides
     what enters the piece and leaves it, not how it divides inside."""
+
+    def __repr__(self) -> str:
+        """Of which gear, what enters and leaves; not all powers."""
+        side = self.shown
+        told = f"in {side.entering:.4g}, out {side.leaving:.4g}" if side else self.note
+        lost = f", lost {self.lossy.lost:.3g}" if self.lossy else ""
+        return f"<GearFlow {self.gear!r}: {told}{lost}>"
+
+    def _repr_html_(self) -> str:
+        """Its tables, for a notebook."""
+        return in_notebook(higher("flow_grids")([self]))
 
     @property
     def kilowatts(self) -> float:

@@ -12,7 +12,7 @@ from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 
 
-def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
+def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
     """The power through everything, ports, balances, and loops.
 
     Examples
@@ -20,7 +20,7 @@ def grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.flow.power import flows
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
-    >>> tables = list(grids(flows(solve(Transmission(2, [], [pair], [Gear()])))))
+    >>> tables = list(flow_grids(flows(solve(Transmission(2, [], [pair], [Gear()])))))
     >>> [table.title for table in tables]
     ['Power', 'Ports', 'Balance']
     >>> tables[0].texts[3][:5]

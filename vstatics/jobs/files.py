@@ -41,8 +41,24 @@ def is_stream(output: str | None) -> bool:
 
 def unwritable(output: str | None, error: OSError) -> Problem:
     """The problem that an output, or stdout, cannot be written."""
-    name = "<stdout>" if output is None or output == STDOUT else output
-    return of_file("E030", name, f"can't be written: {error.strerror or error}")
+    if output is None or output == STDOUT:
+        return of_file("E030", "<stdout>", f"can't be written: {error.strerror or error}")
+    return missing_folder(output) or of_file(
+        "E030", output, f"can't be written: {error.strerror or error}"
+    )
+
+
+def missing_folder(output: str) -> Problem | None:
+    """The problem that the directory of an output is not there, which nobody but its user makes.
+
+    >>> str(missing_folder("nowhere/new.csv"))
+    "nowhere/new.csv: error: can't be written: there is no directory nowhere, make it [E030]"
+    """
+    folder = os.path.dirname(output.rstrip("/"))  # noqa: PTH120
+    if not folder or os.path.lexists(folder):
+        return None
+    message = f"can't be written: there is no directory {folder}, make it"
+    return of_file("E030", output, message)
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:

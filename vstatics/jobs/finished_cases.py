@@ -59,8 +59,23 @@ def described(options: Description) -> bytes:
     return json.dumps({"build": build(), **options}).encode()
 
 
-def why_not_taken(first: bytes, options: Description, path: str) -> str:
+def why_not_taken(
+    first: bytes,
+    options: Description,
+    path: str,
+    anew: str = "calculate all cases again without --resume",
+) -> str:
     """Why finished work can't be taken up, by the line that tells of what run it is; "" if it can.
+
+    Parameters
+    ----------
+    first : bytes
+        That line.
+    options : dict
+    path : str
+        Where it stands.
+    anew : str
+        What to do for another run, in words.
 
     Raises
     ------
@@ -80,8 +95,7 @@ def why_not_taken(first: bytes, options: Description, path: str) -> str:
     )
     if changed:
         message = (
-            f"the run to go on with was another one ({changed}): use the same options, "
-            "or calculate all cases again without --resume"
+            f"the run to go on with was another one ({changed}): use the same options, or {anew}"
         )
         raise ReadError([of_file("E031", path, message)])
     return "" if first.rstrip(b"\n") == described(options) else OTHER_BUILD

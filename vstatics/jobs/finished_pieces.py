@@ -22,6 +22,8 @@ from vstatics.jobs.piece_file import ASSEMBLED, Account, read_account
 SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
+CASE = "the case, a file that it names, or an option"
+"""What is changed where nothing else is told of."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
 """What another build may have otherwise for the same work."""
 
@@ -46,7 +48,7 @@ class FinishedPieces:
         self.directory = self.output + SUFFIX
         self.accounts: dict[int, Account] = {}
         self._lock: int | None = None
-        self._opened = False
+        self.is_open = False
 
     def __enter__(self) -> Self:
         """Nothing is touched yet."""
@@ -54,7 +56,7 @@ class FinishedPieces:
 
     def __exit__(self, *_: object) -> None:
         """Let go of the directory; what is finished stays."""
-        if self._opened and not self.finished():
+        if self.is_open and not self.finished():
             self._remove()
         self.unlock()
 
@@ -91,6 +93,8 @@ class FinishedPieces:
         """
         if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if self.into_folder:  # it is made with its parents, as every directory of results
+            os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
         self.lock()
         known = self._known()
         finished = [piece for piece in self.finished() if piece < pieces]
@@ -99,7 +103,7 @@ class FinishedPieces:
             without = self._check(known, description, len(finished), resume=resume)
             accounts = (read_account(self.directory, piece) for piece in finished if not without)
             self.accounts = {account.piece: account for account in accounts if account}
-        self._opened = True
+        self.is_open = True
         for name in self._names():  # what a killed process left unfinished
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
                 os.unlink(self.path(name))  # noqa: PTH108
@@ -140,7 +144,7 @@ class FinishedPieces:
         said = [key for key in changed if key not in OF_BUILDS]
         other_build = known.get("build") != wanted["build"]
         if said or ("fingerprint" in changed and not other_build):
-            what = f": {', '.join(said)} changed" if said else ""
+            what = f": {', '.join(said) or CASE} changed"
             whose = f"of another {self.what}{what}; repeat that one with --resume"
         elif not resume:
             whose = f"of this {self.what}, which was stopped; go on with --resume"

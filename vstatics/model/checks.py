@@ -25,7 +25,7 @@ from vstatics.model.parts import (
     mechanism_names,
 )
 from vstatics.model.springs import spring_names
-from vstatics.model.vehicle import of_vehicle
+from vstatics.model.vehicle import Vehicle, of_vehicle
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
@@ -95,6 +95,28 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """The warnings alone, of a case that has no error."""
     for number, mechanism in _not_drawn(case):
         yield from doubtful(mechanism, ("mechanisms", number))
+    if case.vehicle is not None:
+        yield from _mass_twice(case, case.vehicle)
+
+
+MASS_AGAIN = 0.5
+"""Wheels and shafts have some hundredths of the inertia of the vehicle; this part is its mass."""
+
+
+def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+    """Outputs that have about the inertia of the vehicle among `inertias`."""
+    outputs = case.outputs or (case.output,)
+    mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
+    given = {link: case.inertias[link] for link in outputs if case.inertias.get(link)}
+    total = sum(given.values())
+    if total >= MASS_AGAIN * mass:
+        names = spoken([case.link_name(link) for link in given])
+        message = (
+            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2, and the mass of "
+            f"the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
+            "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
+        )
+        yield Problem("W202", message, ("inertias", next(iter(given))))
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
@@ -128,7 +150,7 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
         message = (
             f"shares a wheel and the carrier with {other}: if they share planets too, the "
             "losses of this form are not exact; give the set as an element, or each mesh as a "
-            "mechanism (docs/elements.md)"
+            "mechanism (example: `vstatics check --explain N202`)"
         )
         yield Problem("N202", message, ("mechanisms", number))
 

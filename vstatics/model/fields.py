@@ -87,11 +87,18 @@ class TransmissionFields:
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None
+    hushed: Sequence[str] = field(default=(), repr=False, compare=False)
+    """Ids that whoever asks wants to hear nothing of: no part of the case, and written nowhere."""
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
     """The drawing that the mechanisms were made from; with another one they are not its own."""
 
     def __post_init__(self) -> None:
         """Nothing is checked here, but by `Transmission`."""
+
+    @property
+    def untold(self) -> Sequence[str]:
+        """Ids of messages that are not told: what the case allows, and who asks."""
+        return (*self.allow, *self.hushed)
 
     @property
     def main_output(self) -> int:
@@ -122,12 +129,29 @@ class TransmissionFields:
     def gear_number(self, asked: int | str) -> int:
         """The number of a gear from 1: the one of a name, else the one of a number.
 
+        Parameters
+        ----------
+        asked : int or str
+            A text is a name, or ``#3`` of the third; ``3`` is the third, too, where no gear has
+            a digit in its name. An int is a number from 1.
+
         Raises
         ------
         ValueError
-            If there is none; it tells the nearest name.
+            If there is none; it tells the nearest name. If an int is the number of one gear and
+            the name of another.
         """
-        return _number_of(asked, [gear.name for gear in self.gears], "gear")
+        names = [gear.name for gear in self.gears]
+        if asked in names:
+            return names.index(str(asked)) + 1
+        number = gear_place(str(asked) if isinstance(asked, str) else f"#{asked}", names)
+        if number is None:
+            hint = nearest(str(asked), names) or f"; gears are {listed(names, 12)}"
+            raise ValueError(f"no gear {asked!r}{hint}{numbered_gear(str(asked), names)}")
+        if not isinstance(asked, str) and str(asked) in names and names[number - 1] != str(asked):
+            other = f"gear {number} is {names[number - 1]!r}, and another is called {str(asked)!r}"
+            raise ValueError(f"{other}: expected '#{asked}', or the name as a text")
+        return number
 
     def link_number(self, asked: int | str) -> int:
         """The number of one of the case's own links: the one of a name, else the one of a number.
@@ -137,7 +161,13 @@ class TransmissionFields:
         ValueError
             If there is none; it tells the nearest name.
         """
-        return _number_of(str(asked), self.link_names[: self.own_links], "link")
+        names = self.link_names[: self.own_links]
+        if str(asked) in names:
+            return names.index(str(asked)) + 1
+        if number := typed_number(str(asked), len(names)):
+            return number
+        hint = nearest(str(asked), names) or f"; links are {listed(names, 12)}"
+        raise ValueError(f"no link {asked!r}{hint}")
 
     def gear_input(self, gear: Gear) -> int:
         """The input link of a gear."""
@@ -293,13 +323,28 @@ class TransmissionFields:
         return slice(elements, elements + len(self.mechanisms))
 
 
-def _number_of(asked: int | str, names: Sequence[str], what: str) -> int:
-    if asked in names:
-        return names.index(str(asked)) + 1
-    if number := typed_number(str(asked), len(names)):
-        return number
-    hint = nearest(str(asked), names) or f"; {what}s are {listed(names, 12)}"
-    raise ValueError(f"no {what} {asked!r}{hint}")
+def gear_place(text: str, names: Sequence[str]) -> int | None:
+    """The number from 1 of a gear that is not told by its name; None where a text is none.
+
+    Who writes `9` of gears 1 to 8 and R means a gear that there is not, and not the ninth.
+
+    >>> names = ["1", "2", "R"]
+    >>> gear_place("3", names), gear_place("#3", names), gear_place("2", ["low", "high"])
+    (None, 3, 2)
+    """
+    if not text.startswith("#") and any(map(str.isdigit, "".join(names))):
+        return None
+    return typed_number(text.removeprefix("#"), len(names))
+
+
+def numbered_gear(text: str, names: Sequence[str]) -> str:
+    """A hint how one asks for the gear of a number that is no name.
+
+    >>> numbered_gear("3", ["1", "2", "R"]), numbered_gear("4", ["1", "2", "R"])
+    ('; #3 is R', '')
+    """
+    place = typed_number(text, len(names))
+    return f"; #{place} is {names[place - 1]}" if place else ""
 
 
 def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from vstatics.errors import Path, Problem, type_and_value
+from vstatics.arguments import type_and_value
+from vstatics.errors import Path, Problem
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.parts import (
     DIRECTIONS,

@@ -244,6 +244,8 @@ class Parsed(NamedTuple):
     parse: Callable[[str], Any]
     """Text -> value; it raises ValueError with what was expected, or ReadError with the column."""
     stand_in: Any
+    unit: str = ""
+    """What bare numbers are in, where that is always the same."""
 
 
 class ByForm(NamedTuple):

@@ -14,6 +14,8 @@ GRAVITY = 9.81
 """[m/s^2]"""
 AIR = 1.2
 """Density. [kg/m^3]"""
+SAME_SPEED = 1e-12
+"""A speed of the engine that is above its last one by no more than this part is that. [-]"""
 EnginePoints = Sequence[tuple[float, float]]
 """Speed [rad/s] in ascending order, each with the torque [N*m]."""
 
@@ -65,8 +67,19 @@ class Vehicle(NamedTuple):
         return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
-        """Of the engine at full load at a speed [rad/s], constant outside its points [N*m]."""
-        return _between(self.engine, speed)
+        """Of the engine at full load at a speed [rad/s] [N*m].
+
+        Below the first of its points that of the first; beyond the last there is none.
+
+        >>> Vehicle(1000.0, 0.3, engine=[(100.0, 80.0), (600.0, 120.0)]).full_torque([0.0, 601.0])
+        array([80.,  0.])
+        """
+        return np.where(self.may_turn(speed), _between(self.engine, speed), 0.0)
+
+    def may_turn(self, speed: Any) -> Any:
+        """Whether the engine may turn as fast [rad/s]: no faster than at its last point."""
+        last = self.engine[-1][0] * (1 + SAME_SPEED) if self.engine else math.inf
+        return np.asarray(speed) <= last
 
     def overrun_torque(self, speed: Any) -> Any:
         """With which the engine brakes at a speed [rad/s]; below 0 [N*m]."""

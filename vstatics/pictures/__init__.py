@@ -22,9 +22,9 @@ for the pages of several lists of gears.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vstatics.extras import require
 from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
@@ -59,6 +59,30 @@ OF_VIBRATION = ("modes", "campbell", "response", "dump")
 """Kinds that show vibration: a converter may be open."""
 OF_ORDERS = ("campbell", "response")
 """Kinds that are over orders of a speed: `Style.excited` tells which."""
+OPTIONS: Mapping[str, tuple[Sequence[str], str]] = {
+    "motion": (OF_RUNS, f"only {' and '.join(OF_RUNS)} show a run"),
+    "merge": (("lever",), "only levers can be merged"),
+    "wheels": (("stick",), "only stick diagrams name them"),
+    "orders": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} have orders"),
+    "at": (("response",), "only a response is that of a link"),
+    "gear": (
+        [kind for kind in PICTURES if kind != "shift"],
+        "a run goes through all gears of its scenario",
+    ),
+}
+"""By option: the kinds that it is for, and what is said of others."""
+
+
+def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str]]:
+    """Options that a kind of picture has not, and why.
+
+    >>> [*misplaced("plan", {"merge": True, "wheels": False})]
+    [('merge', 'only levers can be merged')]
+    """
+    for name, value in given.items():
+        kinds, why = OPTIONS[name]
+        if kind not in kinds and value not in (None, False, "", ()):
+            yield name, why
 
 
 def picture(
@@ -89,20 +113,21 @@ def picture(
     return one
 
 
-def drawn_pages(
+def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     results: Results,
     kind: str,
     style: Style,
     shown: Sequence[Sequence[int]],
     motion: Motion | None = None,
+    others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[list[Figure]]:
-    """The pages of each list of gears."""
+    """The pages of each list of gears; a run has room for others in its scales."""
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
     with settings_of(style):
         if hasattr(module, "each"):
             return list(module.each(results, style, shown))
-        return [module.draw(results, style, gears, *_run(kind, motion)) for gears in shown]
+        return [module.draw(results, style, gears, *_run(kind, motion, others)) for gears in shown]
 
 
 def render(  # noqa: PLR0913 - what is drawn, and how
@@ -127,9 +152,13 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     gears: Sequence[int] = (),
     *,
     motion: Motion | None = None,
+    others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[bytes]:
-    """A picture of a result as files: a page each, all in one PDF; as `picture` else."""
-    [figures] = drawn_pages(results, kind, style, [gears], motion)
+    """A picture of a result as files: a page each, all in one PDF; as `picture` else.
+
+    That of a run has scales with room for other runs.
+    """
+    [figures] = drawn_pages(results, kind, style, [gears], motion, others)
     return files_of(figures, form, style, _alternative(results, kind, style, gears))
 
 
@@ -145,9 +174,13 @@ def of_each_gear(
     ]
 
 
-def _run(kind: str, motion: Motion | None) -> tuple[()] | tuple[Motion | None]:
-    """The run, for a picture that can show one."""
-    return (motion,) if kind in OF_RUNS else ()
+def _run(
+    kind: str, motion: Motion | None, others: Sequence[tuple[Results, Motion]]
+) -> tuple[Any, ...]:
+    """The run, for a picture that can show one, and others for one that has scales."""
+    if kind not in OF_RUNS:
+        return ()
+    return (motion, others) if kind == "shift" else (motion,)
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:

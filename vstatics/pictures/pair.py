@@ -107,13 +107,15 @@ def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> l
     ReadError
         If it has nothing that could be drawn.
     """
-    own, others = both[place], [one.results for at, one in enumerate(both) if at != place]
+    own, rest = both[place], [one for at, one in enumerate(both) if at != place]
     try:
         if kind in ON_COMMON_SCALES:
             module = import_module(PICTURES[kind])
+            others = [one.results for one in rest]
             found: list[Figure] = module.draw(own.results, style, own.gears, others)
             return found
-        [pages] = drawn_pages(own.results, kind, style, [own.gears], own.motion)
+        runs = [(one.results, one.motion) for one in rest if one.motion]
+        [pages] = drawn_pages(own.results, kind, style, [own.gears], own.motion, runs)
     except CaseError as error:
         raise ReadError([one.in_file(own.name) for one in error.problems]) from None
     return pages

@@ -7,10 +7,11 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from vstatics.arguments import refusing
 from vstatics.errors import nearest
 from vstatics.extras import require
 from vstatics.jobs.page_files import replace_pages
-from vstatics.pictures import OF_RUNS, PICTURES, pages, picture, render
+from vstatics.pictures import OF_RUNS, PICTURES, misplaced, pages, picture, render
 from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import checked_width
 from vstatics.pictures.sheet.style import (
@@ -20,7 +21,7 @@ from vstatics.pictures.sheet.style import (
     Excitation,
     Style,
 )
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.solve import solve
 from vstatics.tables.suffixes import format_of, known
 from vstatics.texts import Language
@@ -99,6 +100,7 @@ def format_of_picture(path: str | os.PathLike[str]) -> Format:
     return form
 
 
+@refusing(Motion="vstatics.simulation.record.motion")
 def plot(  # noqa: PLR0913 - all but the first by name
     results: Results,
     kind: str = "plan",
@@ -151,7 +153,8 @@ def plot(  # noqa: PLR0913 - all but the first by name
     CaseError
         If matplotlib is not installed, or the case has nothing that could be drawn.
     ValueError
-        If there is no such kind, gear or link, an order is not above 0, or no page is so wide.
+        If there is no such kind, gear, link or language, an option is not for the kind, an order
+        is not above 0, or no page is so wide.
 
     Examples
     --------
@@ -160,11 +163,17 @@ def plot(  # noqa: PLR0913 - all but the first by name
     >>> plot(solve(case), "lever")._repr_svg_()[:5]
     '<?xml'
     """
-    expect_results(results, "plot")
+    expect_one_case(results, "plot")
     require("plot", "a picture")
     if kind not in PICTURES:
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
+    given = {"motion": motion, "merge": merge, "wheels": wheels, "at": at, "gear": gear}
+    for name, why in misplaced(kind, {**given, "orders": tuple(orders)}):
+        raise ValueError(f"plot of kind {kind!r}: `{name}` is not for it, {why}")
+    if kind == "shift" and motion is None:
+        hint = "motion=vstatics.simulate(scenario), whose `plot` draws it, too"
+        raise ValueError(f"plot of kind {kind!r} shows a run: expected {hint}")
     gears = () if gear is None else (results.case.gear_number(gear),)
     if not all(0 < order < math.inf for order in orders):
         raise ValueError(f"read orders {[*orders]}, expected numbers above 0")

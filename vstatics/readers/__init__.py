@@ -19,15 +19,17 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from os import PathLike, fspath
 from os.path import splitext
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, runtime_checkable
 
-from vstatics.errors import ReadError, type_and_value
+from vstatics.arguments import refusing, type_and_value
+from vstatics.errors import ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
 Format = Literal["deck", "yaml", "json", "xlsx"]
 
 
+@runtime_checkable
 class Stream(Protocol):
     """What can be read from."""
 
@@ -102,6 +104,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     return reader(data, file)
 
 
+@refusing()
 def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) -> Transmission:  # noqa: A002
     r"""Read a case: a Visual-Statics deck, YAML, JSON or a workbook.
 
@@ -135,12 +138,11 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     if isinstance(source, str | PathLike):
         with open(source, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
             return read(file.read(), fspath(source), format).case
-    if not hasattr(source, "read"):
-        raise TypeError(f"load of {type_and_value(source)}: expected a path or a stream")
     name = getattr(source, "name", "")
     return loads(source.read(), format=format, name=name if isinstance(name, str) else "")
 
 
+@refusing()
 def loads(text: str | bytes, *, format: Format | None = None, name: str = "") -> Transmission:  # noqa: A002
     r"""Read a case from a text; parameters and errors as of `load`.
 
@@ -169,8 +171,6 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     >>> loads("links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}")
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
-    if not isinstance(text, str | bytes | bytearray):
-        raise TypeError(f"loads of {type_and_value(text)}: expected a text, or `load` for a file")
     data = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else bytes(text)
     return read(data, name or "<text>", format).case
 

@@ -34,10 +34,10 @@ class Reading(NamedTuple):
     """Gives a problem of the model its place, and puts the name of the field before it."""
 
     def allowing(self, ids: Sequence[str]) -> Reading:
-        """The same with more messages that are not told."""
+        """The same with more messages that are not told, of which the case itself says nothing."""
         if not ids:
             return self
-        case = self.case.replace(allow=[*self.case.allow, *ids])
+        case = self.case.replace(hushed=(*self.case.hushed, *ids))
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
 
@@ -76,7 +76,7 @@ def finish(
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
         raise ReadError(found)
-    return Reading(case, not_allowed(found, case.allow), locate)
+    return Reading(case, not_allowed(found, case.untold), locate)
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:

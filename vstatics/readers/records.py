@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, listed, quoted
+from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.csv_rows import numbered_rows
@@ -33,9 +33,13 @@ class RecordedColumns(NamedTuple):
         return self.source.place(self.lines[row])
 
     def lacks(self, identity: str, heading: str) -> Problem:
-        """The problem that a column is missing."""
-        there = f"columns are {listed(self.headings)}"
-        return self.problem(identity, f"there is no column {quoted(heading)}; {there}")
+        """The problem that a column is missing; those of its kind are told, if there are some."""
+        kind, bracket, _ = heading.partition("[")
+        such = [one for one in self.headings if bracket and one.startswith(kind + bracket)]
+        known = such or self.headings
+        there = f"columns {f'of {kind} ' * bool(such)}are {listed(known)}"
+        message = f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
+        return self.problem(identity, message)
 
     def problem(self, identity: str, message: str) -> Problem:
         """A problem of the columns as such."""

@@ -1,13 +1,11 @@
-"""Written results, a listing, JSON or CSV, back to tables of numbers, for comparison."""
+"""Written results, a listing, JSON or rows, back to tables of numbers, for comparison."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
-import os
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import ReadError
@@ -15,30 +13,32 @@ from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
 from vstatics.readers.reading import Source
-from vstatics.tables.csv import unguarded
+from vstatics.readers.result_rows import is_csv, is_parquet, no_result, read_csv, read_parquet
 from vstatics.tables.names import BEFORE_NAME
-from vstatics.tables.quantities import BY_NAME, PRINTED, QUANTITIES
+from vstatics.tables.quantities import PRINTED, QUANTITIES
 from vstatics.tables.written_results import Figure, Figures, WrittenResult
+
+FORMAT = "vstatics-result"
+NAMED_FILE = re.compile(r"==> (.+) <==$")
+"""The line above each of several listings in one text."""
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
-    """Read a listing, JSON, JSON lines or CSV; several in one file come in their order.
+    """Read a listing, JSON, JSON lines, CSV or Parquet; several in one file come in their order.
 
     Raises
     ------
     ReadError
         If the text is no result.
     """
+    if is_parquet(data):
+        return read_parquet(data, file)
     text = decode(data, file)
     if text.lstrip()[:1] in ("{", "["):
         return _read_json(text, file)
-    if is_result(text):
+    if is_csv(text):
         return read_csv(text, file)
     return _read_listing(text, file)
-
-
-def _fail(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 def _read_json(text: str, file: str) -> list[WrittenResult]:
@@ -50,7 +50,7 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
         raise _no_json(error, file) from None
     documents = content if isinstance(content, list) else [content]
     if not documents:
-        raise _fail("an empty array; expected at least one result", file)
+        raise no_result("an empty array; expected at least one result", file)
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
@@ -81,14 +81,14 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
 
 def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
     if isinstance(error, json.JSONDecodeError):
-        return _fail(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
-    return _fail(f"no JSON that can be read: {error}", file, line)
+        return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
+    return no_result(f"no JSON that can be read: {error}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
         message = f"result {number} is no JSON object; expected one of `vstatics run`"
-        raise _fail(message, file, line)
+        raise no_result(message, file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
@@ -101,18 +101,27 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
                 tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
             except (TypeError, ValueError, OverflowError):
                 message = f"{key} of result {number} is no table of numbers"
-                raise _fail(message, file, line) from None
+                raise no_result(message, file, line) from None
     if not tables:
-        known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
-        raise _fail(f"result {number} has none of the tables {known}, ...", file, line)
+        raise no_result(_no_tables(document, number), file, line)
     case = _case(json.dumps(document.get("case")), "json")
     rows = _row_names(document.get("rows"), tables)
     return WrittenResult(tables, case, printed=False, rows=rows, file=_file(document))
 
 
+def _no_tables(document: Mapping[str, Any], number: int) -> str:
+    """What is said of a document without tables, which may be one of another command."""
+    form = document.get("format")
+    if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
+        name = form.removeprefix("vstatics-")
+        return f"result {number} is one of {name}; results of run and of sweep are compared"
+    known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
+    return f"result {number} has none of the tables {known}, ..."
+
+
 def _file(document: Mapping[str, Any]) -> str:
-    """The file of a result, if it tells."""
-    file = document.get("file")
+    """The file of a result, if it tells; of a case in error with its folders."""
+    file = document.get("case" if "errors" in document else "file")
     return file if isinstance(file, str) else ""
 
 
@@ -140,18 +149,23 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
-    """A report begins at each KJG= that follows a table."""
+    """A report begins at each KJG= that follows a table, below the name of its file."""
     reports: list[WrittenResult] = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
-    first, table = 0, ""
+    first, table, of_case, coming = 0, "", "", ""
     lines = Source(file, text).lines
     for number, line in enumerate([*lines, "KJG="]):
         field = head(line)
-        if field == "KJG" and tables:
-            case, named = _case("\n".join(lines[first:number]), "deck"), _row_names(names, tables)
-            reports.append(WrittenResult(tables, case, printed=True, rows=named))
-            tables, names, first, table = {}, {}, number, ""
+        if field == "KJG":
+            if tables:
+                case = _case("\n".join(lines[first:number]), "deck")
+                named = _row_names(names, tables)
+                reports.append(WrittenResult(tables, case, printed=True, rows=named, file=of_case))
+                tables, names, first, table, of_case = {}, {}, number, "", ""
+            of_case, coming = coming or of_case, ""
+        elif named_file := NAMED_FILE.match(line):
+            coming, table = named_file[1], ""
         elif field in PRINTED:
             table = PRINTED[field].key
             tables.setdefault(table, [])
@@ -164,7 +178,9 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 tables[table].append(figures)
                 names.setdefault(table, []).extend([name.strip()] * bool(is_named))
     if not reports:
-        raise _fail("no table of results found; expected a listing or JSON of `vstatics run`", file)
+        raise no_result(
+            "no table of results found; expected a listing or JSON of `vstatics run`", file
+        )
     return reports
 
 
@@ -185,68 +201,3 @@ def _figures(words: Sequence[str]) -> list[Figure] | None:
             return None
         figures.append(Figure(value, slack))
     return figures
-
-
-COLUMNS = ["table", "row", "gear", "value"]
-_Cells = dict[str, dict[str, dict[str, Figure]]]
-"""Of a result: table, row, and gear or device."""
-
-
-def is_result(text: str) -> bool:
-    """Whether a text begins as such a file does."""
-    return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
-
-
-def read_csv(text: str, file: str) -> list[WrittenResult]:
-    """The results of a file in their order.
-
-    Raises
-    ------
-    ReadError
-        If a line has no number, or belongs to no table.
-    """
-    lines = _csv_lines(text, file)
-    has_case = next(lines)[1][0] == "case"
-    results: dict[str, _Cells] = {}
-    for number, row in lines:
-        cells = [unguarded(cell) for cell in row]
-        case = cells.pop(0) if has_case and cells else ""
-        if not cells or cells[0] == "conventions":
-            continue
-        if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
-            message = "no row of a result in CSV: expected table,row,gear,value"
-            raise _fail(message, file, number)
-        table, name, gear, value = cells
-        if BY_NAME[table].columns == "devices":
-            name, _, gear = name.rpartition(":")
-        try:
-            figure = Figure(float(value) if value else math.nan)
-        except ValueError:
-            raise _fail(f"read {value!r}, expected a number", file, number) from None
-        results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
-    if not results:
-        raise _fail("no result in it", file)
-    return [_result(case, cells) for case, cells in results.items()]
-
-
-def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """Lines of CSV, which a carriage return alone ends, too, each with its number."""
-    lines = csv.reader(io.StringIO(text, newline=None))
-    try:
-        for row in lines:
-            yield lines.line_num, row
-    except csv.Error as error:
-        raise _fail(f"no CSV: {error}", file, lines.line_num) from None
-
-
-def _result(file: str, tables: _Cells) -> WrittenResult:
-    figures, rows = {}, {}
-    gears: Sequence[str] = ()
-    for key, table in tables.items():
-        figures[key] = [list(row.values()) for row in table.values()]
-        if BY_NAME[key].rows != "one":
-            rows[key] = list(table)
-        if BY_NAME[key].columns != "devices":
-            gears = max(gears, list(next(iter(table.values()))), key=len)
-    name = os.path.basename(file)  # noqa: PTH119
-    return WrittenResult(figures, None, printed=False, rows=rows, file=name, gears=gears)

@@ -27,6 +27,8 @@ class TableColumn(NamedTuple):
     optional: bool = False
     may_be_bare: bool = False
     """Whether a heading without a unit means the unit of SI."""
+    meaning: str = ""
+    """What its numbers without a unit are, in words."""
     sizes: Mapping[str, float] | None = None
     """Sizes of the only units that may stand there, where these are no measure."""
 
@@ -163,7 +165,8 @@ def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
         return column.sizes[unit]
     if column.measure is None:
         if told:
-            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected none")
+            what = f", {column.meaning}" if column.meaning else ""
+            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected none{what}")
         return 1.0
     if not told and column.may_be_bare:
         return 1.0

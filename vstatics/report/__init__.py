@@ -15,15 +15,17 @@ from __future__ import annotations
 
 import os
 
+from vstatics.arguments import refusing
 from vstatics.jobs.files import replacing
 from vstatics.report.html_page import page
 from vstatics.report.material import Material, gather
 from vstatics.simulation.record.motion import Motion
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 
 __all__ = ["Material", "gather", "page", "write_report"]
 
 
+@refusing()
 def write_report(
     results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
 ) -> None:
@@ -56,7 +58,7 @@ def write_report(
     ...     "drive" in Path(folder, "pair.html").read_text(encoding="utf-8")
     True
     """
-    expect_results(results, "write_report")
+    expect_one_case(results, "write_report")
     suffix = os.path.splitext(os.fspath(path))[1]  # noqa: PTH122
     if suffix.lower() not in ("", ".html", ".htm"):
         raise ValueError(f"a report as {os.fspath(path)}: the page is HTML, expected .html")

@@ -22,15 +22,14 @@ def explained(material: Material) -> list[Sequence[Markup]]:
 
     What is the same for all gears, that there is no formula, `no_formula` says once.
     """
-    gears = enumerate(material.results.case.gears, 1)
     return [
-        list(_explained(material, number))
-        for number, gear in gears
+        list(_explained(material, gear.name))
+        for gear in material.results.case.gears
         if material.asked.shows(gear.name)
     ]
 
 
-def _explained(material: Material, gear: int) -> Iterator[Markup]:
+def _explained(material: Material, gear: str) -> Iterator[Markup]:
     """A gear, or why no equations are written of it."""
     try:
         yield from _gear(explain_gear(material.results, gear), material.digits)

@@ -9,8 +9,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
+from vstatics.explain.given_parts import twist_text
 from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
-from vstatics.model.springs import Spring, SpringLimit, ends
+from vstatics.model.springs import Spring, SpringLimit
 from vstatics.model.transmission import HOUSING, Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of, word
 from vstatics.tables.html import Markup, tables, terms
@@ -252,17 +253,6 @@ def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
     """Viscous damping and loss factor."""
     given = damping(part.damping)
     return [_number(given.viscous or None), _number(given.loss_factor or None)]
-
-
-def twist_text(case: Transmission, spring: Spring) -> str:
-    """The twist of a spring as a sum: ``engine - disc``; of one link alone its name."""
-    shaft = ends(spring.twist)
-    said = ""
-    for link, part in spring.form.items():
-        size = "" if shaft or abs(part) == 1 else f"{abs(part):.6g} "
-        sign = ("-" if part < 0 else "+") if said else "-" * (part < 0)
-        said += f"{f' {sign} ' if said else sign}{size}{case.link_name(link)}"
-    return said
 
 
 def _number(value: float | None) -> Cell:

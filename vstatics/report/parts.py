@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urllib.parse import quote
 
 from vstatics.report.page_pictures import Drawn
 from vstatics.report.sheets import MOST_SHEETS, left_out, with_room
-from vstatics.tables.html import Markup, scrolled, tag
+from vstatics.tables.grid import NOTHING
+from vstatics.tables.html import Markup, scrolled, tag, terms
 from vstatics.texts import tr
 
 
@@ -47,6 +48,16 @@ def in_gear(picture: str, gear: str) -> str:
     'Power flow, gear R'
     """
     return tr("{picture}, gear {gear}", picture=tr(picture), gear=gear)
+
+
+def conventions(said: Mapping[str, str]) -> Markup:
+    """The conventions of results; what is null in JSON is a dash on a page.
+
+    >>> conventions({"null": "does not exist"})
+    '<dl><dt>-</dt><dd>does not exist</dd></dl>'
+    """
+    names = (NOTHING if name == "null" else tr(name.replace("_", " ")) for name in said)
+    return terms(zip(names, map(tr, said.values()), strict=True))
 
 
 def chooser(gears: Iterable[str]) -> Markup:

@@ -17,6 +17,7 @@ from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
 from vstatics.report.page_pictures import NAMES, Drawn
 from vstatics.report.parts import (
+    conventions,
     figures,
     gear_link,
     in_gear,
@@ -28,11 +29,10 @@ from vstatics.report.parts import (
 from vstatics.report.sheets import flow_sheets
 from vstatics.report.tools.marks import marked_links
 from vstatics.report.vibration import shown_vibration
-from vstatics.summary.grids import WITH_LOAD, Marks, element_signs
-from vstatics.summary.grids import grids as summary_grids
+from vstatics.summary.grids import WITH_LOAD, Marks, element_signs, summary_grids
 from vstatics.tables.grid import Cell, Column, Grid
 from vstatics.tables.grids import of_results, without_missing, without_zeros
-from vstatics.tables.html import Markup, table, tables, tag, terms
+from vstatics.tables.html import Markup, table, tables, tag
 from vstatics.tables.numbers import ROUNDED_NUMBER
 from vstatics.texts import tr
 
@@ -68,7 +68,6 @@ def sections(material: Material) -> Iterator[Part]:
     told = summary_grids(material.summary, [one.ports for one in material.flows])
     gears, *others = (asked.cut(one).with_digits(material.digits) for one in told)
     others = [*material.marked(others)]
-    conventions = material.document["conventions"]
     every: dict[str, Iterable[Markup]] = {
         "overview": _overview(material),
         "run": _run(material),
@@ -92,9 +91,7 @@ def sections(material: Material) -> Iterator[Part]:
             material.results.case, material.document["case"], material.digits, material.marked
         ),
         "tables": _tables(material, others),
-        "conventions": [
-            terms((tr(name.replace("_", " ")), tr(text)) for name, text in conventions.items())
-        ],
+        "conventions": [conventions(material.document["conventions"])],
     }
     for key, name in SECTIONS.items():
         inner = list(every[key]) if asked.has(key) and key in every else []

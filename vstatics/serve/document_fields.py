@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from vstatics.elements.drawing import drawing_of
+from vstatics.elements.keys import with_elements
 from vstatics.errors import ReadError
+from vstatics.model.keys import CASE
 from vstatics.model.transmission import Transmission
-from vstatics.readers.named.node_paths import Keys, written
-from vstatics.readers.named.nodes import Node, decode, encoding_of
+from vstatics.readers.named.node_paths import Keys, child, written
+from vstatics.readers.named.nodes import Node, Scalar, decode, encoding_of
 from vstatics.readers.named.reader import case_tree
 from vstatics.readers.named.written_numbers import NumberSpot, number_spots, with_written
 from vstatics.readers.named.yaml_nodes import yaml_tree
 from vstatics.report.live.fields import PageField
+from vstatics.serve.bare_units import bare_unit
+from vstatics.simulation.scenario.keys import SCENARIO
 from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
@@ -21,6 +26,9 @@ _PARTS = ("mechanisms", "elements", "shift_elements", "springs")
 _HEAVY = ("inertias", "masses")
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
 """Keys of a scenario below which names stand that may look like numbers."""
+
+_ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
+"""What points of a torque are over, and in what their first numbers are."""
 
 Texts = Mapping[str, bytes]
 """What files hold, by their names."""
@@ -94,7 +102,7 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     'links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -3}}\ngears: {1: []}'
     """
     *scenario, of_case = texts
-    found = [one for file in scenario for one in _of_scenario(file, texts[file])]
+    found = [one for file in scenario for one in _of_scenario(file, texts[file], case)]
     found += _of_case(of_case, texts[of_case], case)
     numbers: dict[str, DocumentNumber] = {}
     for one in found:  # a name that both documents have is that of the scenario, as in a sweep
@@ -115,23 +123,45 @@ def _root(file: str, data: bytes) -> Node | None:
         return None
 
 
-def _of_scenario(file: str, data: bytes) -> Iterator[DocumentNumber]:
+def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
     """Numbers of a scenario, which a sweep names as they stand there."""
-    spots = number_spots(data.decode(encoding_of(data)), yaml_tree(decode(data, file)))
+    root = yaml_tree(decode(data, file))
+    spots = number_spots(data.decode(encoding_of(data)), root)
     for keys, spot in spots.items():
         if not any(key in _NO_NUMBERS for key in keys):
-            yield DocumentNumber(PageField(written(keys), spot.value, spot.unit), file, keys)
+            unit = spot.unit or _unit(bare_unit(SCENARIO, keys) or _over(root, keys), keys, case)
+            yield DocumentNumber(PageField(written(keys), spot.value, unit), file, keys)
+
+
+def _over(root: Node, keys: Keys) -> str:
+    """In what a number is that stands first in a point, by what the points are over."""
+    *owner, points, _, place = ("", "", *keys)
+    if points != "points" or place != "1":
+        return ""
+    node: Node | None = root
+    for key in [*owner[2:], "over"]:
+        node = child(node, key) if node else None
+    return _ABSCISSAS.get(node.text, "") if isinstance(node, Scalar) else ""
+
+
+def _unit(unit: str, keys: Keys, case: Transmission) -> str:
+    """A unit, but not where links move straight, or controls are pressures: it may be another."""
+    turning = unit in ("rad/s", "N*m", "rad", "N*m/rad", "rad/(N*m)", "N*m*s/rad")
+    pressed = keys[0] == "controls" and any(one.friction for one in case.shift_elements)
+    return "" if (turning and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
     """Numbers of a case that a sweep can vary."""
+    shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
         path = _path(keys)
         known = case_path(path, case)
         if known is None and not _is_target(path, case):
             continue
         whole = bool(known and known.part and known.part.kind == "count")
-        yield DocumentNumber(PageField(path, spot.value, spot.unit, whole), file, keys)
+        unit = spot.unit or _unit(bare_unit(shape, keys), keys, case)
+        yield DocumentNumber(PageField(path, spot.value, unit, whole), file, keys)
 
 
 def _path(keys: Keys) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, Problem
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.bounds import Guard
@@ -37,6 +39,7 @@ _END = ("duration",)
 Method = Literal["events", "tarasik"]
 
 
+@refusing()
 def simulate(  # noqa: PLR0913 - all but the first by name
     scenario: Scenario,
     *,
@@ -88,6 +91,8 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     >>> round(motion.energy.heat["B"], 6)
     100.0
     """
+    if step is not None and not 0 <= step < math.inf:
+        raise ValueError(f"step is {step:g}, expected a number of seconds")
     check_scenario(scenario)
     with np.errstate(all="ignore"):  # what is no number is told where it matters
         if method == "tarasik":

@@ -8,6 +8,7 @@ from numbers import Real
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, listed, nearest, quoted
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.record.motion import Event
@@ -17,6 +18,7 @@ from vstatics.simulation.scenario.parts import Scenario, SequenceStep
 from vstatics.simulation.tolerances import RTOL
 
 
+@refusing()
 def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     """A run at its start, to be advanced.
 

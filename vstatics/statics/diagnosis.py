@@ -18,7 +18,7 @@ from vstatics.model.transmission import Gear, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
-from vstatics.statics import digits, freewheels, ideal, matrix, torques
+from vstatics.statics import carried, digits, freewheels, ideal, matrix, torques
 from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -53,7 +53,7 @@ def given_conditions(gear: Gear) -> int:
 
 def messages(results: Results) -> list[Message]:
     """What is worth saying about the results of one case, but for what it allows."""
-    return not_allowed(_messages(results), results.case.allow)
+    return not_allowed(_messages(results), results.case.untold)
 
 
 def _messages(results: Results) -> Iterator[Message]:
@@ -64,6 +64,7 @@ def _messages(results: Results) -> Iterator[Message]:
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag
+    above = list(carried.overloads(results))
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):
@@ -78,6 +79,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_shared(case, given, held) if held else ()),
             *(_drag_messages(results, number, gear) if has_drag else ()),
             *_outside_messages(results, number, gear),
+            *(Said("W430", text) for index, text in above if index == number),
         )
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)
@@ -218,7 +220,7 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
     if results.tied_up[number] or excess:
         yield from _excess(results, number, gear)
     if missing:
-        free = _without_value(case.link_names, results.gear(number + 1).speeds)
+        free = _without_value(case.link_names, results.gear_at(number).speeds)
         named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
         links = "" if results.tied_up[number] else named
         neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
@@ -294,7 +296,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 def _digit_messages(results: Results, number: int) -> Iterator[Said]:
     """What rounding shows in, near a singular train."""
-    lost = None if results.conflict[number] else digits.lost_digits(results.gear(number + 1))
+    lost = None if results.conflict[number] else digits.lost_digits(results.gear_at(number))
     if lost is None:
         return
     of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
@@ -347,7 +349,7 @@ def _gaining(results: Results, number: int) -> str:
     """Converters that would gain power at the speed ratio of the gear."""
     if not results.case.has_converter:
         return ""
-    state = results.gear(number + 1)
+    state = results.gear_at(number)
     variant = state.ideal.variant
     torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
     names = ideal.gaining(variant, state.gear, state.ideal.speeds, torques_)
@@ -370,7 +372,7 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
     """What has no torque by statics in a gear that has torques in balance."""
     if not results.calculable[number]:
         return []
-    torques = results.gear(number + 1).torques
+    torques = results.gear_at(number).torques
     return _without_value([*results.case.devices, "the output"], torques.on_first_link)
 
 

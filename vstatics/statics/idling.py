@@ -36,7 +36,7 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
     if not idle or idle <= held_as_one(results.case, gear):
         return {}
-    return _that_matter(results.gear(number + 1))
+    return _that_matter(results.gear_at(number))
 
 
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
@@ -139,6 +140,7 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
     return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
 
 
+@refusing()
 def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Structural-distribution matrix AJK.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vstatics.errors import listed, type_and_value
+from vstatics.errors import listed
 from vstatics.extras import AnyPicture, higher
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
@@ -99,6 +99,24 @@ class Results(PhysicalResults):
         made: xr.Dataset = higher("to_xarray")(self)
         return made
 
+    def to_json(self, file: str = "") -> str:
+        """The text that `vstatics run -f json` writes of one case: a golden result.
+
+        Parameters
+        ----------
+        file : str
+            The file of the case, which stands in it without folders; without one it has none.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()]))
+        >>> results.to_json("cases/pair.yaml").splitlines()[1:4]
+        ['  "format": "vstatics-result",', '  "version": 1,', '  "file": "pair.yaml",']
+        """
+        text: str = higher("to_json")(self, file)
+        return text
+
     def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
         """A picture, which a notebook shows: `vstatics.plot` of these results.
 
@@ -171,7 +189,11 @@ class Results(PhysicalResults):
         """
         if self.ratio.ndim != 1:
             raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
-        index, case = self.case.gear_number(gear) - 1, self.case
+        return self.gear_at(self.case.gear_number(gear) - 1)
+
+    def gear_at(self, index: int) -> GearState:
+        """The same by the index of the gear."""
+        case = self.case
         gears = self.points.gears if self.points else case.gears
         efficiencies: Sequence[Any] = [one.efficiency for one in case.mechanisms]
         if self.points and self.points.efficiencies:
@@ -244,17 +266,12 @@ class Results(PhysicalResults):
         return bool(self.tied_up.any() or self.conflict.any())
 
 
-def expect_results(given: object, function: str) -> None:
-    """Refuse what is no `Results` of one case, in the words of the function that was given it.
+def expect_one_case(given: Results, function: str) -> None:
+    """Refuse results of variants, in the words of the function that was given them.
 
     Raises
     ------
-    TypeError
     ValueError
-        For arrays of variants.
     """
-    if not isinstance(given, Results):
-        advice = "solve(case) gives them"
-        raise TypeError(f"{function} of {type_and_value(given)}: expected Results; {advice}")
     if given.ratio.ndim != 1:
         raise ValueError(f"{function} of results of shape {given.ratio.shape}: expected one case")

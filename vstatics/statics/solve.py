@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from os import PathLike
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +13,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-from vstatics.errors import CaseError, Problem, type_and_value
+from vstatics.arguments import refusing
+from vstatics.errors import CaseError, Problem
 from vstatics.model.part_checks import of_missing_ratios
 from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.numerics.arrays import Floats
@@ -24,6 +24,7 @@ from vstatics.statics.results import Results
 from vstatics.statics.variants import solve_variants
 
 
+@refusing()
 def solve(  # noqa: PLR0913
     case: Transmission,
     *,
@@ -59,13 +60,12 @@ def solve(  # noqa: PLR0913
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none, `idle` no convention, or a converter
-        has no speed ratio.
+        If a ratio or an efficiency in the arrays is none, or a converter has no speed ratio.
     TypeError
         If `case` is no transmission, such as the name of a file.
     ValueError
         If the arrays do not have one number for each mechanism, those of `vary` do not go
-        together, or `vary` stands beside `ratios` or `efficiencies`.
+        together, `vary` stands beside `ratios` or `efficiencies`, or `idle` is no convention.
 
     Examples
     --------
@@ -89,10 +89,6 @@ def solve(  # noqa: PLR0913
     >>> solve(dragged, vary={"drag.1": [0, 3, 6]}).efficiency.round(3).tolist()
     [[1.0], [0.99], [0.98]]
     """
-    if not isinstance(case, Transmission):
-        advice = "vstatics.load reads a file" if isinstance(case, str | PathLike) else ""
-        read = f"solve of {type_and_value(case)}: expected a Transmission"
-        raise TypeError("; ".join(filter(None, [read, advice])))
     if problems := list(of_missing_ratios(case, open_too=True)):
         raise CaseError(problems)
     case = case.with_coast(coast)

@@ -211,7 +211,7 @@ def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
-            *("name", "description", "source", "link_names", "load", "allow"),
+            *("name", "description", "source", "link_names", "load", "allow", "hushed"),
             *("drawing", "_lowered", "inertias", "masses", "dump", "vehicle", "fatigue"),
             "cylinders",
         }

@@ -4,11 +4,11 @@ Results go in; `summarize` makes a `Summary`, `grids` its tables, `vstatics.tabl
 `operation` is what a box does in a vehicle, over points of load, over a driving cycle.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
->>> from vstatics.summary.grids import grids
+>>> from vstatics.summary.grids import summary_grids
 >>> from vstatics.tables import text
 >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
 ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
->>> print(text.write([], list(grids(summarize(solve(case))))[:2]), end="")
+>>> print(text.write([], list(summary_grids(summarize(solve(case))))[:2]), end="")
 Gears
 gear  ratio  next   step  efficiency
 1     3.500  2     3.500       1.000
@@ -24,8 +24,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.arguments import refusing
+from vstatics.extras import higher
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.results import Results, expect_results
+from vstatics.statics.results import Results, expect_one_case
 from vstatics.summary.design_table import Design, design
 from vstatics.summary.duty import Cycle
 from vstatics.summary.extremes import Largest, Margin, Needed, largest, margins, needed_capacities
@@ -35,6 +37,7 @@ from vstatics.summary.operation.traction import Performance, performance
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.summary.shifts import Transition, transitions
 from vstatics.summary.unused_sets import Combination, combinations
+from vstatics.tables.html import shown
 
 __all__ = ["Summary", "summarize"]
 
@@ -64,7 +67,17 @@ class Summary(NamedTuple):
     needed: Sequence[Needed] = ()
     """What shift elements must carry, if a reserve is asked for."""
 
+    def __repr__(self) -> str:
+        """Of which case, how many gears, their spread; not all numbers."""
+        counts = f"{len(self.design.gears)} gears, spread {self.design.spread:.4g}"
+        return f"<Summary of {self.results.case.name!r}: {counts}>"
 
+    def _repr_html_(self) -> str:
+        """All its tables, for a notebook."""
+        return shown(higher("summary_grids")(self))
+
+
+@refusing()
 def summarize(
     results: Results,
     *,
@@ -104,7 +117,7 @@ def summarize(
     >>> made.design.spread, [line.ratio for line in made.design.gears]
     (3.5, [1.0, 3.5])
     """
-    expect_results(results, "summarize")
+    expect_one_case(results, "summarize")
     case = results.case
     return Summary(
         results,

@@ -84,7 +84,7 @@ def _efficiency(results: Results, gear: str) -> float:
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])
     power = {"in": 0.0, "out": 0.0, "": 0.0}
-    for port in ports(results.gear(number)).ports:
+    for port in ports(results.gear_at(number - 1)).ports:
         power[port.way] += port.power
     return power["out"] / power["in"]
 

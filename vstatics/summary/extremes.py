@@ -10,6 +10,7 @@ import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.statics.carried import carried_torques
 from vstatics.statics.results import Results
 from vstatics.tables.quantities import BY_NAME, Quantity, Table, in_unit
 from vstatics.tables.values import tables
@@ -115,7 +116,7 @@ def margins(results: Results) -> list[Margin]:
     [Margin(element='B', capacity=4.0, by_gear=[1.6, nan], least=1.6, gear='low')]
     """
     case = results.case
-    torques, carrying = _carried(results, case.load.torque_size if case.load else 0.0)
+    torques, carrying = carried_torques(results, case.load.torque_size if case.load else 0.0)
     return [
         _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
         for number, element in enumerate(case.shift_elements)
@@ -150,7 +151,7 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     case = results.case
     own = [case.gear_load(gear).torque_size for gear in case.gears]
     common = (case.load and case.load.torque_size) or (max(own) if all(own) else 0.0)
-    torques, carrying = _carried(results, common)
+    torques, carrying = carried_torques(results, common)
     sizes, unit = np.where(carrying, torques, 0.0), common or math.nan
     found = []
     for element, column in zip(case.shift_elements, sizes.T, strict=True):
@@ -159,16 +160,6 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
         gear = case.gears[first].name if top > 0 else ""
         found.append(Needed(element.name, top * reserve, gear, top * reserve * unit))
     return found
-
-
-def _carried(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """(gears, shift elements): torques by a common input torque, and whether there are any."""
-    count = len(results.case.shift_elements)
-    names = "torques", "lossy_torques"
-    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
-    torques = np.fmax(*both) * _loads(results, common)[:, np.newaxis]
-    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
-    return torques, carrying
 
 
 def _margin(
@@ -182,10 +173,3 @@ def _margin(
     least = min(margins[number] for number in known)
     first = next(number for number in known if margins[number] <= least * (1 + SAME_RATIO))
     return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
-
-
-def _loads(results: Results, common: float) -> Floats:
-    """The unit of torque of each gear by a common one; 1 where one of them is not told."""
-    case = results.case
-    own = (case.gear_load(gear).torque_size for gear in case.gears)
-    return np.array([abs(torque / common) if torque and common else 1.0 for torque in own])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from vstatics.damage.grids import damage_grid
 from vstatics.statics.results import Results
+from vstatics.statics.status import NEUTRAL
 from vstatics.summary import Summary
 from vstatics.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
 from vstatics.summary.operation.load_spectrum import Spectrum
@@ -28,7 +29,7 @@ class Marks(NamedTuple):
     open: str = NO
 
 
-def grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
+def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
     """All tables of a summary; those that would be empty are left out.
 
     What was asked for and gave nothing stays, without rows and columns.
@@ -61,8 +62,19 @@ def grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterato
 def _design(summary: Summary) -> Grid:
     lines = summary.design.gears
     headings = "gear", "ratio", "next", "step", "efficiency", "state"
-    rows = ((*line[:-1], word(line.state)) for line in lines)
+    rows = ((*line[:-1], state(line.state)) for line in lines)
     return grid_of("Gears", headings, rows, key="gears", optional=["state"])
+
+
+def state(name: str) -> Cell:
+    """Why a gear lacks something; `open` of a gear is another word than that of an element.
+
+    >>> from vstatics.texts import speaking
+    >>> with speaking("de"):
+    ...     [Grid("", (), [[one("open")]]).spoken.texts for one in (state, word)]
+    [[['Leerlauf']], [['offen']]]
+    """
+    return word(name)._replace(said_as=NEUTRAL.english if name == NEUTRAL.name else "")
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
@@ -236,7 +248,13 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     yield grid_of("Duty cycle", ["", f"energy, {unit}"], rows, key="duty")
     members = [
         (
-            *(name, one.torque.largest, one.torque.row, one.speed.largest, one.speed.row),
+            *(
+                name,
+                one.torque.largest,
+                one.torque.row or math.nan,
+                one.speed.largest,
+                one.speed.row,
+            ),
             *(one.revolutions, one.equivalent_torque),
         )
         for name, one in cycle.members.items()

@@ -17,9 +17,9 @@ from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
 from vstatics.statics.status import STATUSES
 from vstatics.summary.design_table import GearLine, design
-from vstatics.summary.grids import Marks, element_signs
+from vstatics.summary.grids import Marks, element_signs, state
 from vstatics.tables import terminal
-from vstatics.tables.grid import Cell, Column, Grid, exact, text, word
+from vstatics.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.tables.html import table
 from vstatics.tables.numbers import ROUNDED_NUMBER
 from vstatics.tables.ports import port_tables, ports_grid
@@ -153,12 +153,12 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
 def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
     """The speeds of links, planets and open elements."""
     unit = "_rpm" if rpm else ""
-    for key, kind in (("W", ""), ("WSAT", "planet "), ("WFRI", "slip ")):
+    for key, kind in (("W", ""), ("WSAT", tr("planet")), ("WFRI", tr("slip"))):
         if key + unit in by_key:
             for name, value in _column(by_key[key + unit], number):
                 # P1.planet tells by itself what it is, 1 does not
-                front = "" if "." in name else kind or "link " * name.isdigit()
-                yield front + name, value
+                front = "" if "." in name else kind or tr("link") * name.isdigit()
+                yield f"{front} {name}".lstrip(), value
 
 
 def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
@@ -193,7 +193,7 @@ def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
     status = results.status(number + 1)
     if status.name:
         colour = "red" if status.is_fault else "yellow"
-        return word(status.name)._replace(style=colour)
+        return state(status.name)._replace(style=colour)
     names = [device.name for device in results.case.own_devices]
     found = list(zip(names, roles(results, number), strict=True))
     whole, idle = (" ".join(n for n, role in found if role == one) for one in (ONE_PIECE, IDLE))
@@ -227,7 +227,8 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     if said:
         yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
-    yield from (f"{tr(one.name)}: {tr(one.meaning)}" for one in STATUSES if one in states)
+    shown = [(Grid("", (), [[state(one.name)]]).spoken.texts[0][0], one) for one in STATUSES]
+    yield from (f"{said}: {tr(one.meaning)}" for said, one in shown if one in states)
 
 
 def results_html(results: Results) -> str:

@@ -50,7 +50,7 @@ def sensitivities(results: Results) -> Floats:
         case = replace(case, gears=gears, load=None)
         alone = solve(case)
     outputs = np.array([case.gear_output(gear) for gear in case.gears])
-    states = [alone.gear(number) for number in range(1, len(outputs) + 1)]
+    states = [alone.gear_at(index) for index in range(len(outputs))]
     speeds = np.array([state.speeds for state in states])
     torques = np.array([state.torques.on_first_link for state in states])
     output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs - 1]

@@ -16,6 +16,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
+from vstatics.arguments import naming, refusing
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
@@ -26,6 +28,8 @@ if TYPE_CHECKING:
 __all__ = ["sweep"]
 
 
+@refusing(Subject="vstatics.sweep.variants.subject", IdleConvention="vstatics.model.transmission")
+@naming
 def sweep(  # noqa: PLR0913 (as on the command line)
     case: Subject,
     vary: Mapping[str, ArrayLike | str] | Sequence[str] | str = (),

@@ -305,10 +305,10 @@ def reason(plan: SweepPlan) -> list[Problem]:
 
 
 def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:
-    """The worst that can be said of the gears of each variant, or of each gear.
+    """The worst that can be said of the gears that are asked for, or of each gear.
 
     Whole arrays are asked first: most often nothing is to be said of any variant. Where modes
-    alone are asked for it is said of the gears that are asked for, together.
+    alone are asked for it is said by them.
     """
     by_gear = plan.by_gear
     status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
@@ -318,6 +318,7 @@ def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants:
             status[modes.tied_up] = TIED_UP
             status[modes.conflict] = CONFLICT
         return status
+    asked = plan.asked_gears
     unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
     for code, said in (
         (DRAGGED, results.dragged),
@@ -328,5 +329,5 @@ def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants:
         (CONFLICT, results.conflict),
     ):
         if said.any():
-            status[said if by_gear else said.any(axis=1)] = code
+            status[said if by_gear else said[:, asked].any(axis=1)] = code
     return status

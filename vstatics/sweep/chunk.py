@@ -15,7 +15,7 @@ import numpy as np
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics import status
 from vstatics.sweep.kept.columns import output_headings
-from vstatics.sweep.kept.meanings import GearRows, Tables
+from vstatics.sweep.kept.meanings import GearRows, Tables, WithStatus
 from vstatics.tables.written_results import GEAR
 
 if TYPE_CHECKING:
@@ -145,9 +145,12 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
         tables, status = GearRows(tables, gears), status.ravel()
         values, unknown = np.repeat(values, gears, axis=0), np.repeat(unknown, gears)
         start *= gears
+    tables = WithStatus(tables, status == 0)
     with np.errstate(all="ignore"):
         columns = _existing(plan.columns(tables, values), unknown)
         objectives = _existing(plan.objective_values(tables, values), unknown)
+        if not plan.takes_all:
+            objectives[status == NOT_ASSEMBLED] = np.nan
         passed: Booleans | None = None
         removed: tuple[int, ...] = ()
         if plan.where is not None:

@@ -30,6 +30,27 @@ from vstatics.sweep.options import (
 )
 
 
+def is_sweep_file(data: bytes, file: str) -> bool:
+    """Whether a document is a sweep: it names a case and what varies, or how variants are drawn.
+
+    >>> is_sweep_file(b"{case: box.yaml, vary: {P1.teeth.sun: '20:40:21'}}", "sweep.yaml")
+    True
+    >>> is_sweep_file(b"{case: box.yaml, duration: 6}", "up.yaml")
+    False
+    """
+    from vstatics.readers import format_of
+    from vstatics.readers.named.yaml_nodes import yaml_tree
+
+    if format_of(file, data) in ("deck", "xlsx"):
+        return False
+    try:
+        root = yaml_tree(decode(data, file, "a sweep"))
+    except ReadError:
+        return False
+    keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
+    return "case" in keys and not keys.isdisjoint(("vary", "variants"))
+
+
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     """Read a sweep file; its paths are relative to it.
 

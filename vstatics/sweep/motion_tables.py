@@ -103,7 +103,29 @@ TABLES: Mapping[str, MotionTable] = {
     "impact": MotionTable("number"),
     "balance": MotionTable("number"),
 }
-"""By name; [s], [rad/s], [N*m], [J], [J/m^2], [m], and as tables that are asked for."""
+"""By name; in `RUN_UNITS`."""
+RUN_UNITS = {
+    **dict.fromkeys(
+        (TIME, "peak_times", "locks", "last_locks", "breaks", "reverses", "impacts"), "s"
+    ),
+    **dict.fromkeys(("steps", "time_to"), "s"),
+    **dict.fromkeys(("speeds", "slips"), "rad/s"),
+    **dict.fromkeys(("torques", "peaks"), "N*m"),
+    "accelerations": "rad/s^2",
+    "jerks": "rad/s^3",
+    "powers": "W",
+    **dict.fromkeys(("heat", "losses", "work", "kinetic", "elastic", "impact"), "J"),
+    "slip_power": "W",
+    "heat_per_area": "J/m^2",
+    "slip_power_per_area": "W/m^2",
+    "temperatures": "degree_Celsius",
+    "vehicle_speed": "m/s",
+    "vehicle_acceleration": "m/s^2",
+    "vehicle_jerk": "m/s^3",
+    "reduced_inertia": "kg*m^2",
+    "distance_to": "m",
+}
+"""Of tables whose numbers have a unit, of rows that turn."""
 
 
 def along_time(name: str) -> bool:

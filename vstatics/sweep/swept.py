@@ -15,6 +15,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.sweep.chunk import STATUS, Chunk, joined
 from vstatics.sweep.plan import SweepPlan, rounded
 from vstatics.sweep.tasks import SweepTask, calculate
+from vstatics.sweep.units import units_of
 from vstatics.sweep.variants.numbered import VariantGrid
 from vstatics.tables.written_results import GEAR, WrittenSweep
 
@@ -106,6 +107,8 @@ class Sweep(Iterator[Chunk]):
             `variant`, with the varied numbers along it. With a row for each gear also `gear`. A
             variable for each column, by its heading, and `status` in words. What a condition
             removed from a grid is NaN there and `left out`; of what is no grid it is not there.
+            `units` say what a variable is in; one without is relative to the input [-], or no
+            part of one table alone.
 
         Raises
         ------
@@ -125,12 +128,17 @@ class Sweep(Iterator[Chunk]):
         import xarray as xr
 
         plan, gears = self.plan, [GEAR] * self.plan.by_gear
+        units = units_of(plan)
+        told = {
+            name: {"units": units[name]} if name in units else {}
+            for name in (*plan.names, *plan.headings)
+        }
         per_variant = len(plan.gears) or 1
         if isinstance(plan.variants, VariantGrid):
             self._expect_room("a grid")
             along, shape = [*plan.names], self._shape
             varied: dict[str, Any] = {
-                name: values[np.arange(len(values))]
+                name: (name, values[np.arange(len(values))], told[name])
                 for name, values in zip(along, plan.variants.values, strict=True)
             }
             parts: Iterable[tuple[Integers, Chunk]] = (
@@ -141,7 +149,7 @@ class Sweep(Iterator[Chunk]):
             numbers, first, of = np.unique(rows.variants, return_index=True, return_inverse=True)
             along, shape = ["variant"], [len(numbers)]
             varied = {"variant": numbers} | {
-                name: ("variant", rows.values[first, column])  # noqa: PD011 - a chunk
+                name: ("variant", rows.values[first, column], told[name])  # noqa: PD011 - a chunk
                 for column, name in enumerate(plan.names)
             }
             parts = [(of * per_variant + (rows.of_gear if gears else 0), rows)]
@@ -149,7 +157,7 @@ class Sweep(Iterator[Chunk]):
         whole = *shape, *map(len, [plan.gears] * plan.by_gear)
         dimensions = [*along, *gears]
         variables = {"status": (dimensions, status.reshape(whole))} | {
-            heading: (dimensions, column.reshape(whole))
+            heading: (dimensions, column.reshape(whole), told[heading])
             for heading, column in zip(plan.headings, columns, strict=True)
         }
         return xr.Dataset(variables, varied | {name: list(plan.gears) for name in gears})
@@ -169,10 +177,10 @@ class Sweep(Iterator[Chunk]):
         Raises
         ------
         CaseError
-            If matplotlib is missing, or memory could not hold the variants; when it is drawn, if
-            there is no such column.
+            If matplotlib is missing, memory could not hold the variants, or there is no such
+            column.
         ValueError
-            If there is no such kind.
+            If there is no such kind, or a column is not for it.
 
         Examples
         --------

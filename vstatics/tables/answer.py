@@ -193,17 +193,20 @@ def _of_record(record: Any) -> dict[str, Any]:
     return found
 
 
-def with_file(answer: Answer, file: str) -> dict[str, Any]:
-    """A document as plain data that tells the file of its case, without folders.
+def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
+    """A document as plain data that tells the file of its case, without folders or with them.
 
-    An answer of no format, or of a case in error, is as it is.
+    An answer of no format is as it is; that of a case in error has its file already.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
     """
     data = answer if isinstance(answer, dict) else plain_data(answer)
     front: dict[str, Any] = {key: data[key] for key in ("format", "version") if key in data}
-    return {**front, "file": os.path.basename(file), **data} if front else data  # noqa: PTH119
+    name = file if folders else os.path.basename(file)  # noqa: PTH119
+    if "errors" in data:
+        return {**data, "file": name}
+    return {**front, "file": name, **data} if front else data
 
 
 def text(value: Any) -> str:
@@ -340,7 +343,8 @@ def documents(name: str, title: str, one: Schema, definitions: Schema | None = N
     definitions : dict, optional
         What it refers to by ``#/$defs/...``.
     """
-    file = {"type": "string", "description": "The file of the case, without folders."}
+    about = "The file of the case, without folders; with those of the path as found where"
+    file = {"type": "string", "description": f"{about} several of an output have one name."}
     properties = {**one["properties"], "file": file}
     failure = {
         "title": "case in error",

@@ -53,8 +53,12 @@ class Cell(NamedTuple):
     """What a page writes at it as data, for a script."""
     is_said: bool = False
     """Whether its text is no name of the case but of this program, which has it in languages."""
+    said_as: str = ""
+    """The English text that other languages have it by, where its own means several things."""
     look: str = ""
     """A class that a page gives it besides."""
+    math: str = ""
+    """The same for LaTeX in math mode, if it is a formula."""
 
     @property
     def datum(self) -> Datum:
@@ -150,7 +154,7 @@ class Grid(NamedTuple):
 
 def _translated(cell: Cell) -> Cell:
     """A cell in the language that is spoken; what a sign means is no name."""
-    text = labelled(cell.text) if cell.is_said else cell.text
+    text = labelled(cell.said_as or cell.text) if cell.is_said else cell.text
     return cell._replace(text=text, says=tr(cell.says))
 
 

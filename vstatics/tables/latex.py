@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.tables.grid import NO, NOTHING, YES, Grid
+from vstatics.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
 _COMMANDS = {
     "\\": r"\textbackslash{}",
@@ -56,21 +56,86 @@ def escaped(text: str) -> str:
     return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text)
 
 
+PAGE, SMALL_PAGE = 66, 92
+"""Signs that fit beside one another, and in small type."""
+SHORT, ENOUGH = 20, 24
+"""Signs of a column of words that is not broken, and of a broken one in usual type."""
+
+
 def _lines(grid: Grid) -> Iterator[str]:
     grid = grid.spoken
     yield rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
     if not grid.rows:
         return
-    alignment = "".join("r" if column.is_number else "l" for column in grid.columns)
+    lengths = [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
+    is_wide = sum(lengths) > PAGE
+    page, broken = _broken(grid, lengths) if is_wide else (PAGE, {})
+    is_small = page > PAGE
+    alignment = "".join(
+        rf"p{{{0.94 * broken[place] / page:.3f}\linewidth}}"
+        if place in broken
+        else "r"
+        if column.is_number
+        else "l"
+        for place, column in enumerate(grid.columns)
+    )
+    if is_small:
+        yield r"{\footnotesize\setlength{\tabcolsep}{3pt}"
     yield rf"\begin{{tabular}}{{{alignment}}}"
     yield r"\hline"
-    yield _row(escaped(column.heading) for column in grid.columns)
+    yield _row(
+        _heading(column.heading) if is_wide and column.is_number else escaped(column.heading)
+        for column in grid.columns
+    )
     yield r"\hline"
-    for row in grid.texts:
-        cells = zip(row, grid.columns, strict=True)
-        yield _row(_number(cell) if column.is_number else escaped(cell) for cell, column in cells)
+    for row in grid.cells:
+        yield _row(
+            rf"{{\raggedright {_cell(cell, column)}\par}}"
+            if place in broken
+            else _cell(cell, column)
+            for place, (cell, column) in enumerate(zip(row, grid.columns, strict=True))
+        )
     yield r"\hline"
-    yield r"\end{tabular}"
+    yield r"\end{tabular}" + "}" * is_small
+
+
+def _shown(grid: Grid) -> Iterator[list[str]]:
+    """Texts of the columns' heads, where these are numbers their longest words, and of the rows."""
+    yield [
+        max(one.heading.split() or [""], key=len) if one.is_number else one.heading
+        for one in grid.columns
+    ]
+    yield from grid.texts
+
+
+def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
+    """Signs of a line, and columns of long words or formulas with the signs of their width."""
+    long = {
+        place: length
+        for place, length in enumerate(lengths)
+        if length > SHORT and not grid.columns[place].is_number
+    }
+    kept = sum(lengths) - sum(long.values())
+    page = PAGE if kept + ENOUGH * len(long) <= PAGE else SMALL_PAGE
+    room: float = max(page - kept, SHORT)
+    widths: dict[int, float] = {}
+    for place in sorted(long, key=long.__getitem__):  # short ones leave more to the others
+        widths[place] = min(long[place], room / (len(long) - len(widths)))
+        room -= widths[place]
+    return page, widths
+
+
+def _heading(text: str) -> str:
+    """A heading over numbers, a word a line."""
+    words = escaped(text).split()
+    stacked = r"\\ ".join(words)
+    return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
+
+
+def _cell(cell: Cell, column: Column) -> str:
+    if cell.math:
+        return f"${cell.math}$"
+    return _number(cell.text) if column.is_number else escaped(cell.text)
 
 
 def _number(cell: str) -> str:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from vstatics.arguments import type_and_value
 from vstatics.errors import Place, ReadError, listed, nearest, quoted, typed_number
 from vstatics.model.transmission import Transmission
 from vstatics.statics.matrix import distribution_matrix
@@ -238,6 +239,8 @@ def by_name(results: Results, key: Any) -> Any:
     ------
     ValueError
         If there is no such table, row or gear, with the nearest.
+    TypeError
+        If it is no name.
 
     Examples
     --------
@@ -251,8 +254,11 @@ def by_name(results: Results, key: Any) -> Any:
     (3.5, 0.2857142857142857)
     """
     name, *chosen = key if isinstance(key, tuple) else (key,)
-    if not isinstance(name, str):
+    if isinstance(key, int | slice):
         return tuple.__getitem__(results, key)
+    if not isinstance(name, str):
+        expected = "expected the name of a table, then perhaps of a row and of a gear"
+        raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
         return _chosen(results, name, chosen)
     except ReadError as error:  # nothing was read from a file

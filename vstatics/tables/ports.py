@@ -87,9 +87,8 @@ class PortTable(NamedTuple):
 
 def port_tables(results: Results) -> list[PortTable]:
     """The ports of each gear of one case."""
-    numbers = range(1, len(results.case.gears) + 1)
     by_gear = gear_scales(results.case)
-    return [port_table(results.gear(n), own) for n, own in zip(numbers, by_gear, strict=True)]
+    return [port_table(results.gear_at(n), own) for n, own in enumerate(by_gear)]
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:

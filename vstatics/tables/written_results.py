@@ -34,7 +34,7 @@ class WrittenResult(NamedTuple):
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
     """Names of the rows of its tables, where it has them: of a drawn case, in CSV."""
     file: str = ""
-    """Of its case, without folders; nothing where it does not tell."""
+    """Of its case, with the folders that it tells; nothing where it does not tell."""
     gears: Sequence[str] = ()
 
     @property
@@ -43,8 +43,16 @@ class WrittenResult(NamedTuple):
         return self.printed and "ratio" not in self.tables
 
     @property
+    def has_own(self) -> bool:
+        """Whether its rows tell of elements, which have more than one each, or none."""
+        rows = {key: list(self.rows.get(key, ())) for key in ("AMLG", "WFRI", "idle")}
+        return bool(rows["AMLG"]) and rows["AMLG"][:-1] != [*rows["WFRI"], *rows["idle"]]
+
+    @property
     def gear_names(self) -> Sequence[str]:
-        """Names of its gears; none where it does not tell."""
+        """Names of its gears; none where it does not tell, as the source has numbers only."""
+        if self.is_of_source:
+            return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
 
     @property

@@ -46,13 +46,14 @@ def known_ids() -> list[str]:
 
 
 def explained(identity: str) -> ExplainedMessage:
-    """What an id stands for.
+    """What an id stands for, in large or small letters.
 
     Raises
     ------
     ValueError
         If there is no such message; with the nearest id.
     """
+    identity = identity.upper()
     if identity not in _lines():
         message = f"there is no message {quoted(identity)}{nearest(identity, _lines())}"
         raise ValueError(message)

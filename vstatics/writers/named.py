@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from vstatics.elements.drawing import drawing_of
@@ -44,10 +44,17 @@ class _OnOneLine(dict[str, Any]):
     """A mapping that YAML has in braces."""
 
 
-def mapping(case: Transmission) -> dict[str, Any]:
+def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     """A case as plain data, with the keys of its YAML and JSON.
 
     Keys that have their default are left out.
+
+    Parameters
+    ----------
+    case : Transmission
+    units : bool
+        Whether what was given with a unit keeps it, so that it is the same with another load;
+        else it is a part of the load's speed or torque.
 
     Examples
     --------
@@ -65,6 +72,9 @@ def mapping(case: Transmission) -> dict[str, Any]:
         shape = with_elements(CASE)
         values |= vars(drawing)
         values["elements"] = {one.name: record_of(one) for one in drawing.elements}
+    wholes = {math.inf, *_wholes(case)} if units else {math.inf}
+    if units:
+        values |= _for_all_gears(case, wholes)
     links, own = _link_words(case), case.own_links
     values["links"] = own if links[1] == 1 else links[1 : own + 1]
     values["output"] = None if case.outputs or case.output == own else case.output
@@ -80,7 +90,8 @@ def mapping(case: Transmission) -> dict[str, Any]:
     values["vehicle"] = vehicle_record(case.vehicle)
     order = _CASE if shape is CASE else _as_written(shape)
     ratios = ["", *sets, *values["converters"]]
-    return _Writer(links, ["", *values["shift_elements"]], ratios).by_key(values, order)
+    writer = _Writer(links, ["", *values["shift_elements"]], ratios, wholes)
+    return writer.by_key(values, order)
 
 
 def write_yaml(case: Transmission) -> str:
@@ -111,6 +122,54 @@ def write_json(case: Transmission) -> str:
     return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
 
 
+def _wholes(case: Transmission) -> set[float]:
+    """The sizes of all speeds and torques of a load to which a number of the case may be related.
+
+    One that is related to another would be no part of anything when it is read again.
+    """
+    loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
+    given = [load for load in loads if load]
+    return {load.torque_size for load in given} | {abs(load.speed or 0.0) for load in given}
+
+
+def _for_all_gears(case: Transmission, wholes: Collection[float]) -> dict[str, Any]:
+    """Shift elements, gears and drag of the case, where drag with a unit is that of all gears.
+
+    So it was given: reading puts it into each of them.
+    """
+    gears = case.gears
+    drag, open_drag = (
+        _shared([getattr(gear, name) for gear in gears], wholes) for name in ("drag", "open_drag")
+    )
+    elements = list(case.shift_elements)
+    for number in [*open_drag]:
+        element = elements[number - 1]
+        if element.drag:  # its own is for gears that are still to come
+            del open_drag[number]
+        else:
+            elements[number - 1] = element._replace(drag=open_drag[number])
+    left = [
+        gear._replace(
+            drag={link: one for link, one in gear.drag.items() if link not in drag},
+            open_drag={n: one for n, one in gear.open_drag.items() if n not in open_drag},
+        )
+        for gear in gears
+    ]
+    return {"shift_elements": elements, "gears": left, "drag": drag}
+
+
+def _shared(by_gear: Sequence[Mapping[int, float]], wholes: Collection[float]) -> dict[int, float]:
+    """What has the same unit and number in all gears, by its link or shift element."""
+    first, *others = by_gear
+    return {
+        part: one
+        for part, one in first.items()
+        if isinstance(one, OfLoad)
+        and one.whole in wholes
+        and all(getattr(other.get(part), "given", None) == one.given for other in others)
+    }
+
+
 def _link_words(case: Transmission) -> list[int | str]:
     """How each link is written, the housing first: the case's own by their numbers if they can."""
     own = case.own_links
@@ -135,9 +194,17 @@ class _Writer:
     """Gives parts of the model as plain data, by their shapes."""
 
     def __init__(
-        self, links: Sequence[int | str], elements: Sequence[str], mechanisms: Sequence[str]
+        self,
+        links: Sequence[int | str],
+        elements: Sequence[str],
+        mechanisms: Sequence[str],
+        wholes: Collection[float],
     ) -> None:
-        """Keep how links, shift elements and mechanisms are written, by their numbers."""
+        """Keep how links, shift elements and mechanisms are written, and what keeps its unit.
+
+        The first three by their numbers; what is related to one of `wholes` keeps its unit.
+        """
+        self.wholes = wholes
         self.links = links
         self.mechanisms = [str(name) for name in mechanisms]
         self.elements = [str(name) for name in elements]
@@ -148,7 +215,8 @@ class _Writer:
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
-            if value is not None and (key.required or not key.leaves_out(value)):
+            says = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
+            if value is not None and says:  # what is a part of no load is 0 as a number
                 data[key.name] = self.value(value, key.shape)
         return data
 
@@ -159,8 +227,9 @@ class _Writer:
     def leaf(self, value: Any, shape: Leaf) -> Any:
         if isinstance(value, SpeedOf):
             return self.speed_of(value)
-        if isinstance(value, OfLoad) and math.isinf(value.whole):
-            return f"{value.given!r} {UNITS['torque']}"  # nothing that it is a part of
+        if isinstance(value, OfLoad) and abs(value.whole) in self.wholes:
+            measure = "speed" if shape.kind == "relative_speed" else "torque"
+            return f"{value.given!r} {UNITS[measure]}"
         plain = _PLAIN.get(shape.kind)
         if plain is not None:
             return plain(value)

@@ -15,7 +15,7 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """A line for each problem, which GitHub shows in the changed file: without `..` in its path.
+    """A line for each problem, which GitHub shows in the changed file.
 
     >>> from vstatics.errors import Place
     >>> place = Place("scenarios/../a,b.yaml", 3, 7)
@@ -28,10 +28,15 @@ def github(problems: Iterable[Problem]) -> str:
         if one.place:
             file, line, column, _ = one.place
             where = {"line": str(line), "col": str(column)} if line else {}
-            parts = {"file": os.path.normpath(file), **where, **parts}
+            parts = {"file": _relative(file), **where, **parts}
         told = ",".join(f"{key}={_property(value)}" for key, value in parts.items())
         lines.append(f"::{_COMMANDS[one.severity]} {told}::{_data(one.message)}\n")
     return "".join(lines)
+
+
+def _relative(file: str) -> str:
+    """A path as it is from the folder of the command, without detours."""
+    return os.path.relpath(file).replace(os.sep, "/")
 
 
 def _data(text: str) -> str:
@@ -85,8 +90,7 @@ def _locations(problem: Problem) -> list[dict[str, Any]]:
     from urllib.parse import quote  # costs start-up time
 
     file, line, column, _ = problem.place
-    relative = os.path.relpath(file).replace(os.sep, "/")
-    place: dict[str, Any] = {"artifactLocation": {"uri": quote(relative)}}
+    place: dict[str, Any] = {"artifactLocation": {"uri": quote(_relative(file))}}
     if line:
         place["region"] = {"startLine": line, "startColumn": column}
     return [{"physicalLocation": place}]

@@ -7,7 +7,9 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
-from vstatics.statics.results import Results
+from vstatics.errors import printable
+from vstatics.statics.results import Results, expect_one_case
+from vstatics.tables.answer import with_file
 from vstatics.tables.values import tables
 from vstatics.writers.named import mapping
 
@@ -50,6 +52,21 @@ def document(results: Results) -> dict[str, Any]:
         result[quantity.key] = rows[0] if quantity.rows == "one" else rows
     result["messages"] = [str(message) for message in results.messages]
     return result
+
+
+def to_json(results: Results, file: str = "") -> str:
+    """What `vstatics run -f json` writes of one case, to the byte.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+    file : str
+        Of the case, for the key `file`; without one the key is left out.
+    """
+    expect_one_case(results, "to_json")
+    made = document(results)
+    return printable(text(with_file(made, file) if file else made), lines=True) + "\n"
 
 
 def _row(values: list[float], kind: type) -> list[Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from vstatics.arguments import refusing
 from vstatics.errors import printable
 from vstatics.jobs.files import replace
 from vstatics.model.transmission import Transmission
@@ -22,6 +23,7 @@ SUFFIXES = {
 """Of cases, and the format that each tells."""
 
 
+@refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
     """Write a case, whole or not at all; its suffix tells the format.
 

@@ -81,7 +81,7 @@ def test_a_gear_tied_up_fails_but_its_results_are_written(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("target", "reason"),
     [
-        ("nowhere/new", "No such file or directory"),
+        ("nowhere/deep/new", "there is no directory nowhere/deep, make it"),
         ("", "Is a directory"),
         ("file/new", "Not a directory"),
     ],

@@ -81,7 +81,7 @@ def test_failures_are_told_where_they_occur_and_summed_up_at_the_end(jobs: int) 
     *before, summary, first, second, third = said.err.splitlines()
     apart = "".join(vstatics("run", case, "-f", "json").err for case in (*ALL, "nowhere.dat"))
     assert before == apart.splitlines()
-    assert summary == "2 of 5 cases calculated, 3 failed:"
+    assert summary == "3 of 5 cases calculated, 1 with errors, 2 failed:"
     assert first.startswith("  in/bad.yaml:3:")
     assert first.endswith(
         ", expected a link number from 1 to 3 or `housing` [E107] ... and 1 more problem"
@@ -100,6 +100,20 @@ def test_the_earlier_result_of_a_case_that_fails_now_is_set_aside() -> None:
     assert "(its earlier result is out/mzkt.json.old now)" in said.err
     assert names("out") == ["mzkt.json.old", "neutral.json"]
     assert Path("out/mzkt.json.old").read_bytes() == old
+
+
+@pytest.mark.usefixtures("folder")
+def test_results_of_cases_that_are_no_more_are_named() -> None:
+    """As long as they are there; of another format they are other results."""
+    Path("in/old.yaml").write_text(NEUTRAL, encoding="utf-8")
+    said = vstatics("run", *GOOD, "in/old.yaml", "-f", "json", "-o", "out")
+    assert said.err.splitlines()[-1] == "3 of 3 cases calculated"
+    named = "out: 1 further result of no case of this run: old.json"
+    for more in ((), ("--resume",)):
+        said = vstatics("run", *GOOD, "-f", "json", "-o", "out", *more)
+        assert (said.status, said.err.splitlines()[-1]) == (0, named)
+    assert named not in vstatics("run", *GOOD, "-f", "json", "-o", "out", "-q").err
+    assert "further" not in vstatics("run", *GOOD, "-o", "out").err
 
 
 @pytest.mark.usefixtures("folder")
@@ -140,6 +154,8 @@ def test_results_of_one_name_are_refused_and_all_pairs_named() -> None:
         "  in/mzkt.yaml is named twice",
         "  in/mzkt.dat and in/mzkt.yaml would both give out/mzkt.lst",
         "  in/neutral.yaml and other/neutral.dat would both give out/neutral.lst",
+        "  cases of one name are told apart by their folders: write all to one file, "
+        "-o all.jsonl, where they keep their folders, or each folder to a directory of its own",
     ]
 
 
@@ -216,13 +232,13 @@ def test_cases_come_from_a_list(text: str) -> None:
 
 
 @pytest.mark.usefixtures("folder")
-def test_a_list_of_one_is_a_list_and_of_none_a_fault() -> None:
+def test_a_list_of_one_is_a_list_and_of_none_too() -> None:
     said = vstatics("run", "--files-from", "-", "-o", "out", "-f", "csv", stdin=b"in/mzkt.dat\n")
     assert (said.status, names("out")) == (0, ["mzkt.csv"])
     said = vstatics("run", "--files-from", "-", "-f", "json", stdin=b"in/mzkt.dat")
     assert len(json.loads(said.out)) == 1
-    said = vstatics("run", "--files-from", "-", stdin=b"\n\n")
-    assert (said.status, said.err) == (1, "<stdin>: error: names no file, expected one a line\n")
+    said = vstatics("run", "--files-from", "-", stdin=b"\n # none\n")
+    assert (said.status, said.out, said.err) == (0, "", "<stdin>: names no file\n")
     said = vstatics("run", "--files-from", "nowhere")
     assert (said.status, said.err[:26]) == (1, "nowhere: error: can't be r")
     said = vstatics("run", "--files-from", "-", "-f", "csv", stdin=b"nowhere.dat\nin/mzkt.dat")
@@ -234,7 +250,7 @@ def test_names_found_by_find_come_through_a_pipe(folder: Path) -> None:
     command = f"cd {folder}; find in -name '*.yaml' -print0 | vstatics run --files-from - -o out"
     status, out, err = shell(command)
     assert (status, out) == (1, b"")
-    assert b"2 of 4 cases calculated, 2 failed:" in err
+    assert b"3 of 4 cases calculated, 1 with errors, 1 failed:" in err
     assert names(str(folder / "out")) == ["a\nname.lst", "neutral.lst", "tied.lst"]
 
 
@@ -249,7 +265,7 @@ def test_jsonl_has_a_line_for_each_case_in_their_order(jobs: int) -> None:
     assert (said.status, said.out[-1]) == (1, "\n")
     assert [json.loads(line) for line in said.out.splitlines()] == array
     said = vstatics("run", *ALL, "-f", "jsonl", "--jobs", jobs, "-o", "all.jsonl")
-    assert "\n2 of 4 cases calculated, 2 failed:\n" in said.err
+    assert "\n3 of 4 cases calculated, 1 with errors, 1 failed:\n" in said.err
     lines = Path("all.jsonl").read_text(encoding="utf-8").splitlines()
     assert [json.loads(line) for line in lines] == array
 

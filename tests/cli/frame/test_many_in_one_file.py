@@ -46,6 +46,15 @@ def test_patterns_are_expanded_in_order() -> None:
     assert vstatics("run", "odd[1].dat", "-f", "json").status == 0
 
 
+def test_files_of_one_name_are_told_with_their_folders() -> None:
+    Path("drawer/deep/a.dat").write_text(BAD, encoding="utf-8")
+    names = sorted([*NAMES, "drawer/deep/a.dat"])
+    for form in ("json", "jsonl"):
+        text = vstatics("run", "drawer/**/*.dat", "-f", form).out
+        found = json.loads(text) if form == "json" else map(json.loads, text.splitlines())
+        assert [one["file"] for one in found] == names
+
+
 def test_parquet_has_the_rows_of_csv() -> None:
     """But for those of conventions, which no program needs."""
     cases = ("drawer/**/*.dat", "bad.yaml", "neutral.yaml")
@@ -104,6 +113,9 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     cases = ("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1])
     other = vstatics("run", *cases, "-o", f"all.{form}", "--resume", "--coast")
     assert (other.status, "--coast was not given, is true" in other.err) == (2, True)
+    anew = vstatics("run", *cases, "-o", f"all.{form}")
+    held = f"all.{form}.parts: error: holds 2 finished cases of a run that was stopped"
+    assert (anew.status, held in anew.err) == (1, True)
     with Path(f"all.{form}.parts/parts").open("ab") as parts:
         parts.write(b'["pipe.dat", "0", {}, 1000]\ncut')  # as by a power failure
     Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), encoding="utf-8")
@@ -115,6 +127,27 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     assert vstatics("run", *cases, "-o", f"whole.{form}").status == 0
     assert Path(f"all.{form}").read_bytes() == Path(f"whole.{form}").read_bytes()
     assert not Path(f"all.{form}.parts").exists()
+
+
+def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
+    """And it may be begun anew, since it was not stopped."""
+    cases = ("drawer/a.dat", "bad.yaml", "neutral.yaml")
+    for _ in range(2):
+        said = vstatics("run", *cases, "-o", "all.jsonl", "-q")
+        assert (said.status, said.err.splitlines()[-1]) == (
+            1,
+            "all.jsonl.parts keeps the others: the same command with --resume calculates what "
+            "failed or is changed",
+        )
+    Path("bad.yaml").write_text(NEUTRAL, encoding="utf-8")
+    said = vstatics("run", *cases, "-o", "all.jsonl", "--resume")
+    assert (said.status, said.err.splitlines()[-1]) == (
+        0,
+        "3 of 3 cases calculated (2 of them before)",
+    )
+    assert vstatics("run", *cases, "-o", "whole.jsonl").status == 0
+    assert Path("all.jsonl").read_bytes() == Path("whole.jsonl").read_bytes()
+    assert not Path("all.jsonl.parts").exists()
 
 
 def test_nothing_to_go_on_with_is_told_and_nothing_is_left() -> None:
@@ -143,3 +176,23 @@ def test_many_cases_are_shared_by_all_cores(
     assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl").status == 0
     assert vstatics("run", *(f"{n}.dat" for n in range(cases)), "-f", "jsonl", "-j", 3).status == 0
     assert asked == [jobs, 3]
+
+
+def test_a_table_of_nothing_has_its_headings() -> None:
+    """Of no case at all, and where all cases failed: whoever reads it finds no rows."""
+    Path("cut.dat").write_text("KJG= 3", encoding="utf-8")
+    failed = vstatics("run", "cut.dat", "cut.dat", "-q", "-o", "all.csv")
+    assert (failed.status, "0 of 2 cases calculated, 2 failed:" in failed.err) == (1, True)
+    none = vstatics("run", "--files-from", "-", "-f", "csv", stdin=b"# none\n")
+    assert (none.status, none.out) == (0, Path("all.csv").read_text("utf-8"))
+    assert none.out.startswith("case,table,row,gear,value\n")
+    assert vstatics("run", "--files-from", "-", "-f", "json").out == "[]\n"
+
+
+def test_a_file_that_a_pattern_finds_is_there_once() -> None:
+    named = ["./drawer/deep/c.dat", "drawer/deep/?.dat", "drawer/**/*.dat", "drawer/a.dat"]
+    said = vstatics("run", *named, "-q", "-f", "csv")
+    cases = dict.fromkeys(row["case"] for row in csv.DictReader(io.StringIO(said.out)))
+    assert [*filter(None, cases)] == ["./drawer/deep/c.dat", "drawer/deep/b.dat", "drawer/a.dat"]
+    ratios = said.out.count("drawer/a.dat,ratio,")
+    assert ratios == vstatics("run", "drawer/a.dat", "-f", "csv").out.count("\nratio,")

@@ -41,7 +41,7 @@ def resumed(*arguments: str) -> tuple[list[str], str]:
 
 def test_what_is_done_is_left_out_and_failures_are_tried_again() -> None:
     """The case that is tied up has a result, and fails all the same."""
-    summary = "2 of 4 cases calculated (2 of them before), 2 failed:"
+    summary = "3 of 4 cases calculated (2 of them before), 1 with errors, 1 failed:"
     assert resumed() == (["tied"], summary)
     assert resumed("--jobs", "2") == (["tied"], summary)
 
@@ -82,9 +82,9 @@ def swapped(name: str) -> list[str]:
 def test_a_result_of_another_case_of_the_same_name_does_not_count() -> None:
     names = swapped("neutral.yaml")
     said = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
-    assert "2 of 4 cases calculated (1 of them before)" in said.err
+    assert "3 of 4 cases calculated (1 of them before)" in said.err
     again = vstatics("run", *names, "-o", "out", "-f", "json", "--resume")
-    assert "2 of 4 cases calculated (2 of them before)" in again.err
+    assert "3 of 4 cases calculated (2 of them before)" in again.err
 
 
 def test_a_run_that_was_stopped_says_nothing_of_cases_that_it_did_not_reach() -> None:
@@ -169,7 +169,7 @@ def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
         assert said.err.startswith(
             "out: what is there is of another build of vstatics; every case is calculated\n"
         )
-        assert "2 of 4 cases calculated, 2 failed:" in said.err
+        assert "3 of 4 cases calculated, 1 with errors, 1 failed:" in said.err
         assert resumed()[0] == ["tied"]
 
 
@@ -190,7 +190,10 @@ def test_without_a_record_everything_is_calculated(record: bytes | None) -> None
     if record is not None:
         path.write_bytes(record)
     made, summary = resumed()
-    assert (made, summary) == (["mzkt", "neutral", "tied"], "2 of 4 cases calculated, 2 failed:")
+    assert (made, summary) == (
+        ["mzkt", "neutral", "tied"],
+        "3 of 4 cases calculated, 1 with errors, 1 failed:",
+    )
     assert resumed()[0] == ["tied"]
 
 
@@ -232,3 +235,12 @@ def test_a_case_whose_file_of_points_was_changed_is_calculated_again() -> None:
     (first, written), again, (changed, _) = found
     assert (first, changed) == (pytest.approx(0.95), pytest.approx(0.85))
     assert again == (first, written)
+
+
+def test_results_of_other_allowed_messages_are_no_results() -> None:
+    """A warning that was allowed when a result was made would never be told of it."""
+    call = ["run", "neutral.yaml", "-q", "--strict", "-f", "json", "-o", "gate/"]
+    assert vstatics(*call, "--allow", "w414").status == 0
+    assert vstatics(*call, "--allow", "W414", "--resume").status == 0
+    said = vstatics(*call, "--resume")
+    assert (said.status, "--allow was" in said.err) == (2, True)

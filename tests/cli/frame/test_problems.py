@@ -32,7 +32,9 @@ def _here(files: Path) -> None:
     )
 
 
-QUIET_FAILURE = "neutral.yaml: error: 1 warning, which --strict makes fail; without -q it is told\n"
+QUIET_FAILURE = (
+    "neutral.yaml: error: 1 warning (W414), which --strict makes fail; without -q it is told\n"
+)
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -86,7 +88,7 @@ def test_commands_without_results_tell_the_warnings_of_the_input(call: list[str]
     quiet = vstatics(*call, "-q", "--strict")
     assert quiet.status == 1
     assert quiet.err.endswith(
-        ": error: 1 warning, which --strict makes fail; without -q it is told\n"
+        ": error: 1 warning (W201), which --strict makes fail; without -q it is told\n"
     )
 
 
@@ -122,11 +124,15 @@ def test_the_count_stays_unless_all_is_well(jobs: int, output: str) -> None:
     said = vstatics(*call, "-q", "--strict")
     assert said.status == 1
     count, first, second = said.err.splitlines()
-    assert count == "0 of 2 cases calculated, 2 failed:"
+    assert count == "2 of 2 cases calculated, 2 with errors or warnings:"
     assert first.startswith("  neutral.yaml:4:")
     assert "warning: gear N: " in first
     assert second.startswith("  locked.yaml:")
-    assert vstatics(*call, "tied.yaml", "-q").err.splitlines()[-2].startswith("2 of 3 cases")
+    assert (
+        vstatics(*call, "tied.yaml", "-q")
+        .err.splitlines()[-2]
+        .startswith("3 of 3 cases calculated, 1 with")
+    )
 
 
 def test_a_list_of_cases_is_strict_too() -> None:

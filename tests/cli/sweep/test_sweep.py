@@ -95,12 +95,43 @@ def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
     assert said.status == 0
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1")
     assert said.status == 1
-    assert said.err.endswith("no variant has a solution\n")
+    assert said.err.endswith("no variant has a solution in every gear that is asked for\n")
     locked = CASES / "self-locking.yaml"
     name = load(locked).mechanisms[0].name
     said = vstatics("sweep", locked, "--vary", f"{name}.efficiency=.5,.6")
     assert said.status == 0
     assert "(2 locked)" in said.err
+
+
+def test_a_gear_that_nobody_asks_for_takes_no_part_in_the_status(folder: Path) -> None:
+    """A gear that is tied up at any ratio stands beside one of (u - 1)/u, told by name or step."""
+    (folder / "tied.yaml").write_text("""
+links: [s, r, c]
+output: c
+shift_elements: {B: [r, housing], L: [s, r]}
+mechanisms: {P: {first: s, second: r, third: c, ratio: -2}}
+gears: {low: [B], lock: [L], X: [B, L]}
+""")
+    for out, statuses in {
+        "ratio[low]": ["ok", "ok"],
+        "ratio[low]/ratio[lock]": ["ok", "ok"],
+        "P.ratio*ratio[X]": ["tied up", "tied up"],
+        "ratio[low],ratio[X]": ["tied up", "tied up"],
+        "ratio[low],spread": ["tied up", "tied up"],
+        "ratio": ["tied up", "tied up"],
+    }.items():
+        ran = vstatics("sweep", "tied.yaml", "--vary", "P.ratio=-2,-4", "--out", out)
+        rows = [row.split(",") for row in ran.out.splitlines()[1:]]
+        assert [row[2] for row in rows] == statuses, out
+        is_solved = statuses == ["ok", "ok"]
+        assert (ran.status, "no variant has a solution" in ran.err) == (
+            not is_solved,
+            not is_solved,
+        )
+        if out != "P.ratio*ratio[X]":
+            assert [float(row[3]) for row in rows] == [3, 5]
+    ran = vstatics("sweep", "tied.yaml", "--vary", "P.ratio=-2", "--where", "ratio[low] > 2")
+    assert ran.out.count("tied up") == 1  # without --out all gears are asked for
 
 
 @pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet"])
@@ -242,7 +273,10 @@ def test_an_unknown_suffix_is_told_with_those_that_are_known() -> None:
         ("--vary D.ratio=1 --min ratio", "--min:1:1: error: `ratio` has one value per gear"),
         ("--vary D.ratio=1:2", "--vary:1:1: error: D.ratio=1:2 has no count"),
         ("--vary D.ratio=1 --file nowhere.yaml", "nowhere.yaml: error: can't be read"),
-        ("--vary D.ratio=1 --coast -o nowhere/out.csv", "can't be written: No such file"),
+        (
+            "--vary D.ratio=1 --coast -o nowhere/out.csv",
+            "can't be written: there is no directory nowhere",
+        ),
         ("--vary D.ratio=1 -o folder.csv", "folder.csv: error: can't be written: Is a directory"),
     ],
 )

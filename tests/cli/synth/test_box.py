@@ -22,6 +22,7 @@ from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
 from vstatics.cli.synth import box_run
+from vstatics.cli.synth.box_output import RECORD
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.pieces import work
 from vstatics.synthesis.boxes.pieces.found import FoundPiece
@@ -172,7 +173,15 @@ def test_filters(options: tuple[object, ...], count: int) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (("--tolerance", 1e-300), "none of 600 comes within 1e-300 of these ratios"),
+        (
+            ("--tolerance", 1e-300),
+            "none of 600 comes within 1e-300 of these ratios; "
+            "the nearest has 1: 3, 2: 1: --tolerance 1.01e-09 finds it",
+        ),
+        (
+            ("--tolerance", "1e-300,1=.0001", "--brakes", 1),
+            "none of 600 comes within these ranges",
+        ),
         (("--brakes", 0), "4 boxes with these ratios, none as wanted"),
         (("--limit", "torque=1.9"), "4 boxes with these ratios, none as wanted"),
     ],
@@ -203,6 +212,9 @@ def test_a_dry_run_says_how_many() -> None:
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
+    said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
+    assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
+    assert not Path("found").exists()
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:
@@ -222,7 +234,7 @@ def test_a_directory_has_all_boxes_as_cases() -> None:
     assert said.err.startswith("found: 3 boxes in 2 families of 600 that were looked at; ")
     each = [f"box-000{number}.{suffix}" for number in (1, 2, 3) for suffix in ("svg", "yaml")]
     tables = ["boxes.csv", "boxes.html", "boxes.json", "boxes.txt"]
-    assert names(Path("found")) == [*each, *tables]
+    assert names(Path("found")) == [RECORD, *each, *tables]
     assert names(Path.cwd()) == ["found"]
     for number, clutch in enumerate(LEAST, 1):
         case = load(f"found/box-000{number}.yaml")
@@ -246,7 +258,21 @@ def test_boxes_of_an_earlier_search_go_and_other_files_stay() -> None:
     assert said.status == 0
     own = [f"box-000{number}.{suffix}" for number in (1, 2) for suffix in ("svg", "yaml")]
     tables = ["boxes.csv", "boxes.html", "boxes.json", "boxes.txt"]
-    assert names(Path("found")) == [*own, *tables, "letter.txt"]
+    assert names(Path("found")) == [RECORD, *own, *tables, "letter.txt"]
+
+
+def test_a_case_that_is_edited_after_a_search_is_not_lost() -> None:
+    """Nor where the search after it is one that was stopped, and goes on."""
+    assert vstatics("synth", "box", *ASKED, "-o", "found", "-q").status == 0
+    edited = Path("found/box-0002.yaml")
+    edited.write_text(f"# mine\n{edited.read_text('utf-8')}", encoding="utf-8")
+    for more in ((), ("--resume",), ("--limit", "error=.001"), ("--dry-run",)):
+        told = refused(*ASKED, "-o", "found/", *more)
+        assert "found/box-0002.yaml is not as a search wrote it" in told
+    assert edited.read_text("utf-8").startswith("# mine")
+    edited.rename("mine.yaml")
+    assert vstatics("synth", "box", *ASKED, "-o", "found", "-q").status == 0
+    assert len(names(Path("found"))) == 3 * 2 + 4 + 1
 
 
 def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -406,7 +432,7 @@ def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:
     (tmp_path / "box-0999.yaml").write_text("mine")
     said = vstatics("synth", "box", *ASKED, "-o", f"{tmp_path}/")
     assert said.status == 2
-    assert "holds box-0999.yaml, but no boxes.json" in said.err
+    assert "box-0999.yaml is not as a search wrote it, so it may be yours" in said.err
     assert [file.name for file in tmp_path.iterdir()] == ["box-0999.yaml"]
 
 

@@ -139,7 +139,7 @@ def test_a_frequency_above_half_of_a_partial_one_is_doubtful() -> None:
     assert "is kept, more than half of the partial frequency" in answer.err
     strict = said(*options, "--strict", "-q", "-o", "new.yaml", text=GOOD)
     assert (strict.status, strict.out, names()) == (1, answer.out, ["new.yaml"])
-    assert "1 warning, which --strict makes fail" in strict.err
+    assert "1 warning (W502), which --strict makes fail" in strict.err
 
 
 def test_a_loss_factor_is_left_out_with_a_warning() -> None:

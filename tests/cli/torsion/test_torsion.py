@@ -170,7 +170,7 @@ def test_an_output_that_cannot_be_written_is_told(call: tuple[str, ...]) -> None
     command, *options = call
     answer = said(command, *options, "-o", "no/new.json")
     assert (answer.status, answer.out) == (1, "")
-    assert "no/new.json: error: can't be written: No such file or directory" in answer.err
+    assert "no/new.json: error: can't be written: there is no directory no, make it" in answer.err
 
 
 # gears
@@ -286,7 +286,7 @@ def test_a_warning_is_printed_unless_quiet_and_fails_if_strict() -> None:
         assert answer.status == status, options
         assert ("lost has neither an inertia nor a device" in answer.err) is is_told, options
         assert answer.out == said("modes", text=text).out
-    quiet = "<stdin>: error: 1 warning, which --strict makes fail; without -q it is told\n"
+    quiet = "<stdin>: error: 1 warning (W503), which --strict makes fail; without -q it is told\n"
     assert said("modes", "-q", "--strict", text=text).err == quiet
 
 

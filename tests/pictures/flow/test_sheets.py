@@ -12,7 +12,10 @@ from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.drawn import texts, titled
 from tests.pictures.flow.test_flow import in_rows
 from vstatics import Results, load, loads, solve
+from vstatics.flow.power import flows
 from vstatics.pictures import pages, picture
+from vstatics.pictures.flow.chain import is_chain
+from vstatics.pictures.flow.graph import graph
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, WIDE_MARGIN, Style
 
 DRIVELINE = CASES / "driveline-8hp70.yaml"
@@ -89,6 +92,51 @@ def test_a_gear_without_branches_is_a_line_whose_losses_make_up_the_difference()
         entering, *losses, leaving = numbers
         assert entering + sum(losses) == pytest.approx(leaving, abs=1.6e-3)
         assert min(losses) < 0
+
+
+TWO_SPEED_AXLE = """
+links: [L0, L1, L2, L3]
+output: L1
+load: {speed: 8000 rpm, torque: 180 N*m}
+shift_elements:
+  T-L2: {links: [L2, housing], drag: 2 N*m}
+  T-L3: {links: [L3, housing], drag: 2 N*m}
+elements:
+  P1: {kind: planetary, sun: L0, ring: L2, carrier: L1, teeth: {sun: 39, ring: 121, planet: 41}}
+  P2: {kind: planetary, sun: L2, ring: L1, carrier: L3, teeth: {sun: 46, ring: 80, planet: 17}}
+gears: {'1': [T-L3], '2': [T-L2]}
+"""
+
+
+@pytest.mark.parametrize(
+    "source", [TWO_SPEED_AXLE, CHAIN, *SHIPPED], ids=lambda one: str(one)[-20:]
+)
+def test_a_line_gives_on_what_it_gets_and_ends_at_the_output(source: Path | str) -> None:
+    """What is behind the output, an open brake that drags, would be a branch."""
+    results = solve(loads(source) if isinstance(source, str) else load(source))
+    for flow in flows(results):
+        if flow.shown is None:
+            continue
+        drawn = graph(flow.shown)
+        if not is_chain(flow, drawn):
+            continue
+        order = sorted(range(len(drawn.runs)), key=lambda place: drawn.layers[place])
+        nodes = [node for place in order for node in drawn.runs[place]]
+        assert [port.enters for port in drawn.ports[nodes[0]]] == [True]
+        assert [port.enters for port in drawn.ports[nodes[-1]]] == [False]
+        power = flow.shown.entering
+        for node in nodes:
+            assert drawn.through(node) == pytest.approx(power, abs=1e-9)
+            power -= drawn.losses.get(node, 0.0)
+        assert power == pytest.approx(flow.shown.leaving, abs=1e-9)
+
+
+def test_a_brake_that_drags_behind_the_output_is_drawn() -> None:
+    """In gear 2 the first set drives the axle, and the second turns an open brake beside it."""
+    results = solve(loads(TWO_SPEED_AXLE))
+    drawn = [graph(flow.shown) for flow in flows(results) if flow.shown]
+    assert len(drawn) == 2
+    assert not any(map(is_chain, flows(results), drawn))
 
 
 def test_a_gear_by_itself_is_drawn() -> None:

@@ -62,6 +62,17 @@ def test_contours_run_where_the_number_is() -> None:
     assert "z: x, y" in texts(figure)  # type: ignore[arg-type]
 
 
+def test_contours_are_even_and_each_has_its_number() -> None:
+    """Of a ratio over teeth, most of whose values are small; a short one in a corner, too."""
+    teeth = [(sun, ring) for sun in range(18, 37, 3) for ring in (66, 72, 78)]
+    rows = (f"{at},{sun},{ring},ok,{1 + ring / sun}\n" for at, (sun, ring) in enumerate(teeth))
+    text = "variant,sun,ring,status,z\n" + "".join(rows)
+    figure = drawn(map, sweep_tables.read(text.encode(), "s.csv"))
+    levels = sorted({float(said) for said, _ in titled(figure)})  # type: ignore[arg-type]
+    np.testing.assert_allclose(np.diff(levels), 0.2)
+    assert {f"{level:g}" for level in levels} <= {*texts(figure)}  # type: ignore[arg-type]
+
+
 def test_where_operation_ends_is_marked() -> None:
     """Outside 8 of ``x y`` there is no row."""
     figure = drawn(map, saddle(where=8.0))
@@ -235,3 +246,12 @@ def test_panels_go_on_on_further_pages_of_a_width() -> None:
             wide, high = 72 * figure.get_size_inches()
             assert wide <= style.width
             assert high <= style.height
+
+
+@pytest.mark.parametrize("kind", ["map", "curves", "histogram"])
+def test_a_sweep_of_which_nothing_is_left_says_so(kind: str, tmp_path: Path) -> None:
+    written = tmp_path / "none.csv"
+    asked = ("--vary", "D1.ratio=-0.9:-0.7:3", "--where", "ratio[1]>1e9", "-o", written)
+    assert vstatics("sweep", CASES / "mzkt7922.dat", *asked).status == 0
+    said = vstatics("plot", written, "--kind", kind, "-o", tmp_path / "none.svg")
+    assert (said.status, "none.csv: error: the sweep has no row" in said.err) == (1, True)

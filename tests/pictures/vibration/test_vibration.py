@@ -19,6 +19,7 @@ from vstatics.pictures.sheet.files import Format, settings_of
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.vibration.shapes.links import mode_links
 from vstatics.pictures.vibration.shown_modes import modes_of
+from vstatics.texts import Language
 
 COLOURS = Style().colours
 PAGE = Style(height=PAGE_HEIGHT)
@@ -88,6 +89,14 @@ def test_no_label_covers_another(name: str, kind: str) -> None:
 @pytest.mark.parametrize(("name", "style"), list(zip(SHIPPED, STYLES, strict=True)))
 def test_no_label_covers_another_in_shipped_cases(name: str, style: Style, kind: str) -> None:
     assert overlaps(solve(load(CASES / name)), kind, style) == []
+
+
+@pytest.mark.parametrize("language", ["en", "de", "ru"])
+def test_what_is_said_of_a_mode_keeps_clear_of_its_bars(language: Language) -> None:
+    """On a page, and on one so narrow that it stands in lines above them."""
+    results = solve(load(CASES / "moskvich412.yaml"))
+    for width in (PAGE_WIDTH, 0.7 * PAGE_WIDTH, 0.5 * PAGE_WIDTH):
+        assert overlaps(results, "modes", Style(width=width, language=language)) == []
 
 
 @pytest.mark.parametrize(("kind", "form"), [("modes", "svg"), ("campbell", "pdf")])

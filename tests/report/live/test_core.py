@@ -16,7 +16,7 @@ import pytest
 from tests.commands import CASES
 from tests.report.live.places import is_equal, place, powers, program
 from tests.report.pages import report
-from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load, solve
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load, loads, solve
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.report import gather
 from vstatics.report.live.lowered import RESULTS, lowered
@@ -202,3 +202,40 @@ def test_a_ten_speed_follows_within_16_ms(page: Any, tmp_path: Path) -> None:
         })"""
     )
     assert statistics.median(times[20:]) < 16
+
+
+DRAGGING = """\
+links: [in, ring, out]
+load: {speed: 3000 rpm, torque: 100 N*m}
+drag: {out: "0.5 + 0.01*w"}
+shift_elements: {B: {links: [ring, housing], drag: [[0, 0], [400, 4]]}, C: [in, ring]}
+mechanisms: {P: {first: in, second: ring, third: out, ratio: -2.5, efficiency: 0.97}}
+gears: {low: [B], direct: [C]}
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("without_pictures")
+def test_where_losses_depend_the_numbers_of_the_program_stand_until_a_slider_moves(
+    page: Any,
+) -> None:
+    """Then ratios and speeds follow, which no loss changes, and efficiencies are not known."""
+    case = loads(DRAGGING)
+    results = solve(case)
+    opened(page, case)
+    first = page.evaluate(SHOWN)
+    for gear, efficiency in zip(("low", "direct"), results.efficiency.tolist(), strict=True):
+        key = json.dumps(["ETA", None, gear], separators=(",", ":"))
+        assert float(first[key]) == pytest.approx(efficiency, abs=1e-12)
+    assert page.locator("#why-outside").inner_text().startswith("losses that depend on load (low,")
+    there = page.evaluate(MOVE, [-3, "P.ratio"])
+    moved = page.evaluate(SHOWN)
+    again = solve(loads(DRAGGING.replace("-2.5", str(there))))
+    keys = [json.dumps([key, None, "low"], separators=(",", ":")) for key in ("ratio", "ETA")]
+    assert float(moved[keys[0]]) == pytest.approx(again.ratio.tolist()[0])
+    assert moved[keys[1]] == ""
+    speeds = {row: json.dumps(["W", row, "low"], separators=(",", ":")) for row in case.link_names}
+    for (row, key), speed in zip(speeds.items(), again.speeds[0].tolist(), strict=True):
+        assert float(moved[key]) == pytest.approx(speed), row
+    page.locator("#revert").click()
+    assert page.evaluate(SHOWN) == first

@@ -5,11 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.commands import CASES, vstatics
 from tests.pictures.run.test_shift import LOCK, run
 from tests.report.pages import Page
+from vstatics.pictures.run.line_panel import range_of
+from vstatics.pictures.run.lines import MotionLine, MotionPanel
 from vstatics.report.pair.merged import merged
 from vstatics.report.pair.runs import run_grids
 
@@ -44,6 +47,18 @@ def test_energies_are_in_one_unit_and_without_a_run_there_are_none() -> None:
     assert one is None
     assert other is not None
     assert list(run_grids([None, None])) == []
+
+
+def test_panels_of_both_have_one_scale_whatever_their_links_are_called() -> None:
+    """Of lines twice as large: by the names of the lines, else by which panel of a kind it is."""
+    small = MotionPanel("torque", "torque", 1.0, (MotionLine(("a",), np.array([0.0, 3.0])),))
+    for name in ("a", "other"):
+        line = MotionLine((name,), np.array([-1.0, 6.0]))
+        large = MotionPanel("torque", "torque", 1.0, (line,))
+        slip = large._replace(kind="slip")
+        both = small.beside([large, slip]), large.beside([small])
+        assert range_of(both[0]) == range_of(both[1]) == range_of(large)
+        assert range_of(small.beside([slip])) == range_of(small)
 
 
 @pytest.mark.slow

@@ -14,11 +14,13 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
 
+import numpy as np
 import pytest
 
 from tests.commands import CASES, vstatics
 from tests.report.pages import output, report
 from vstatics import load, solve
+from vstatics.flow.power import flows
 from vstatics.tables.csv import unguarded
 from vstatics.tables.quantities import BY_NAME, RELATIVE
 from vstatics.tables.values import tables
@@ -40,6 +42,10 @@ load: {speed: 3000 rpm, torque: 400 N*m}
 """
 CELLS = """(key) => [...document.querySelectorAll(`main td[data-result="${key}"]`)].map(
   (one) => [one.dataset.row ?? "", one.dataset.gear, one.dataset.number, one.textContent])"""
+
+TEETH = """() => [...document.querySelectorAll(".power tr")]
+  .filter((one) => one.cells[0].textContent === "teeth")
+  .map((one) => [...one.cells].slice(1).map((cell) => cell.textContent))"""
 
 
 def opened(browser: Any, folder: Path, text: str) -> Any:
@@ -124,6 +130,24 @@ def test_units_follow_sliders(page: Any) -> None:
     assert seen(page, "W")["-out", "low"] == pytest.approx(3000 / (1 + 3), abs=0.06)
     page.click("#revert")
     assert seen(page, "W")["-out", "low"] == pytest.approx(3000 / (1 + 2.5), abs=0.06)
+
+
+def test_powers_of_teeth_are_in_the_unit_of_their_column(page: Any, box: Path) -> None:
+    """As the page has them in kW that does not calculate: `vstatics flow`."""
+    powers = [
+        [one.power, with_losses.power]
+        for flow in flows(solve(load(box)))
+        if flow.ideal and flow.lossy
+        for one, with_losses in zip(flow.ideal.teeth, flow.lossy.teeth, strict=True)
+        if one.device.name == "P1"  # the other carries nothing
+    ]
+    assert powers
+    kilowatts = 3000 * 400 * math.pi / 30 / 1000
+    for units, by in (("si", kilowatts), ("us", kilowatts / HP), ("relative", 1.0)):
+        chosen(page, units)
+        shown = [[float(one or 0) for one in row[:2]] for row in page.evaluate(TEETH)]
+        wanted = [[by * one for one in row] for row in powers]
+        assert np.array(shown) == pytest.approx(np.array(wanted), abs=6e-4)
 
 
 def test_without_a_load_nothing_but_relative_numbers_can_be_chosen(

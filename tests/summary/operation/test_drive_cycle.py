@@ -125,6 +125,58 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
         drive(CASE, text, GearChoice())
 
 
+@pytest.mark.parametrize("number", range(5))
+def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int) -> None:
+    """By both rules, over a random engine and steady speeds; counted by hand where none holds."""
+    rng = seeded(3410 + number)
+    first, last = rng.uniform(50, 150), rng.uniform(300, 600)
+    ahead = CASE.mechanisms[1]._replace(ratio=rng.uniform(0.5, 3.0))
+    sets = [CASE.mechanisms[0], ahead]
+    case = CASE.replace(
+        mechanisms=sets, vehicle=CAR._replace(engine=[(first, 1e5), (last, 1e5)]), inertias={}
+    )
+    speeds = [rng.uniform(1, 70) for _ in range(40)]
+    rows = [(0.0, speeds[0], ""), *((n, 2 * one, "") for n, one in enumerate(speeds, 1))]
+    given = trace(*rows)
+    given = given._replace(gears=[], speed=np.array(speeds), acceleration=np.zeros(40))
+    least = rng.uniform(first, last)
+    shift = read_shifts(f"1-2: {rng.uniform(5, 60)} m/s/{rng.uniform(1, 5)} m/s")
+    for choice in (GearChoice(least), GearChoice(shifts=shift)):
+        made = drive(case, given, choice)
+        turned = np.array([[v * 4.1 / 0.3 * m.ratio for m in sets] for v in speeds])
+        own = turned[np.arange(40), [int(name) - 1 for name in made.gears]]
+        holds = (turned <= last).any(axis=1)
+        assert (own[holds] <= last).all()
+        np.testing.assert_allclose(own[~holds], turned[~holds].min(axis=1))
+        fast = int((~holds).sum())
+        assert made.beyond == fast  # full load is far away, but beyond the last point there is none
+        said = {one.id: one.text for one in made.messages}
+        assert ("W428" in said) == (fast > 0)
+        assert said.get("W428", f"in {fast} of 40").startswith(f"in {fast} of 40")
+
+
+def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Path) -> None:
+    case, given = tmp_path / "car.yaml", tmp_path / "t.csv"
+    case.write_text(CAR_FILE.replace("fuel: {file: fuel.csv}", "engine: [[0, 90], [300, 90]]"))
+    given.write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
+    asked = ["cycle", str(case), str(given), "-f", "json", "--least-speed"]
+    ran = vstatics(*asked, "1000 rpm")
+    messages = json.loads(ran.out)["cycle"]["messages"]
+    assert ran.status == 0
+    assert [one[-6:] for one in messages] == ["[W428]", "[W429]"]
+    # the second gear turns 4 v: 240, 280, 320 rad/s, and 1000 kg 20 m/s^2 are beyond any engine
+    assert "in 1 of 3 steps" in messages[0]
+    assert f"{320 * 30 / math.pi:.6g} rpm" in messages[0]
+    assert "in 1 of 3 steps" in messages[1]
+    assert f"{case}: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
+    assert vstatics(*asked, "1000 rpm", "--strict").status == 1
+    ran = vstatics(*asked, "1000 rpm", "--strict", "--allow", "W428", "--allow", "W429")
+    assert (ran.status, json.loads(ran.out)["cycle"]["messages"]) == (0, [])
+    ran = vstatics(*asked, "1000")
+    assert ran.status == 2
+    assert "read '1000', expected a speed with its unit" in ran.err
+
+
 def test_fuel_is_bilinear() -> None:
     """A + b w + c T + d w T is met exactly inside a cell."""
     speeds, torques = np.array([100.0, 300.0, 500.0]), np.array([0.0, 100.0])
@@ -149,6 +201,7 @@ def test_fuel_is_bilinear() -> None:
         ("time [s],speed [km/h]\n0,1\n", "expected two at least"),
         ("time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a later time"),
         ("time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of the angle"),
         ("time [s],speed [km/h],gear\n0,1,1\n1,2,9\n2,2,9\n", ":3:1: error: there is no gear `9`"),
     ],
 )

@@ -14,6 +14,7 @@ from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, Spring, Transmission, solve
 from vstatics.model.fatigue import Fatigue
+from vstatics.readers import from_dict
 from vstatics.summary.operation.load_spectrum import DutyPoints, points_of, spectrum
 
 PAIRS = Transmission(
@@ -53,6 +54,27 @@ def test_equivalent_torque_and_turns() -> None:
     mid = made.members["mid"]
     assert mid.torque.largest == pytest.approx(20 * 2 * 0.9)
     assert mid.revolutions == pytest.approx(750 / (2 * math.pi))
+
+
+def test_planets_turn_on_their_pins() -> None:
+    """A held ring: the carrier turns by 30/104 of the sun, the planet by 30/22 of the rest."""
+    wheels = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}
+    case = from_dict(
+        {
+            "links": ["s", "r", "c"],
+            "shift_elements": {"B": ["r", "housing"], "C": ["s", "c"]},
+            "elements": {"P": {**wheels, "teeth": {"sun": 30, "ring": 74, "planet": 22}}},
+            "gears": {"low": ["B"], "direct": ["C"]},
+        }
+    )
+    low, direct = (100.0, 20.0, 10.0), (100.0, 20.0, 50.0)
+    both = points(low, direct)._replace(gears=np.array([0, 1]))
+    one = spectrum(case, both).members["P.planet"]
+    speed = 100 * (1 - 30 / 104) * 30 / 22
+    assert abs(one.speed.largest) == pytest.approx(speed * 30 / math.pi)
+    assert one.speed.row == 1
+    assert one.revolutions == pytest.approx(speed * 10 / (2 * math.pi))
+    assert np.isnan([one.torque.largest, one.equivalent_torque]).all()
 
 
 def test_shares_give_mean_powers() -> None:

@@ -69,10 +69,11 @@ def test_a_gear_alone_gives_all_rows() -> None:
 
 
 def test_a_name_comes_before_a_number() -> None:
-    """The gear that is called 2 is the first; #2 is the second."""
+    """The gear that is called 2 is the first; #2 is the second, and no gear is called 1."""
     assert value("ratio[2]") == pytest.approx(1)
     assert value("ratio[#2]") == pytest.approx(HELD)
-    assert value("ratio[1]") == pytest.approx(1)
+    assert value("ratio[#1]") == pytest.approx(1)
+    assert "did you mean `1R`?; #1 is 2" in problem("ratio[1]").message
     assert value("speeds[3, #2]") == pytest.approx(1 / HELD)
 
 

@@ -104,7 +104,7 @@ from vstatics.sweep.variants.targets import target
         ("ratio²", "ratio²", "did you mean `ratio`?"),
         ("вал + rato", "вал + rato", "`вал` is a link"),
         ("'вал'.ratio + 1", "'вал'.ratio + 1", "there is no mechanism `'вал'`"),
-        ("speeds['вал',1] + rato", "rato", "did you mean `ratio`?"),
+        ("speeds['вал',2] + rato", "rato", "did you mean `ratio`?"),
         ("__import__('os')", "__import__('os')", "there is no function `__import__`"),
         ("speeds - torques", "- torques", "one value per link and `torques` one per device"),
         (

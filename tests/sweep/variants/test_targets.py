@@ -84,7 +84,7 @@ def test_what_is_wrong_is_told_with_its_column(text: str, column: int, words: st
     assert words in problem.message
     assert problem.place is not None
     assert (problem.place.file, problem.place.column, problem.place.text) == (
-        "--vary",
+        "vary",
         column,
         text,
     )
@@ -127,7 +127,7 @@ def test_wrong_frequencies_are_told_with_their_column(out: str, column: int, wor
     [problem] = caught.value.problems
     assert words in problem.message
     assert problem.place is not None
-    assert (problem.place.file, problem.place.column) == ("--out", column)
+    assert (problem.place.file, problem.place.column) == ("out", column)
 
 
 def test_a_condition_has_one_value() -> None:

@@ -10,8 +10,12 @@ from typing import NamedTuple
 import click
 
 from vstatics.cli.frame import files
+from vstatics.tables.suffixes import known
 
 STDIN_STEM = "stdin"
+MOST_TOLD = 5
+"""So many lines of what is refused are told."""
+TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
@@ -65,7 +69,16 @@ def tasks(
         if real(other) in results
     ]
     if refused:
-        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(refused))
+        told = [*refused[:MOST_TOLD]]
+        if more := len(refused) - len(told):
+            told.append(f"... and {more} more")
+        if len(results) < len(inputs):
+            one = "write all to one file, -o all.jsonl, where they keep their folders, or "
+            told.append(
+                "cases of one name are told apart by their folders: "
+                f"{one * (suffix in TABULAR)}each folder to a directory of its own"
+            )
+        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(told))
     return planned
 
 

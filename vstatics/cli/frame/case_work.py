@@ -23,6 +23,8 @@ class Done(NamedTuple):
     file: str
     problems: list[Problem]
     failed: bool = True
+    has_result: bool = False
+    """Whether there is something to write, if only of some of its gears."""
     part: texts.Part = b""
     """Of a stream."""
     stop: bool = False
@@ -39,10 +41,10 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
-            part = texts.among_several(case, shown, job.to)
+            part = texts.among_several(case, shown, job.to, folders=job.folders)
             is_kept = job.marked and not case.failed
             mark = case_mark(case.data, _beside(case)) if is_kept else None
-            return Done(file, problems, case.failed, part, mark=mark)
+            return Done(file, problems, case.failed, shown is not None, part, mark=mark)
         if shown is None or case.results is None:
             return Done(file, problems, left=set_pages_aside(task.target))
         result = texts.alone(file, shown, job.to)
@@ -58,7 +60,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         )
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Done(file, [*problems, unexpected(file, error)])
-    return Done(file, problems, case.failed)
+    return Done(file, problems, case.failed, has_result=True)
 
 
 def _beside(case: CalculatedCase) -> set[str]:
@@ -73,7 +75,8 @@ def _shown_of_case(
     if case.results is None:
         return case, None
     try:
-        return case, job.show(case, case.results)
+        shown = job.show(case, case.results)
+        return case.with_told(shown.problems), shown
     except ReadError as error:
         why = error.problems
     except click.BadParameter as error:

@@ -12,10 +12,12 @@ from click.core import ParameterSource
 from vstatics import readers
 from vstatics.checking import located_messages
 from vstatics.cli.frame import documents, files
-from vstatics.cli.frame.options import Command, gathered
+from vstatics.cli.frame.options import Command, completing, gathered
+from vstatics.cli.frame.patterns import expanded
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import allowable, value, wrong_value
-from vstatics.errors import CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
+from vstatics.extras import broken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.model.checks import hints
 from vstatics.model.open_converters import with_needed_ratios
@@ -28,7 +30,18 @@ from vstatics.texts import Language
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
-argument = click.argument("cases", nargs=-1, required=True, type=click.Path(), metavar="CASE...")
+argument, optional_argument = (
+    click.argument(
+        "cases",
+        nargs=-1,
+        required=required,
+        type=click.Path(),
+        metavar="CASE...",
+        callback=lambda _, __, cases: tuple(expanded(cases)),
+    )
+    for required in (True, False)
+)
+"""Cases of a command, and of one that may do without; patterns among them are expanded."""
 input_format = click.option(
     "--from",
     "input_format",
@@ -59,14 +72,15 @@ allow = click.option(
     multiple=True,
     metavar="ID",
     callback=value(allowable),
-    help="A warning or note that is not told, as W201; may be given several times.",
+    shell_complete=completing(lambda: DOUBTS),
+    help="Warnings or notes that are not told, as W201 or W201,N318; may be given several times.",
 )
 some_gears = click.option(
     "--gear",
     "gears",
     multiple=True,
     metavar="G",
-    help="This gear only, by its name or number; may be given several times.",
+    help="This gear only, by its name, or the third by '#3'; may be given several times.",
 )
 
 
@@ -80,10 +94,26 @@ class RequiredUnless(click.Option):
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         """As click has it, with what makes it needless."""
         said = super().get_help_record(ctx)
-        other = next((one.opts[-1] for one in ctx.command.params if one.name == self.unless), "")
-        if said is None or not other:
+        other = self._other(ctx)
+        if said is None or other is None:
             return said
-        return said[0], said[1].replace("[required]", f"[required without {other}]")
+        return said[0], said[1].replace("[required]", f"[required without {other.opts[-1]}]")
+
+    def process_value(self, ctx: click.Context, value: Any) -> Any:
+        """As click does it; one that is missing is told with what may stand in its place."""
+        try:
+            return super().process_value(ctx, value)
+        except click.MissingParameter:
+            if (other := self._other(ctx)) is None:
+                raise
+            this, that = (f"{one.opts[-1]} {one.metavar or ''}".rstrip() for one in (self, other))
+            message = f"Expected {this}, or {that} in its place."
+            raise click.MissingParameter(message, ctx, self) from None
+
+    def _other(self, ctx: click.Context) -> click.Option | None:
+        """The option that makes it needless."""
+        options = (one for one in ctx.command.params if isinstance(one, click.Option))
+        return next((one for one in options if one.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
         """Whether it is needed, and not given."""
@@ -139,6 +169,10 @@ class CalculatedCase(NamedTuple):
             return True
         return self.telling.fails(self.problems)
 
+    def with_told(self, more: Sequence[Problem]) -> CalculatedCase:
+        """The same, with what is told of what is shown."""
+        return self._replace(problems=[*self.problems, *more])
+
 
 class CaseOptions(NamedTuple):
     """How cases are read and calculated; what is None is as the case says."""
@@ -154,6 +188,11 @@ class CaseOptions(NamedTuple):
     of_vibration: bool = False
     """Whether vibration is shown, in which a converter without a speed ratio is open."""
 
+    @property
+    def on_page(self) -> CaseOptions:
+        """The same where a page tells notes, which are not printed."""
+        return self._replace(telling=self.telling._replace(notes=True, on_page=True))
+
 
 telling = gathered("telling", Telling, quiet, strict, allow)
 """The options of what is printed and what fails."""
@@ -161,19 +200,19 @@ settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 """The options of how cases are read, calculated and told."""
 
 
-def gear_number(case: Transmission, asked: str) -> int:
+def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
     """The number of a gear from 1: the one of this name, else the one of this number.
 
     Raises
     ------
     BadParameter
-        If there is none; it tells the nearest name.
+        If there is none; it tells the option that asked, and the nearest name.
     """
-    with wrong_value("--gear"):
+    with wrong_value(option):
         return case.gear_number(asked)
 
 
-def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
+def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
     """The indices of the gears that are asked for, each once; all where none is.
 
     Raises
@@ -181,7 +220,7 @@ def gear_indices(case: Transmission, asked: Sequence[str]) -> Sequence[int]:
     BadParameter
         If there is no such gear.
     """
-    numbers = dict.fromkeys(gear_number(case, one) for one in asked)
+    numbers = dict.fromkeys(gear_number(case, one, option) for one in asked)
     return [number - 1 for number in numbers] or range(len(case.gears))
 
 
@@ -194,12 +233,12 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
         yield outcome
 
 
-def tell_outside(names: Sequence[str], case: Transmission, file: str) -> None:
-    """Say which laws were asked outside their points, if any and nobody allowed it."""
+def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
+    """Which laws were asked outside their points, if any and nobody allowed it."""
     from vstatics.statics.diagnosis import outside_message
 
-    for one in not_allowed([outside_message(names)] if names else [], case.allow):
-        files.say(f"{file}: {one}")
+    found = not_allowed([outside_message(names)] if names else [], case.untold)
+    return [of_file(one.id, file, one.text) for one in found]
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
@@ -239,7 +278,7 @@ def calculate_one(
         found = located_messages(reading, results, each_gear=each)
         if settings.of_runs and scenario is not None:
             found = (one._replace(id="N004") for one in found)
-        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.allow)
+        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
     except ReadError as error:
         taken = ["scenario"] * settings.scenarios
         no_case = documents.no_case(data, name, taken)
@@ -285,7 +324,12 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """The problem that the program itself has a fault, with the line to look at."""
+    """The problem that the program itself has a fault, with the line to look at.
+
+    A package that can't be imported is none of it.
+    """
+    if why := broken(error):
+        return of_file("E014", name, why)
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next

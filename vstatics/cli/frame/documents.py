@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shlex
 from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -44,6 +46,12 @@ def _is_sweep(data: bytes, _name: str) -> bool:
     return is_sweep(data)
 
 
+def _is_sweep_file(data: bytes, name: str) -> bool:
+    from vstatics.sweep.file import is_sweep_file
+
+    return is_sweep_file(data, name)
+
+
 KINDS = {
     "boxes": DocumentKind(
         b'"searched"',
@@ -55,6 +63,11 @@ KINDS = {
         b"duration",
         _is_scenario,
         "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
+    ),
+    "sweep file": DocumentKind(
+        b"case",
+        _is_sweep_file,
+        "this is a sweep file, expected a case; `vstatics sweep --file` takes it",
     ),
     "sweep": DocumentKind(b"", _is_sweep),
 }
@@ -134,4 +147,19 @@ def case_of(
     except ReadError as error:
         if case:
             raise
-        raise document.no_case(f"{file} {error.problems[0].message}") from None
+        why = f"{file} {error.problems[0].message}{_shipped(file)}"
+        raise document.no_case(why) from None
+
+
+def _shipped(file: str) -> str:
+    """How a case that comes with the program is written to a file, where one has its name.
+
+    >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
+    ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
+    """
+    from vstatics.examples import example_files  # seldom needed
+
+    name, suffix = os.path.splitext(os.path.basename(file))  # noqa: PTH119, PTH122
+    if suffix != ".yaml" or name not in example_files():
+        return ""
+    return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"

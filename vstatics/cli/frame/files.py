@@ -19,6 +19,8 @@ MOST_SHOWN_PROBLEMS = 100
 """So many problems of a case are printed."""
 MOST_SEARCHED = 1000
 """So many files of a folder are looked at for one that may be meant."""
+ALIKE, SHORT = 0.75, 0.66
+"""So near the name of one that may be meant is, from 0 to 1; of three letters one may differ."""
 CLOSED = "it is closed"
 
 
@@ -39,7 +41,10 @@ def read_input(file: str) -> tuple[bytes, str]:
             return sys.stdin.buffer.read(), name
         reason = CLOSED
     except FileNotFoundError as error:
-        reason = f"{error.strerror}{_nearest_file(file)}"
+        reason = f"{error.strerror}{_nearest_file(file)}{_shipped(file)}"
+    except IsADirectoryError as error:
+        pattern = os.path.join(file, "**", "*.yaml")  # noqa: PTH118
+        reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         reason = error.strerror or str(error)
     except ValueError as error:  # a name that holds a zero byte
@@ -64,14 +69,38 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _nearest_file(file: str) -> str:
-    """A hint that names the file of its folder that is nearest to one that is not there."""
+    """A hint that names the file of its folder that is nearest to one that is not there.
+
+    Suffixes make names alike that are not, so those are near whose stems are.
+    """
+    from difflib import get_close_matches  # costs start-up time
+
     folder, name = os.path.split(file)
     try:
         with os.scandir(folder or os.curdir) as entries:
-            there = [one.name for one in itertools.islice(entries, MOST_SEARCHED)]
+            some = itertools.islice(entries, MOST_SEARCHED)
+            stems = {one.name: _stem(one.name) for one in some if one.is_file()}
+        if os.path.islink(file):  # noqa: PTH114
+            return f"; it is a link to {os.readlink(file)}, which is not there"  # noqa: PTH115
     except OSError:
         return ""
-    return nearest(name, there)
+    asked = _stem(name)
+    cutoff = ALIKE if len(asked) > 3 else SHORT
+    near = get_close_matches(asked, {*stems.values()}, n=10, cutoff=cutoff)
+    return nearest(name, [one for one, stem in stems.items() if stem in near])
+
+
+def _stem(name: str) -> str:
+    return os.path.splitext(name)[0].casefold()  # noqa: PTH122
+
+
+def _shipped(file: str) -> str:
+    """How one gets a file that comes with the program, if this is the name of one."""
+    from vstatics.examples import example_files
+
+    path = os.path.splitext(file)[0].replace(os.sep, "/")  # noqa: PTH122
+    name = path.removeprefix("cases/")
+    return f"; `vstatics new {file} -t {name}` copies it" if name in example_files() else ""
 
 
 def show(problems: Iterable[Problem]) -> None:
@@ -122,6 +151,18 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
                 raise click.UsageError(f"{message}; expected another output")
+
+
+def refuse_existing(output: str) -> None:
+    """Refuse to write a case over a file, which may have been edited; streams are none.
+
+    Raises
+    ------
+    ReadError
+    """
+    if not is_stream(output) and os.path.lexists(output):
+        message = "is there already; expected the name of a new file"
+        raise ReadError([of_file("E016", output, message)])
 
 
 def write_output(text: str, output: str | None) -> None:
@@ -206,17 +247,22 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 def read_names(file: str) -> list[str]:
     r"""The names in a list of files: one a line, or ended by NUL as `find -print0` does.
 
+    Lines are taken without blanks around them; what is empty or begins with # names nothing.
+
     Raises
     ------
     ReadError
-        If the list cannot be read, or names nothing.
+        If the list cannot be read.
     """
     data, name = read_input(file)
     data = data.removeprefix(b"\xef\xbb\xbf")
-    ended = data.split(b"\0") if b"\0" in data else data.replace(b"\r\n", b"\n").split(b"\n")
-    names = [os.fsdecode(one) for one in ended if one]
+    if b"\0" in data:
+        named = data.split(b"\0")
+    else:
+        named = [line.strip() for line in data.split(b"\n") if not line.lstrip().startswith(b"#")]
+    names = [os.fsdecode(one) for one in named if one]
     if not names:
-        raise ReadError([of_file("E007", name, "names no file, expected one a line")])
+        say(f"{name}: names no file")
     return names
 
 

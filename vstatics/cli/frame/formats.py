@@ -13,7 +13,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.options import Command, gathered, refuse
 from vstatics.errors import Problem, ReadError
 from vstatics.extras import missing
-from vstatics.jobs.files import STDOUT, is_stream
+from vstatics.jobs.files import STDOUT, is_stream, missing_folder
 from vstatics.tables.suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
 from vstatics.texts import Language
 
@@ -92,7 +92,7 @@ class OutputOptions(NamedTuple):
         UsageError
             If the command has no such format, two are told, or an input would be overwritten.
         ReadError
-            If a package is missing that the format needs.
+            If a package is missing that the format needs, or the directory of a file.
         """
         files.spare(inputs, self.output)
         output, form = self.output, self.form
@@ -112,6 +112,8 @@ class OutputOptions(NamedTuple):
         if is_folder and os.path.exists(output):  # noqa: PTH110
             message = f"several cases give a result each, and {output} is a file"
             raise click.UsageError(f"{message}: expected a directory, or a name with a suffix")
+        if not is_folder and (problem := missing_folder(output)):
+            raise ReadError([problem])
         return self._checked(form, is_folder=is_folder)
 
     def _checked(self, form: str | None, *, is_folder: bool) -> Destination:

@@ -16,10 +16,11 @@ from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import ReadError, plural
+from vstatics.errors import ReadError, listed, plural
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
 from vstatics.jobs.finished_parts import FinishedParts
+from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
 
@@ -35,12 +36,17 @@ class _Count:
         """Begin with the cases that need not be calculated again."""
         self.total, self.kept = total, kept
         self.done = kept
+        self.calculated = kept
+        self.doubtful = 0
+        """So many have results, and yet fail."""
         self.failures: list[str] = []
         """A line for each case that failed."""
 
     def add(self, done: Done) -> None:
         """Count a case."""
         self.done += 1
+        self.calculated += done.has_result
+        self.doubtful += done.has_result and done.failed
         if done.failed:
             self.failures.append(_failure(done))
 
@@ -49,15 +55,18 @@ class _Count:
         """The exit status."""
         return FAILED if self.failures else DONE
 
-    def summary(self, *, quiet: bool) -> None:
+    def summary(self, *, quiet: bool, strict: bool) -> None:
         """Say what became of the cases; quietly, where one failed."""
         if quiet and not self.failures:
             return
-        line = f"{self.done - len(self.failures)} of {self.total} cases calculated"
+        line = f"{self.calculated} of {self.total} cases calculated"
         if self.kept:
             line += f" ({self.kept} of them before)"
-        if self.failures:
-            line += f", {len(self.failures)} failed:"
+        if self.doubtful:
+            line += f", {self.doubtful} with errors{' or warnings' * strict}"
+        if without := len(self.failures) - self.doubtful:
+            line += f", {without} failed"
+        line += ":" * bool(self.failures)
         for sentence in (line, *self.failures):
             files.say(sentence)
 
@@ -102,7 +111,7 @@ def to_directory(
     """
     suffix, telling = job.to.suffix, job.options.telling
     with FinishedCases(folder, suffix, _depends(job)) as finished:
-        todo = tasks(cases, folder, suffix, [*others, finished.path])
+        todo = planned = tasks(cases, folder, suffix, [*others, finished.path])
         try:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103
             finished.lock()
@@ -121,8 +130,19 @@ def to_directory(
             for _ in _follow(count, results, stop, telling):
                 pass
     if count.total > 1:
-        count.summary(quiet=telling.quiet)
+        count.summary(quiet=telling.quiet, strict=telling.strict)
+        if job.command == "run" and not telling.quiet:
+            _tell_others(folder, suffix, planned)
     return count.status
+
+
+def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
+    """Name results that are of no case of a run: it may be that the case is no more."""
+    own = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
+    there = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
+    if others := sorted(there - own):
+        count, noun = len(others), plural("result", len(others))
+        files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
 
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
@@ -153,6 +173,9 @@ def to_stream(
     """
     telling, whole = job.options.telling, not is_stream(output)
     kept = f"{output} was not written" if whole else "what was written ends there"
+    names = {os.path.basename(file) for file in cases}  # noqa: PTH119
+    are_alike = len(names) < len({*cases})
+    job = job._replace(folders=are_alike and job.to.form in ("json", "jsonl"))
     with ExitStack() as stack:
         parts, done = None, set[str]()
         if whole and job.to.form in STREAMS and len(cases) > 1:
@@ -173,8 +196,13 @@ def to_stream(
             made = _in_order(cases, done, parts, made)
         for text in texts.joined(made, job.to, job.own_frame):
             write(text)
+        if parts is not None:
+            parts.stays = bool(count.failures)
     if whole and count.total > 1:
-        count.summary(quiet=telling.quiet)
+        count.summary(quiet=telling.quiet, strict=telling.strict)
+    if parts is not None and parts.exists():
+        there = f"{output}{SUFFIX} keeps the others"
+        files.say(f"{there}: the same command with --resume calculates what failed or is changed")
     return count.status
 
 
@@ -189,7 +217,7 @@ def _done_before(
             raise
         raise click.UsageError(error.problems[0].message) from None  # it had other options
     except OSError as error:
-        raise ReadError([unwritable(parts.directory, error)]) from None
+        raise ReadError([unwritable(parts.output, error)]) from None
     if without and not quiet:
         files.say(f"{parts.directory}: {without}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}
@@ -221,7 +249,7 @@ def _follow(
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
     """Tell and count what becomes of each case, and give its part of a stream, which is kept."""
-    quiet = telling.quiet
+    quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.kept)
         for done in results:
@@ -261,8 +289,10 @@ def _depends(job: Job) -> dict[str, object]:
         "--coast": job.options.coast,
         "--idle": job.options.idle,
         "--strict": job.options.telling.strict,  # a result without errors counts as done or not
+        "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,
+        "files with folders": job.folders or None,
     }

@@ -133,7 +133,7 @@ class OneCase(NamedTuple):
             case = case.with_coast(self.coast).with_torque(self.static_torque)
             reading = reading._replace(case=case)
             found = calculate(reading)
-        found = found._replace(problems=not_allowed(found.problems, reading.case.allow))
+        found = found._replace(problems=not_allowed(found.problems, reading.case.untold))
         if case.masses:
             found = found._replace(grids=partial(_in_both_units, case, found.grids))
         tell(found.problems, self.telling._replace(notes=True), self.case)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.cli.frame import files, texts
-from vstatics.cli.frame.cases import calculate, check_streams
+from vstatics.cli.frame.cases import calculate, check_streams, show_problems
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import STREAMS
 from vstatics.cli.frame.texts import Job
@@ -48,5 +48,8 @@ def carry_out(
     [outcome] = calculate(cases, job.options)
     if outcome.results is not None:
         shown = job.show(outcome, outcome.results)
+        telling = job.options.telling._replace(notes=True)
+        show_problems(shown.problems, telling, outcome.file)
+        outcome = outcome.with_told(shown.problems)
         files.write_pages(texts.alone(outcome.file, shown, to), to.output)
     return FAILED if outcome.failed else DONE

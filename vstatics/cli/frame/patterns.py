@@ -16,6 +16,8 @@ WILDCARDS, SIGNS = "*?", "*?["
 def expanded(names: Iterable[str]) -> list[str]:
     """The files of names and patterns; `**` stands for any folders.
 
+    A file is there once, however many patterns find it, and whoever names it besides.
+
     Raises
     ------
     UsageError
@@ -26,10 +28,11 @@ def expanded(names: Iterable[str]) -> list[str]:
     >>> expanded(["box.yaml", "-"])
     ['box.yaml', '-']
     """
-    found = []
+    found = list[str]()
+    by_pattern = set[str]()
     for name in names:
         if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
-            found.append(name)
+            found += [name] * (os.path.normpath(name) not in by_pattern)
             continue
         from glob import glob  # costs start-up time
 
@@ -38,5 +41,7 @@ def expanded(names: Iterable[str]) -> list[str]:
             files = [name]
         if not files:
             raise click.UsageError(f"no file matches {quoted(name)}")
-        found += files
+        there = {*map(os.path.normpath, found)}
+        found += [one for one in files if os.path.normpath(one) not in there]
+        by_pattern.update(map(os.path.normpath, files))
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import Problem, of_file, plural
+from vstatics.errors import Problem, listed, of_file, plural
 
 
 class Telling(NamedTuple):
@@ -19,6 +19,8 @@ class Telling(NamedTuple):
     """Whether warnings make the command fail."""
     notes: bool = False
     """Whether notes are told, as `vstatics check` does."""
+    on_page: bool = False
+    """Whether a page tells them alone, and nothing is printed."""
     each_gear: bool = False
     """Whether one text about several gears is told of each, at its place."""
 
@@ -31,15 +33,19 @@ class Telling(NamedTuple):
         return others + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Those of them that go to stderr."""
-        return [one for one in self.told(problems) if not self.quiet or one.severity == "error"]
+        """Those of them that -q and a page of their own do not hold back."""
+        found = self.told(problems)
+        if self.quiet:
+            return [one for one in found if one.severity == "error"]
+        return [one for one in found if not self.on_page or one.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
         """That a case fails by warnings, where these are not printed."""
         found = list(problems)
         if self.quiet and self.fails(found) and not self.printed(found):
-            count = sum(one.severity == "warning" for one in found)
-            told = f"{count} {plural('warning', count)}, which --strict makes fail"
+            ids = [one.id for one in found if one.severity == "warning"]
+            count, names = len(ids), listed(sorted(set(ids)))
+            told = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
             yield of_file(
                 "E013", file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told"
             )

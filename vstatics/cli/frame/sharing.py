@@ -97,7 +97,7 @@ def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) 
         status = FAILED
     except CaseError as error:
         files.show(error.problems)
-        if store.finished():
+        if store.is_open and store.finished():  # not those of other work, which are refused
             files.say(kept())
         status = FAILED
     else:

@@ -17,6 +17,7 @@ from vstatics.tables.grid import Grid
 from vstatics.texts import speaking
 
 if TYPE_CHECKING:
+    from vstatics.errors import Problem
     from vstatics.jobs.finished_cases import FinishedCases
     from vstatics.statics.results import Results
     from vstatics.tables.answer import Answer
@@ -35,6 +36,8 @@ class CaseOutput(NamedTuple):
     """What JSON is made of."""
     lay_out: Callable[[Any], str] | None = None
     """The lines of that in JSON, where they are not those of any data."""
+    problems: Sequence[Problem] = ()
+    """What is to be told of it, besides what is of the case."""
 
 
 class CaseTables(NamedTuple):
@@ -55,12 +58,14 @@ class Frame(NamedTuple):
     first: str
     between: str
     last: str
+    empty: str = ""
+    """What there is in place of all that where there are no parts."""
 
 
 FRAMES = {
     "text": Frame("", "\n", ""),
     "listing": Frame("", "\n", ""),
-    "json": Frame("[\n", ",\n", "\n]\n"),
+    "json": Frame("[\n", ",\n", "\n]\n", "[]\n"),
     "jsonl": Frame("", "", ""),
 }
 
@@ -81,11 +86,19 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
     return [_bytes(made, to)] if isinstance(made, str | bytes) else made
 
 
-def among_several(outcome: CalculatedCase, shown: CaseOutput | None, to: Destination) -> Part:
-    """What a stream has of a case among several; one that failed is in JSON only."""
+def among_several(
+    outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
+) -> Part:
+    """What a stream has of a case among several; one that failed is in JSON only.
+
+    Parameters
+    ----------
+    folders : bool
+        Whether JSON tells the file with its folders.
+    """
     file = outcome.file
     if to.form in ("json", "jsonl"):
-        text = _json(file, shown or _failed(outcome), to)
+        text = _json(file, shown or _failed(outcome), to, folders=folders)
         return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
@@ -119,13 +132,13 @@ def joined(
         tables = (one for one in parts if isinstance(one, CaseTables))
         yield from _of_grids(tables, to, several=True)
         return
-    before = frame.first
+    before, is_empty = frame.first, True
     for text in parts:
         if text and isinstance(text, bytes):
             yield _bytes(before, to) + text
             before = frame.between
-    if before != frame.first:
-        yield _bytes(frame.last, to)
+            is_empty = False
+    yield _bytes(frame.empty if is_empty else frame.last, to)
 
 
 def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
@@ -158,12 +171,12 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
             yield _bytes("\n" * bool(number) + made, to)
 
 
-def _json(file: str, shown: CaseOutput, to: Destination) -> str:
+def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
     """A case in JSON, on several lines or on one, with its end."""
     from vstatics.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
-    document = with_file(shown.answer(), file)
+    document = with_file(shown.answer(), file, folders=folders)
     if to.form == "json" and shown.lay_out:
         return shown.lay_out(document) + "\n"
     return as_json(document, to.form)
@@ -189,3 +202,5 @@ class Job(NamedTuple):
     """Of the directory that results go to, if they do."""
     marked: bool = False
     """Whether parts of a stream tell of which case they are."""
+    folders: bool = False
+    """Whether JSON tells files with their folders, as without them some are alike."""

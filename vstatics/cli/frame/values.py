@@ -57,14 +57,19 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Ids of warnings and notes, as they are given.
+    """Ids of warnings and notes, each by itself or several with commas, in any case.
 
     Raises
     ------
     ValueError
         If one is of an error, or of nothing.
+
+    Examples
+    --------
+    >>> allowable(["w201, N318", "W421"])
+    ('W201', 'N318', 'W421')
     """
-    given = tuple(ids)
+    given = tuple(one.upper() for one in separated(ids))
     for why in filter(None, map(why_not_allowed, given)):
         raise ValueError(why)
     return given

@@ -185,7 +185,7 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         (options.case is None, "Missing argument 'CASE' (or `case` in --file)."),
         (
             not (options.vary or options.variants),
-            "Nothing is varied: expected --vary, or --variants.",
+            "Nothing is varied: expected --vary, --variants, or a sweep file by --file.",
         ),
         *against,
     )

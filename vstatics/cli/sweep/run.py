@@ -6,7 +6,7 @@ import time
 from typing import NamedTuple
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import tell_outside
+from vstatics.cli.frame.cases import outside_notes
 from vstatics.cli.frame.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.sweep.estimate import check_room
@@ -110,6 +110,13 @@ def to_stream(run: SweepRun) -> int:
     return _summary(run, report, time.perf_counter() - began)
 
 
+def _where_solved(plan: SweepPlan) -> str:
+    """Where a variant of several gears needs a solution."""
+    if plan.by_gear or not isinstance(plan.subject, Transmission) or len(plan.asked_gears) < 2:
+        return ""
+    return " in every gear that is asked for"
+
+
 def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> int:
     """Say what became of the variants; the exit status."""
     what = _counted(run.plan)
@@ -128,10 +135,10 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
             f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} {what} a second"
         )
     if report.outside and not run.quiet:
-        tell_outside(report.outside, run.plan.case, str(output))
+        files.show(outside_notes(report.outside, run.plan.case, str(output)))
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
-        files.say("no variant has a solution")
+        files.say(f"no variant has a solution{_where_solved(run.plan)}")
         tell_reason(run.plan)
         return FAILED
     if report.rows:

@@ -9,9 +9,9 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats
-from vstatics.cli.frame.estimates import CommandEstimate, about
+from vstatics.cli.frame.estimates import CommandEstimate, about, duration_text
 from vstatics.cli.frame.exit_status import DONE
-from vstatics.cli.frame.formats import OutputOptions
+from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box_options import BoxAsked, options
@@ -43,7 +43,8 @@ def box(
     tolerance. Found boxes are told by mean loss of the forward gears; boxes with equal ratios
     in all gears are one family, and none of these is the best by its ratios.
 
-    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page.
+    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page; of
+    an earlier search there it replaces all files, and refuses if one has been edited since.
 
     \b
     Examples:
@@ -75,7 +76,7 @@ def box(
         if to.is_folder and not dry_run:
             require("plot", f"-o {to.output}/, with its diagrams,")
         if dry_run:
-            _estimate(asked, to.form, sharing.processes, quiet=quiet)
+            _estimate(asked, to, sharing.processes, quiet=quiet)
             return DONE
         from vstatics.cli.synth.box_run import BoxRun, carry_out
 
@@ -98,8 +99,9 @@ def _check_folder(output: str) -> None:
     from vstatics.cli.synth.box_output import of_others
 
     if name := of_others(output):
-        there = f"{output} holds {name}, but no boxes.json of an earlier search"
-        raise click.UsageError(f"{there}, so it may be yours: expected another directory")
+        path = os.path.join(output, name)  # noqa: PTH118
+        what = f"{path} is not as a search wrote it, so it may be yours, and would be lost"
+        raise click.UsageError(f"{what}; move it away, or expected another directory")
 
 
 class BoxSearchEstimate(NamedTuple):
@@ -113,8 +115,8 @@ class BoxSearchEstimate(NamedTuple):
     seconds: float
 
 
-def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
-    """Tell about how many boxes there are, and how long they take."""
+def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
+    """Tell about how many boxes there are, and how long they take, to be written too."""
     from vstatics.synthesis.boxes.pieces.estimate import box_estimate
 
     with progress(None, "pieces tried", quiet=quiet):
@@ -122,14 +124,22 @@ def _estimate(asked: BoxAsked, form: str, jobs: int, *, quiet: bool) -> None:
     say = (lambda number: f"{number:.0f}") if found.exact else about
     seconds = found.seconds / min(jobs, max(found.pieces, 1))
     counts = round(found.boxes), round(found.found)
+    said = {
+        "boxes": say(found.boxes),
+        "found": say(found.found) if found.exact or found.found else "few, or none",
+    }
+    if to.is_folder:
+        from vstatics.cli.synth.box_output import drawn_count, writing_seconds
+
+        writing = writing_seconds(counts[1]) / jobs
+        drawn = f"{say(drawn_count(counts[1]))} diagrams"
+        said["files"] = f"{say(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
+        seconds += writing
     known = CommandEstimate(
-        {
-            "boxes": say(found.boxes),
-            "found": say(found.found) if found.exact or found.found else "few, or none",
-        },
+        said,
         BoxSearchEstimate(*counts, found.exact, found.at_least, seconds),
         seconds,
         jobs,
         found.at_least,
     )
-    files.write_output(known.text(form), None)
+    files.write_output(known.text(to.form), None)

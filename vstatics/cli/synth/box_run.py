@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from typing import NamedTuple
 
@@ -20,8 +21,9 @@ from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
 from vstatics.jobs.workers import workers
 from vstatics.numerics.compiled import CACHE_TROUBLE
+from vstatics.synthesis.boxes.box import COARSEST
 from vstatics.synthesis.boxes.choice import family_count, ranked
-from vstatics.synthesis.boxes.figures.measured import MeasuredBox
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.boxes.pieces.cut import cut
 from vstatics.synthesis.boxes.pieces.found import prepare
 from vstatics.synthesis.boxes.pieces.work import (
@@ -34,6 +36,12 @@ from vstatics.synthesis.boxes.pieces.work import (
     measure,
     portions,
 )
+
+NEAREST_SECONDS = 10.0
+"""A search that took longer is not made again for the box that comes nearest; so long it is
+looked for."""
+FINEST = 0.01
+"""The least tolerance with which that one is looked for. [-]"""
 
 
 class BoxRun(NamedTuple):
@@ -65,8 +73,9 @@ def carry_out(run: BoxRun) -> int:
     found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
     if isinstance(found, int):
         return found
+    took = time.perf_counter() - began
     if not (run.quiet or is_stream(run.to.output)):
-        files.say(_summary(str(run.to.output), found, time.perf_counter() - began))
+        files.say(_summary(str(run.to.output), found, took))
     if found.boxes:
         return FAILED if run.complete and found.given_up else DONE
     if found.with_ratios:
@@ -74,8 +83,44 @@ def carry_out(run: BoxRun) -> int:
     else:
         search = run.asked.search
         within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
-        files.say(f"no box is found: none of {found.searched} comes within {within}")
+        missed = _nearest(run) if took < NEAREST_SECONDS else ""
+        files.say(f"no box is found: none of {found.searched} comes within {within}{missed}")
     return FAILED
+
+
+def _nearest(run: BoxRun) -> str:
+    """A word on the box that comes nearest, where it is found soon by wider tolerances."""
+    search, end = run.asked.search, time.perf_counter() + NEAREST_SECONDS
+    if search.tolerances or search.sequence is not None:
+        return ""  # there is no one tolerance that tells which is nearer
+    while search.tolerance < COARSEST:
+        search = search._replace(tolerance=min(max(2 * search.tolerance, FINEST), COARSEST))
+        wider = run._replace(asked=run.asked._replace(search=search))
+        count, nearest = cut(search), None
+        try:
+            with wider.workers(count) as called:
+                for _, piece in called.each(find, range(count)):
+                    near = [*piece.boxes, *([nearest] if nearest else [])]
+                    nearest = min(near, key=lambda box: box.error, default=None)
+                    if time.perf_counter() > end:
+                        return ""
+        except StoppedError:
+            return ""
+        if nearest is not None:
+            least = measured(search, nearest, run.asked.efficiency, run.asked.weights)
+            gears = ", ".join(f"{gear.name}: {gear.ratio:.4g}" for gear in least.gears)
+            return f"; the nearest has {gears}: --tolerance {rounded_up(nearest.error):g} finds it"
+    return f", nor within {COARSEST:g}"
+
+
+def rounded_up(error: float) -> float:
+    """An error in three digits, no less than it is.
+
+    >>> rounded_up(0.0339211)
+    0.034
+    """
+    unit = 10.0 ** (math.floor(math.log10(error)) - 2)
+    return float(f"{math.ceil(error / unit) * unit:.3g}")
 
 
 def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
@@ -145,12 +190,12 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
         files.say(f"warning: {those}, and some of them may be boxes, too; {advice}")
     boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
     check_most(len(boxes), MOST_MEASURED)
-    measured: list[MeasuredBox] = []
+    figured: list[MeasuredBox] = []
     with progress(len(boxes), "boxes", quiet=run.quiet) as advance:
         for _, some in called.each(measure, portions(boxes)):
-            measured += some
+            figured += some
             advance(len(some))
-    chosen = ranked(asked.search, measured, asked.wanted, asked.order)
+    chosen = ranked(asked.search, figured, asked.wanted, asked.order)
     return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
 
 

@@ -9,6 +9,7 @@ import click
 from vstatics import readers
 from vstatics.cli.frame import files
 from vstatics.errors import CaseError, ReadError
+from vstatics.jobs.files import missing_folder
 from vstatics.model.transmission import Transmission
 from vstatics.tables.suffixes import suffix_of
 from vstatics.writers.saving import case_data
@@ -18,7 +19,7 @@ written_case = click.option(
     "target",
     type=click.Path(),
     metavar="FILE",
-    help="Also write what is found as a case: YAML, JSON or deck by the suffix.",
+    help="Also write what is found as a case, a new file: YAML, JSON or deck by the suffix.",
 )
 """The option for it; the command gets `target`."""
 
@@ -30,6 +31,8 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     ------
     UsageError
         If the suffix is none, or what is read or written besides would be written over.
+    ReadError
+        If its directory is not there, or the file is: a case may have been edited since.
     """
     files.spare(inputs, target)
     if output is not None and target == output:
@@ -39,6 +42,9 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     if form is None:
         message = f"can't tell the format of {target}: expected a suffix such as .yaml, .json, .dat"
         raise click.BadParameter(message, param_hint="--write")
+    if problem := missing_folder(target):
+        raise ReadError([problem])
+    files.refuse_existing(target)
     return form
 
 

@@ -110,7 +110,7 @@ def working_options(*between: Option) -> Callable[[Command], Command]:
 chosen_gear = click.option(
     "--gear",
     metavar="G",
-    help="The gear, by its name or number; needed where the case has several.",
+    help="The gear, by its name, or the third by '#3'; needed where the case has several.",
 )
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from random import Random
 
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.element import Element
@@ -14,12 +15,16 @@ from vstatics.elements.teeth.conditions import UNCUT
 from vstatics.elements.teeth.layout import Doubt, Key, Teeth
 from vstatics.elements.teeth.meshing import hunting, interfering, undercut
 from vstatics.elements.teeth.nearby import nearest
-from vstatics.elements.teeth.spacing import counts, of_planets
+from vstatics.elements.teeth.spacing import counts, of_planets, those_that_go_in
 from vstatics.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested
 from vstatics.errors import Path, Problem
 
 HALF_A_TOOTH = "N311"
 """What is told of a planet that would need one."""
+TOUCHING = "N315"
+"""What is told of tips that touch where they stand side by side, as they need not."""
+USUAL_PLANETS = range(3, 7)
+"""Numbers of planets, one of which must go in where the element tells none."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
 
 
@@ -109,41 +114,59 @@ def _place(element: Element, about: Key | None) -> Path:
     return ("teeth", about) if about in element.teeth else ("teeth",)
 
 
-def fitting(element: Element) -> Iterator[Teeth]:
-    """Teeth near those of an element with which it can be put together, the nearest first.
+def fitting(element: Element, random: Random) -> Iterator[Teeth]:
+    """Teeth around those of an element with which it can be put together, in random order.
 
-    Nothing for what has no teeth that are checked.
+    With its number of planets, or, where it tells none, with 3 to 6 of them. Nothing for what
+    has no teeth that are checked.
 
-    >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
-    >>> next(fitting(Element("P", "planetary", members, teeth, planets=4)))
-    {'planet': 22, 0: 30, 1: 74}
+    >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 24, "ring": 72}
+    >>> found = list(fitting(Element("P", "planetary", members, teeth, planets=5), Random(1)))
+    >>> len(found), {(one[0] + one[1]) % 5 for one in found}
+    (59, {0})
     """
     subject = _subject(element)
     if subject is None:
         return
-    least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
-    for teeth in that_go_in(subject, nearest(subject.space)):
-        if _is_right(subject, teeth, least):
+    is_right = _rule(subject)
+    any_number = element.planets is None and isinstance(subject, OfPlanets)
+    choices = list(nearest(subject.space, wide=True))
+    random.shuffle(choices)
+    for teeth in that_go_in(subject, choices):
+        if is_right(teeth) and not (any_number and not _any_go_in(subject, teeth)):
             yield teeth
 
 
-def _is_right(subject: Subject, teeth: Teeth, least: int) -> bool:
-    """Nothing to cure, and no wheel that newly needs a shifted profile."""
-    return (
-        min(teeth.values()) >= min(least, UNCUT)
-        and 1 not in subject.ratios(teeth)  # one piece
-        and not any(doubt.has_cure for doubt in _wrong(subject, teeth))
-    )
+def _any_go_in(subject: Subject, teeth: Teeth) -> bool:
+    assert isinstance(subject, OfPlanets)  # noqa: S101 - for mypy
+    return bool(those_that_go_in(subject.layout(teeth), USUAL_PLANETS))
+
+
+def _rule(subject: Subject) -> Callable[[Teeth], bool]:
+    """Whether teeth leave nothing to cure, and nothing to note that was not there before.
+
+    No wheel newly needs a shifted profile, nor do tips touch that did not.
+    """
+    least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
+    touching = any(doubt.id == TOUCHING for doubt in _wrong(subject))
+
+    def is_right(teeth: Teeth) -> bool:
+        return (
+            min(teeth.values()) >= min(least, UNCUT)
+            and 1 not in subject.ratios(teeth)  # one piece
+            and not any(
+                doubt.has_cure or (doubt.id == TOUCHING and not touching)
+                for doubt in _wrong(subject, teeth)
+            )
+        )
+
+    return is_right
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
     """The doubts about an element; the first that teeth cure has the nearest that leave none."""
     found = [*_wrong(subject)]
-    least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
-
-    def is_right(teeth: Teeth) -> bool:
-        return _is_right(subject, teeth, least)
-
+    is_right = _rule(subject)
     cures, has_cure = "", True
     if any(doubt.has_cure for doubt in found):
         cures = suggested(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from vstatics.elements.element import CentralWheel
@@ -200,12 +200,16 @@ def counts(subject: Subject) -> str:
     count = subject.element.planets or 1
     if not isinstance(subject, OfPlanets):
         return ""
-    layout = subject.given
-    trains = [placements(layout.group, train) for train in layout.group.trains]
-    fit = [
-        number
-        for number in range(max(2, count - 3), count + 3)
-        if all(seated(places, number) for places in trains) and not any(_touching(layout, number))
-    ]
+    fit = those_that_go_in(subject.given, range(max(2, count - 3), count + 3))
     fit = sorted(sorted(fit, key=lambda number: abs(number - count))[:2])
     return f"; {' or '.join(map(str, fit))} planets fit" if fit else ""
+
+
+def those_that_go_in(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
+    """Of some numbers of planets those that can be assembled and keep clear of one another."""
+    trains = [placements(layout.group, train) for train in layout.group.trains]
+    return [
+        number
+        for number in numbers
+        if all(seated(places, number) for places in trains) and not any(_touching(layout, number))
+    ]

@@ -13,30 +13,37 @@ from vstatics.pictures.flow.titles import FlowTitles
 from vstatics.pictures.sheet.labels import height, width
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE
-from vstatics.tables.numbers import typeset
 
 BETWEEN_NODES = ">"
+_MINUS = "\N{MINUS SIGN}"
 WORD_GAP = 4.0
 """Between pieces of a line: blanks at ends of texts are lost in SVG. [pt]"""
 
 
 def is_chain(flow: GearFlow, drawn: Graph) -> bool:
-    """Whether the picture of a gear would be one straight row, of which nothing is to be said."""
+    """Whether the picture of a gear would be one straight row, of which nothing is to be said.
+
+    It begins where power enters and ends where it leaves: what goes on behind the output, to a
+    brake that drags, is a branch.
+    """
     side = flow.shown
     if side is None or flow.note or side.unknown or side.loops or side.locked_in:
         return False
-    ports = [port for own in drawn.ports.values() for port in own]
+    nodes = _in_line(drawn)
+    ports = [(node, port.enters) for node, own in drawn.ports.items() for port in own]
     alone = len({*drawn.layers}) == len(drawn.runs) == 1 + max(drawn.layers)
     steps = {drawn.ends(band) for band in drawn.bands if not drawn.is_within(band)}
     return (
         alone
         and len(steps) == len(drawn.runs) - 1
-        and [one.enters for one in ports]
-        in (
-            [True, False],
-            [False, True],
-        )
+        and sorted(ports, key=lambda one: not one[1]) == [(nodes[0], True), (nodes[-1], False)]
     )
+
+
+def _in_line(drawn: Graph) -> list[Node]:
+    """All nodes of runs from left to right."""
+    order = sorted(range(len(drawn.runs)), key=lambda place: drawn.layers[place])
+    return [node for place in order for node in drawn.runs[place]]
 
 
 class ChainWord(NamedTuple):
@@ -90,8 +97,7 @@ def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
 def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
     """What stays together: a node with its loss and the sign of what follows."""
     texts = said.texts
-    order = sorted(range(len(drawn.runs)), key=lambda place: drawn.layers[place])
-    nodes = [node for place in order for node in drawn.runs[place]]
+    nodes = _in_line(drawn)
     entering, leaving = texts.side.entering, texts.side.leaving
     found = [[ChainWord(_one_line(texts, entering))]]
     for node in nodes:
@@ -99,7 +105,7 @@ def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
         told = said.node(node, drawn.through(node), loss)
         words = [ChainWord(_name(node, drawn), told)]
         if loss:
-            words.append(ChainWord(typeset(f"-{_one_line(texts, loss)}"), told, is_loss=True))
+            words.append(ChainWord(f"{_MINUS}{_one_line(texts, loss)}", told, is_loss=True))
         if node != nodes[-1]:
             words.append(ChainWord(BETWEEN_NODES))
         found.append(words)

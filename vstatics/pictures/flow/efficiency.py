@@ -119,7 +119,7 @@ def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
         place: next((fault(one, style) for one in (LOCKED, DRAGGED) if one in known), undetermined)
         for place, gear in enumerate(chosen)
         if math.isnan(efficiency[place])
-        for known in [results.gear(gear + 1).statuses]
+        for known in [results.gear_at(gear).statuses]
     }
     shown = [gears[place].name for place in chosen]
     return _Losses(shown, efficiency, [names[row] for row in rows], shares[rows], missing, style)

@@ -81,7 +81,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> FlowTitles | None:
     if flow.shown is None:
         return None
-    return titles(FlowTexts(flow, flow.shown, style), results.gear(number))
+    return titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
 
 
 def placed(found: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
@@ -130,7 +130,7 @@ def _alone(results: Results, gear: FlowGear, number: int, style: Style) -> Itera
     blocks = row_blocks(gear, wide) or [FlowBlock([], wide, 0.0, 0.0, nothing)]
     for figure in sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style):
         if style.marked and gear.flow.shown is not None:
-            told = told_gear(gear.flow, results.gear(number), style)
+            told = told_gear(gear.flow, results.gear_at(number - 1), style)
             blank(0.0, 0.0, style)._replace(figure=figure).tell(flow=json.dumps(told))
         yield figure
 

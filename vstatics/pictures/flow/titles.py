@@ -9,7 +9,7 @@ from vstatics.flow.circulation import Node
 from vstatics.numerics.traced import plain
 from vstatics.pictures.flow.graph import Band, EndPort
 from vstatics.pictures.flow.texts import FlowTexts, port_name
-from vstatics.pictures.sheet.words import quantity
+from vstatics.pictures.sheet.words import quantity, word
 from vstatics.statics.state import GearState
 
 
@@ -82,7 +82,8 @@ class FlowTitles(NamedTuple):
             if device == node:
                 speed = self.speeds.get(link, 0.0)
                 torque = self.torques.get((device, member), power / speed if speed else 0.0)
-                name = link if member in ("first", "second", link) else f"{member} ({link})"
+                is_plain = member in ("first", "second", link)
+                name = link if is_plain else f"{word(member, self.texts.style)} ({link})"
                 yield f"{name}: {', '.join(self._torque(torque, speed))}"
 
     def _power(self, power: float) -> str:

@@ -32,7 +32,7 @@ from vstatics.pictures.lever.view import LeverView
 from vstatics.pictures.sheet.labels import width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import SIZE, Style, number
-from vstatics.pictures.sheet.words import quantity
+from vstatics.pictures.sheet.words import quantity, word
 
 
 def draw_lever(view: LeverView, name: str, top: float) -> None:
@@ -144,7 +144,8 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     cell, pen, y = view.cell, view.sheet.pen, row.y + view.bottom
     speed, torque, point = view.speed(node), view.torque(node), view.cell.lever.nodes[node]
     name = link_name(view.sheet.page.case, point.link, view.style)
-    said = f"{cell.lever.name} {point.member}".strip() + f": {name}" if cell.lever.name else name
+    member = word(point.member, view.style)
+    said = f"{cell.lever.name} {member}".strip() + f": {name}" if cell.lever.name else name
     said += f", {quantity('speed', speed, view.style)}"
     if cell.lever.devices:
         said += f", {quantity('torque', torque, view.style)}"

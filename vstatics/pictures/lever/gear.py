@@ -89,7 +89,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     >>> gear.torques, gear.grounds
     ([[1.0, -3.5, 2.5]], {(0, 2): 'T1'})
     """
-    whole = results.gear(number)
+    whole = results.gear_at(number - 1)
     state, members = shown_of(whole), whole.member_torques(lossy=False)
     by_member = [{name: plain(torque) for name, torque in one.items()} for one in members]
     torques = [

@@ -117,7 +117,14 @@ def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Lo
 
 
 def range_of(shown: MotionPanel) -> AxisScale:
-    """A scale that has 0, in the unit of the panel."""
+    """A scale that has 0, in the unit of the panel, and room for panels of other runs."""
+    ends = [_ends(one) for one in (shown, *shown.others)]
+    low, high = min(low for low, _ in ends), max(high for _, high in ends)
+    room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0
+    return AxisScale(low - room, high + room)
+
+
+def _ends(shown: MotionPanel) -> tuple[float, float]:
     low = min(0.0, *(float(np.min(line.values)) for line in shown.lines)) / shown.unit
     high = max(0.0, *(float(np.max(line.values)) for line in shown.lines)) / shown.unit
     most = CAPACITY_ROOM * max(-low, high)
@@ -127,5 +134,4 @@ def range_of(shown: MotionPanel) -> AxisScale:
             near = np.abs(limit) <= most
             low = min(low, float(np.min(limit, where=near, initial=0.0)))
             high = max(high, float(np.max(limit, where=near, initial=0.0)))
-    room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0
-    return AxisScale(low - room, high + room)
+    return low, high

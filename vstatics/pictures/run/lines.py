@@ -67,6 +67,16 @@ class MotionPanel(NamedTuple):
     """Names of what has no line."""
     part: int = 1
     """Which of several panels of a kind."""
+    others: tuple[MotionPanel, ...] = ()
+    """Of another run, whose numbers its scale has room for, too."""
+
+    def beside(self, others: Iterable[MotionPanel]) -> MotionPanel:
+        """The same with a scale for the same things of another run, whatever their names are."""
+        own = {name for line in self.lines for name in line.names}
+        alike = [one for one in others if (one.kind, one.text) == (self.kind, self.text)]
+        named = [one for one in alike if any(own.intersection(line.names) for line in one.lines)]
+        found = named or [one for one in alike if one.part == self.part]
+        return self._replace(others=tuple(found))
 
 
 def panels_of(

@@ -87,8 +87,9 @@ def draw(
     style: Style,
     gears: Sequence[int] = (),  # noqa: ARG001 - a run has them all
     motion: Motion | None = None,
+    others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[Figure]:
-    """Draw a run of a case, on as many pages as it needs.
+    """Draw a run of a case, on as many pages as it needs, with the scales of other runs, too.
 
     Raises
     ------
@@ -100,6 +101,8 @@ def draw(
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or all(panel.kind == "heat" for panel in shown):
         raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
+    there = [panel for other, run in others for panel in panels(other.case, run)]
+    shown = [panel.beside(there) for panel in shown]
     content = _content(results, motion, shown, style)
     name = printable(title(results.case, style.text("run over time")))
     return list(_pages(content, name, style))

@@ -91,7 +91,7 @@ def stick_scheme(case: Transmission) -> Scheme:
         return scheme
     if not any(map(can_be_set, scheme.devices)):
         message = (
-            "a stick diagram needs elements with their kinds (docs/elements.md); "
+            "a stick diagram needs elements with their kinds, as `vstatics new` writes them; "
             "this case has mechanisms only, none with three links that turn, no pair of wheels: "
             "take the picture `structure`, or find teeth for it "
             "(vstatics synth teeth CASE --write FILE)"

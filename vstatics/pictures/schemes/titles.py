@@ -79,7 +79,7 @@ def teeth_of(element: Element) -> dict[str, float]:
 
 def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
     """Of each device in the order of a scheme, by members: mechanisms, shift elements, springs."""
-    state = results.gear(gear)
+    state = results.gear_at(gear - 1)
     for members in state.member_torques(lossy=False):
         yield {name: plain(torque) for name, torque in members.items()}
     values, devices = state.torques.on_first_link, results.case.among_devices

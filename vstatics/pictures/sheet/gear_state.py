@@ -61,7 +61,7 @@ def state_of(results: Results, number: int) -> PictureState:
     >>> state.speeds[:3], state.joined
     ([0.0, 1.0, 0.0], [0, 1, 0, 3])
     """
-    return shown_of(results.gear(number))
+    return shown_of(results.gear_at(number - 1))
 
 
 def shown_of(state: GearState) -> PictureState:

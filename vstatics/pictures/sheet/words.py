@@ -26,7 +26,19 @@ KINDS = {
 ELEMENTS = (
     *("sun", "ring", "carrier", "small_sun", "large_sun", "sun2", "ring2", "left", "right"),
     *("worm", "wheel", "first", "second", "third", "mechanism", "variator", "converter"),
-    *("clutch", "brake", "dog_clutch", "freewheel", "held", "link", "planet", "idler"),
+    *(
+        "clutch",
+        "brake",
+        "dog_clutch",
+        "freewheel",
+        "held",
+        "link",
+        "planet",
+        "idler",
+        "short",
+        "long",
+    ),
+    "planet2",
     *("planetary", "double_planet", "stepped", "ravigneaux", "planet_group", "bevel"),
     *("bevel_pair", "gear_pair", "internal_pair", "chain", "belt", "shaft", "spring"),
 )
@@ -40,7 +52,7 @@ def word(name: str, style: Style) -> str:
     """A member or kind as it is written in a picture; names of a case stay as they are.
 
     >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
-    ('small sun', 'солнце м.')
+    ('small sun', 'малая солнечная шестерня')
     """
     said = name.replace("_", " ")
     return style.text(said) if name in ELEMENTS else said

@@ -14,9 +14,11 @@ b'<?xml'
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.pictures.sweeps.columns import DrawnColumns
 
@@ -33,6 +35,12 @@ SWEEP_PICTURES = {
     "histogram": "vstatics.pictures.sweeps.histogram",
 }
 """Kind of picture of a sweep -> module."""
+COLUMNS: Mapping[str, Sequence[str]] = {
+    "map": ("x", "y", "z", "by"),
+    "curves": ("x", "y", "by"),
+    "histogram": ("y", "by"),
+}
+"""By kind: which columns may be named."""
 
 
 def render_sweep(
@@ -64,6 +72,9 @@ def sweep_figures(
     require("plot", "a picture")
     from vstatics.pictures.sheet.files import settings_of
 
+    if not sweep.variants:
+        message = "the sweep has no row, so there is nothing to draw: expected one with variants"
+        raise CaseError("E433", f"{message} that its --where leaves")
     module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
         return list(module.draw(sweep, style, asked))

@@ -43,6 +43,8 @@ MAP_HEAD_HEIGHT = 22.0
 """For the gear over a panel. [pt]"""
 MAP_LEVELS = 9
 """Contours, about."""
+MOST_LEVELS = 16
+"""Contours, where fewer even steps would leave many values between two."""
 CROWDED_BAND = 0.35
 """Levels are no even steps where more than this part of all values lies between two."""
 LEAST_BAND = 0.02
@@ -154,7 +156,7 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
 
 
 def contour_levels(values: Floats) -> list[float]:
-    """Round numbers between values: even steps, or as many values between any two.
+    """Round numbers between values: even steps if they part them, or as many between any two.
 
     So an efficiency of .5 in a corner does not take the levels from .9 to .97.
 
@@ -164,10 +166,11 @@ def contour_levels(values: Floats) -> list[float]:
     [0.8, 0.9, 0.98]
     """
     low, high = float(values.min()), float(values.max())
-    even = [one for one in ticks(low, high, MAP_LEVELS + 1) if low < one < high]
-    between, _ = np.histogram(values, [-math.inf, *even, math.inf])
-    if between.max() <= CROWDED_BAND * len(values):
-        return even
+    for most in (MAP_LEVELS, MOST_LEVELS):
+        even = [one for one in ticks(low, high, most + 1) if low < one < high]
+        between, _ = np.histogram(values, [-math.inf, *even, math.inf])
+        if between.max() <= CROWDED_BAND * len(values):
+            return even
     quantiles = np.quantile(values, np.linspace(0.0, 1.0, MAP_LEVELS + 2)).tolist()
     found: list[float] = []
     for before, one, after in zip(quantiles, quantiles[1:], quantiles[2:], strict=False):
@@ -235,12 +238,17 @@ def _label(
     text: str,
     taken: list[tuple[float, float, float, float]],
 ) -> None:
-    """The number of a level where it covers no other: on its longest line, near the middle."""
+    """The number of a level where it covers no other: on its longest line, near the middle.
+
+    At the edge it is moved inward, so that it still stands on its line.
+    """
     long, tall = width(text, SMALL_NUMBER) + 3, 1.2 * SMALL_NUMBER
-    for x, y in _places(lines):
-        box = x - long / 2, y - tall / 2, x + long / 2, y + tall / 2
-        inside = box[0] > 0 and box[1] > 0 and box[2] < pen.size[0] and box[3] < pen.size[1]
-        if inside and not any(
+    half, up = long / 2, tall / 2
+    for at in _places(lines):
+        x = min(max(at[0], half), pen.size[0] - half)
+        y = min(max(at[1], up), pen.size[1] - up)
+        box = x - half, y - up, x + half, y + up
+        if not any(
             box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]
             for other in taken
         ):
@@ -250,13 +258,23 @@ def _label(
             return
 
 
+PLACES_TRIED = 48
+"""Of a line for its number."""
+
+
 def _places(lines: Sequence[Floats]) -> Iterator[Point]:
-    """Points of lines where a number may stand, the middle of the longest first."""
-    by_length = sorted(lines, key=lambda one: -float(np.hypot(*np.diff(one, axis=0).T).sum()))
-    for piece in by_length:
-        order = sorted(range(len(piece)), key=lambda at: abs(at - len(piece) / 2))
-        for at in order[:: max(len(order) // 12, 1)]:
-            yield float(piece[at][0]), float(piece[at][1])
+    """Points along lines where a number may stand, the middle of the longest first."""
+    for piece in sorted(lines, key=lambda one: -_along(one)[-1]):
+        along = _along(piece)
+        places = np.linspace(0.0, along[-1], PLACES_TRIED + 1)
+        for at in sorted(places, key=lambda one: abs(one - along[-1] / 2)):
+            yield float(np.interp(at, along, piece[:, 0])), float(np.interp(at, along, piece[:, 1]))
+
+
+def _along(piece: Floats) -> Floats:
+    """How far each point of a line is from its start."""
+    steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
+    return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _scales(pen: Pen, names: tuple[str, str]) -> None:

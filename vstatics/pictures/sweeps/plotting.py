@@ -7,15 +7,16 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.errors import nearest
+from vstatics.arguments import naming, refusing
+from vstatics.errors import nearest, spoken
 from vstatics.extras import require
 from vstatics.jobs.page_files import replace_pages
 from vstatics.pictures.plotting import format_of_picture
 from vstatics.pictures.sheet.lengths import checked_width
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
-from vstatics.pictures.sweeps import SWEEP_PICTURES, render_sweep, sweep_figures
-from vstatics.pictures.sweeps.columns import DrawnColumns
-from vstatics.tables.written_results import WrittenSweep
+from vstatics.pictures.sweeps import COLUMNS, SWEEP_PICTURES, render_sweep, sweep_figures
+from vstatics.pictures.sweeps.columns import DrawnColumns, numbers
+from vstatics.tables.written_results import GEAR, WrittenSweep
 from vstatics.texts import Language
 
 if TYPE_CHECKING:
@@ -55,6 +56,8 @@ class SweepPicture:
         replace_pages(os.fspath(path), drawn)
 
 
+@refusing()
+@naming
 def plot_sweep(  # noqa: PLR0913 - as on the command line
     sweep: WrittenSweep,
     kind: str = "curves",
@@ -93,9 +96,9 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     Raises
     ------
     CaseError
-        If matplotlib is not installed; when it is drawn, if there is no such column.
+        If matplotlib is not installed, or there is no such column.
     ValueError
-        If there is no such kind, or no page is so wide.
+        If there is no such kind or language, a column is not for the kind, or no page is so wide.
 
     Examples
     --------
@@ -110,5 +113,23 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         hint = nearest(kind, SWEEP_PICTURES) or expected
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
     asked = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
+    _check(sweep, kind, asked)
     style = Style(lang, dark, width=checked_width(width), height=math.inf)
     return SweepPicture(sweep, kind, style, asked)
+
+
+def _check(sweep: WrittenSweep, kind: str, asked: DrawnColumns) -> None:
+    """Refuse columns that there are not, or that the kind does not show.
+
+    Raises
+    ------
+    CaseError
+    ValueError
+    """
+    for option, given in asked._asdict().items():
+        if given and option not in COLUMNS[kind]:
+            takes = spoken([f"`{one}`" for one in COLUMNS[kind]])
+            raise ValueError(f"plot of kind {kind!r}: `{option}` is not for it; it takes {takes}")
+        for name in (given,) if isinstance(given, str) else given:
+            if name and not (option == "by" and name == GEAR and sweep.gears):
+                numbers(sweep, name)

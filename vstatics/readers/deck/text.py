@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError
+from vstatics.readers.deck.encodings import in_each_encoding
 from vstatics.readers.reading import Source
 from vstatics.tables.quantities import PRINTED
 
@@ -285,11 +286,8 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     try:
         yield data.decode("utf-8-sig"), []
     except UnicodeDecodeError as error:
-        for encoding in ("cp1251", "cp866", "koi8-r"):
-            try:
-                yield data.decode(encoding), []
-            except UnicodeDecodeError:  # CP1251 lacks one byte
-                continue
+        for text in in_each_encoding(data):
+            yield text, []
         yield _damaged(data, error.start, file)
 
 

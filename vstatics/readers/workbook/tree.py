@@ -223,6 +223,11 @@ class TreeOfSheets:
             self._refuse(ReadCell("", 1, 1), "expected the headings `path` and `value`")
             return
         for path, *values in rows[1:]:
+            beside = [cell for cell in (path, *values) if cell.column > 2]
+            if beside:
+                message = f"read {quoted(beside[0].text)}, but beside path and value nothing stands"
+                self._refuse(beside[0], f"{message}; a note goes to a sheet of its own")
+                continue
             if path.column > 1 or [cell.column for cell in values] != [2]:
                 self._refuse(path, "expected a path and a value")
                 continue

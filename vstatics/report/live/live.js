@@ -3,7 +3,7 @@
 (() => {
   const { calculate, steps, pictures } = globalThis.transmission;
   const c = JSON.parse(document.getElementById("lowered").textContent), numbers = { ...c.numbers };
-  const outside = document.getElementById("outside"), given = JSON.stringify(numbers);
+  const [outside, why] = ["outside", "why-outside"].map((id) => document.getElementById(id)), given = JSON.stringify(numbers);
   const known = { ...c.results, step: { rows: [], of: "step", unit: "", decimals: 3 } };
   const powers = { power: 3, lossy_power: 3, lossy_power_kW: 3, power_loss: 4, power_loss_kW: 3, loss_share: 1 };
   for (const [name, decimals] of Object.entries(powers)) { // by the names of their rows
@@ -48,10 +48,12 @@
     steps(c, told).forEach((next, n) => Object.assign(told[n], next));
     for (const cell of cells) {
       const { element, about, place, gear } = cell, of = told[gear][about.of];
+      const isFirst = !isMoved && told[gear].outside; // then the number of the program stands
+      element.toggleAttribute("data-first", Boolean(isFirst && cell.number));
       const unit = about.unit ? c.gears[gear].scales[about.unit] ?? NaN : 1;
       const scale = about.rows ? unit : Math.abs(unit); // powers by names stand in their real direction, ...
       const nothing = about.rows || !of ? NaN : 0; // ... and are 0 where none flows
-      const number = digits((of?.[place] ?? nothing) * scale + 0);
+      const number = isFirst ? cell.number : digits((of?.[place] ?? nothing) * scale + 0);
       if (number === cell.last) continue;
       cell.last = number;
       const same = isSame(number, cell.number);
@@ -63,6 +65,11 @@
     outside.hidden = !asked.length;
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
+    why.hidden = !asked.length;
+    const reasons = [...new Set(asked.map((n) => told[n].outside))].map((one) => (
+      `${one} (${asked.filter((n) => told[n].outside === one).map((n) => names[n]).join(", ")})`));
+    const pale = isMoved ? "" : "The pale numbers are those of the program, which do not follow.";
+    why.textContent = `${reasons.join("; ")}. ${pale}`;
     document.getElementById("revert").hidden = !isMoved;
     document.body.toggleAttribute("data-moved", isMoved);
     draw(told, isMoved);

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import SECTIONS
-from vstatics.report.tools.marks import POWERS
+from vstatics.report.tools.marks import LOSS_SHARE, POWERS
 from vstatics.tables.grid import Cell, Grid
 from vstatics.tables.quantities import QUANTITIES
 
@@ -73,7 +73,8 @@ def marked_frequencies(grid: Grid) -> Grid:
 def marked_powers(grid: Grid, gear: str) -> Grid:
     """The table of powers of a gear with marks; rows are ``link ring``, ``mechanism P1.sun``.
 
-    Power of teeth, and of members of springs, has none.
+    Power of teeth, and of members of springs, has the unit that it is in alone: no script
+    calculates it.
 
     Examples
     --------
@@ -99,8 +100,19 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
             place = f"{kind} {owner}{member}"
             rows.append([*_of_powers(row, names, row=place, gear=gear)])
         else:
-            rows.append(row)
+            rows.append([*_in_units(row, names, gear)])
     return grid._replace(rows=rows)
+
+
+def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
+    """Powers that a script writes in other units, and does not calculate."""
+    for cell, name in zip(cells, names, strict=True):
+        if cell.kind is not float or name in ("", LOSS_SHARE):
+            yield cell
+        elif name.endswith("_kW"):
+            yield cell._replace(marks={**cell.marks, "unit": "kW", "gear": gear, "repeats": ""})
+        else:
+            yield cell._replace(marks={**cell.marks, "scaled": "kW", "gear": gear})
 
 
 def _of_powers(cells: Sequence[Cell], names: Sequence[str], **place: str) -> Iterator[Cell]:

@@ -208,12 +208,23 @@
     return told(numeric, moved, core(numeric, moved), number);
   };
 
+  // What no loss changes, where freewheels, which ask for torques, do not decide it.
+  const KINEMATIC = ["speeds", "slip_speeds", "planet_speeds", "ratio"];
+  const lossless = (c, gear, number) => {
+    if (c.elements.some(([, , isFreewheel]) => isFreewheel)) return {};
+    const mechanisms = c.mechanisms.map((one) => ({ ...one, efficiency: 1, back: undefined }));
+    const found = ofGear({ ...c, mechanisms }, { ...gear, drag: [], open: [] }, number);
+    return Object.fromEntries(KINEMATIC.map((key) => [key, found[key]]));
+  };
+
   const calculate = (c, numbers) => {
     const number = (formula) => evaluate(formula, numbers);
-    const why = c.depends ? "losses that depend on load" : refused(c, number) ? "no such teeth" : "";
+    const why = refused(c, number) ? "no such teeth" : "";
     return c.gears.map((gear) => {
       try {
-        return why ? { outside: why } : ofGear(c, gear, number);
+        if (why) return { outside: why };
+        if (c.depends) return { outside: "losses that depend on load", ...lossless(c, gear, number) };
+        return ofGear(c, gear, number);
       } catch (error) {
         if (error instanceof Outside) return { outside: error.message };
         throw error;

@@ -20,12 +20,12 @@ from vstatics.report.overview import alerts
 from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, in_spoken, inline
 from vstatics.report.pair.paged import PagedCase, merged_tables
 from vstatics.report.pair.runs import runs
-from vstatics.report.parts import figures
+from vstatics.report.parts import conventions, figures
 from vstatics.report.sections import Part, gears_grid
 from vstatics.report.tools import toolbar
 from vstatics.report.tools.marks import RELATIVE
 from vstatics.summary.extremes import LOSSY_TORQUES, TORQUES, overall
-from vstatics.summary.grids import grids as summary_grids
+from vstatics.summary.grids import summary_grids
 from vstatics.tables.grid import Cell, Grid, grid_of, text
 from vstatics.tables.grids import of_results
 from vstatics.tables.html import Markup, joined, table, tables, tag, terms
@@ -35,6 +35,8 @@ ON_ONE_SCALE = ("steps", "efficiency")
 """Pictures of both that have a scale in common."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
+SIGN = "Changes are by the size of A: below 0 where a number falls, so where a negative one grows."
+"""What the sign of a change means, as in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) -> str:
@@ -99,12 +101,7 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
         SECTIONS["largest"]: tables(of(LARGEST)),
         SECTIONS["shifts"]: tables(of(OF_SHIFTS)),
         SECTIONS["tables"]: tables([*of(others), *_results(both)]),
-        SECTIONS["conventions"]: [
-            terms(
-                (tr(name.replace("_", " ")), tr(said))
-                for name, said in both[0].material.document["conventions"].items()
-            )
-        ],
+        SECTIONS["conventions"]: [conventions(both[0].material.document["conventions"])],
     }
 
 
@@ -135,6 +132,7 @@ def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Marku
     said = verdict.headline.removeprefix(f"{verdict.name}: ")
     yield tag("p", f"{said[:1].upper()}{said[1:]}.", class_="verdict")
     yield table(merged_tables(both, [_figures(one.material) for one in both]), headed=False)
+    yield tag("p", tr(SIGN), class_="note")
     for one in both:
         if one.material.messages:
             yield tag("h3", tr("Messages of {case}", case=one.label))

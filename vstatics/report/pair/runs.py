@@ -36,15 +36,19 @@ def runs(both: Sequence[PagedCase]) -> Iterator[Markup]:
             other=second,
         )
         yield tag("p", said, class_="note")
-    yield tag("div", *(_course(one, one.motion) for one in both if one.motion), class_="two")
+    yield tag("div", *(_course(one, both) for one in both if one.motion), class_="two")
     yield from tables(merged_tables(both, pair) for pair in run_grids(motions))
 
 
-def _course(one: PagedCase, motion: Motion) -> Markup:
-    """The picture of a run over time."""
+def _course(one: PagedCase, both: Sequence[PagedCase]) -> Markup:
+    """The picture of a run over time, with the scales of both."""
     name = f"{one.label}: {tr('Run over time')}"
     try:
-        made = pages(one.material.results, "shift", "svg", in_spoken(HALF), motion=motion)
+        others = [
+            (each.material.results, each.motion) for each in both if each is not one and each.motion
+        ]
+        own = one.material.results
+        made = pages(own, "shift", "svg", in_spoken(HALF), motion=one.motion, others=others)
     except CaseError as error:
         return tag("div", *figures(Drawn("shift", [], " ".join(str(error).split())), name))
     sheets = [inline(svg, f"{one.label}-run-{n}", name) for n, svg in enumerate(made)]

@@ -12,7 +12,7 @@ from vstatics.pictures.lever.places import LeverCell, page_of
 from vstatics.pictures.lever.routes import LeverRow
 from vstatics.pictures.sheet.labels import widest
 from vstatics.pictures.sheet.style import SIZE
-from vstatics.report.page_pictures import PAGE
+from vstatics.report.page_pictures import PAGE, in_spoken
 from vstatics.tables.html import Markup, joined, tag
 from vstatics.texts import heading, tr
 
@@ -42,7 +42,7 @@ def moving_levers(case: Transmission) -> Iterator[Markup]:
     >>> shown.count("<g "), shown.count('data-link="2"')
     (3, 1)
     """
-    page = page_of(case, PAGE)
+    page = page_of(case, in_spoken(PAGE))
     for cell in page.cells if page else ():
         if cell.lever.devices:
             yield tag("figure", tag("figcaption", cell.lever.name), _lever(case, cell))

@@ -85,7 +85,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
         return gear
     from vstatics.statics.solve import solve
 
-    return solve(case).gear(number).gear
+    return solve(case).gear_at(number - 1).gear
 
 
 def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:

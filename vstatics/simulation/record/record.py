@@ -261,7 +261,7 @@ class Record:
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),
-            tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.allow)),
+            tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.untold)),
             stopped,
             asked,
             damages(system.case, dict(zip(table.devices, torques.T, strict=True))),

@@ -11,6 +11,7 @@ from collections.abc import Mapping as AnyMapping
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.errors import Path, Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import (
@@ -248,6 +249,7 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
         raise document.no_case(f"{name} can't be read: {error.strerror}") from None
 
 
+@refusing()
 def load_scenario(
     source: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
 ) -> Scenario:

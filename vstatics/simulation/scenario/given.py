@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any, NamedTuple, get_args
 
 from vstatics.errors import ReadError, quoted, spoken
-from vstatics.model.shape import Measure, Parsed
+from vstatics.model.shape import UNIT_OF, Measure, Parsed
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.named.arithmetic import calculated
 from vstatics.readers.named.si_units import in_any_unit
@@ -96,16 +96,17 @@ def _curve(
         raise
 
 
-def _number(measures: Sequence[Measure], expected: str) -> Parsed:
-    return Parsed(expected, partial(in_any_unit, measures=measures), 0.0)
+def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parsed:
+    return Parsed(expected, partial(in_any_unit, measures=measures), 0.0, unit)
 
 
 ANY_MEASURE = get_args(Measure)
-CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa")
+_TORQUE, _SPEED = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
+CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", _TORQUE)
 ABSCISSA = _number(
     ["time", "si_speed", "angle", "velocity", "length"], "a time, a speed, an angle or a way"
 )
-SPEED = _number(["si_speed", "velocity"], "a speed")
+SPEED = _number(["si_speed", "velocity"], "a speed", _SPEED)
 ANYTHING = _number(ANY_MEASURE, "a number")
 
 
@@ -113,14 +114,14 @@ def capacity_curve(words: Vocabulary) -> Parsed:
     """What a shift element can carry, over time or by what is seen."""
     measures: Sequence[Measure] = ["si_torque", "pressure"]
     parse = partial(_curve, measures=measures, names=["t"], words=words.only(*OF_MOTION))
-    return Parsed("a capacity, or a formula of t", parse, 0.0)
+    return Parsed("a capacity, or a formula of t", parse, 0.0, _TORQUE)
 
 
 def torque_curve(words: Vocabulary) -> Parsed:
     """A torque on a link, by its own motion or by what is seen."""
     names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
     parse = partial(_curve, measures=["si_torque", "force"], names=names, words=seen)
-    return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0)
+    return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0, _TORQUE)
 
 
 def limit_curve(words: Vocabulary) -> Parsed:
@@ -128,12 +129,12 @@ def limit_curve(words: Vocabulary) -> Parsed:
     parse = partial(
         _curve, measures=["si_torque", "force"], names=["t"], words=words.only(*OF_MOTION)
     )
-    return Parsed("a torque, or a formula of t", parse, 0.0)
+    return Parsed("a torque, or a formula of t", parse, 0.0, _TORQUE)
 
 
 def speed_curve(words: Vocabulary) -> Parsed:
     """A speed over time."""
-    return _timed_curve(words, "a speed", ["si_speed", "velocity"])
+    return _timed_curve(words, "a speed", ["si_speed", "velocity"], _SPEED)
 
 
 def ratio_curve(words: Vocabulary) -> Parsed:
@@ -141,10 +142,12 @@ def ratio_curve(words: Vocabulary) -> Parsed:
     return _timed_curve(words, "a speed ratio", ["angle"])
 
 
-def _timed_curve(words: Vocabulary, what: str, measures: Sequence[Measure]) -> Parsed:
+def _timed_curve(
+    words: Vocabulary, what: str, measures: Sequence[Measure], unit: str = ""
+) -> Parsed:
     seen = words.only()._replace(values=())
     parse = partial(_curve, measures=measures, names=["t"], words=seen)
-    return Parsed(f"{what}, or a formula of t", parse, 0.0)
+    return Parsed(f"{what}, or a formula of t", parse, 0.0, unit)
 
 
 def value_curve(words: Vocabulary) -> Parsed:

@@ -7,6 +7,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.model.vehicle import AIR, GRAVITY
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
@@ -58,6 +59,7 @@ class Points(NamedTuple):
         return below - slope * left, slope
 
 
+@refusing()
 def constant(value: float) -> Points:
     """A value that never changes.
 

@@ -134,7 +134,7 @@ def _alone(case: Transmission, answer: Followed) -> Results:
     own = results._replace(case=settled, points=points, **arrays)
     unknown = [gear.name for gear, state in zip(case.gears, answer.open[0], strict=True) if state]
     said = [one for one in diagnosis.messages(own) if not (one.gear in unknown and one.id in SAID)]
-    said += not_allowed(_messages(case, points), case.allow)
+    said += not_allowed(_messages(case, points), case.untold)
     return own._replace(case=case, messages=tuple(said))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from vstatics.arguments import naming, refusing
 from vstatics.errors import CaseError
 from vstatics.summary.operation.drive_cycle import DriveCycle, GearChoice, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from vstatics.model.transmission import Transmission
 
 
+@refusing(Transmission="vstatics.model.transmission")
+@naming
 def cycle(
     case: Transmission,
     trace: str | os.PathLike[str] | Trace,
@@ -29,9 +32,10 @@ def cycle(
     ----------
     case : Transmission
     trace : path-like or Trace
-        CSV with columns time [s], speed [km/h], and perhaps gear and slope.
+        CSV with columns time [s], speed [km/h], and perhaps gear and slope, a sine [-].
     least_speed : float, optional
-        The highest gear in which the engine turns as fast. [rad/s]
+        The highest gear in which the engine turns as fast, else the lowest in which it turns no
+        faster than at its last point. [rad/s]
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     fuel : path-like or FuelMap, optional
@@ -40,7 +44,7 @@ def cycle(
     Returns
     -------
     DriveCycle
-        Energies [J], losses [J], fuel [g], and the steps.
+        Energies [J], losses [J], fuel [g], the steps, and messages: what the engine can't.
 
     Raises
     ------

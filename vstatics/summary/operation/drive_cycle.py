@@ -10,16 +10,18 @@ does, brakes take the rest. Standing nothing has a torque.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, quoted
+from vstatics.errors import CaseError, Problem, not_allowed, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.model.vehicle import Vehicle
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics.diagnosis import outside_message
+from vstatics.statics.result_arrays import Message
 from vstatics.statics.solve import solve
 from vstatics.summary.operation.fuel_map import FuelMap
 from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
@@ -41,7 +43,7 @@ class CycleEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@told("duration", "distance", "fuel", "energy")
+@told("duration", "distance", "fuel", "energy", "messages")
 class DriveCycle(NamedTuple):
     """What a driving cycle takes."""
 
@@ -56,8 +58,8 @@ class DriveCycle(NamedTuple):
     """Of each step."""
     beyond: int
     """Steps in which the engine would have to give more than at full load."""
-    outside: Sequence[str] = ()
-    """Laws that steps ask outside their points."""
+    messages: Sequence[Message] = ()
+    """That, and what else is doubtful."""
     steps: Mapping[str, Floats] = MappingProxyType({})
     """By heading, with units: what each step has in its middle."""
 
@@ -118,15 +120,36 @@ def drive(
     full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
     beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
     taken, course = math.nan, steps.course(engine)
+    outside = [*lost.outside]
     if fuel is not None:
-        rates = fuel.at(np.where(trace.speed > 0, speeds, 0.0), engine)
+        turning = np.where(trace.speed > 0, speeds, 0.0)
+        rates = fuel.at(turning, engine)
         taken = float(rates @ trace.duration)
         course["fuel [g/h]"] = 3600 * rates
+        outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
-    outside = [*lost.outside]
-    return DriveCycle(duration, distance, taken, energy, gears, beyond, outside, course)
+    messages = not_allowed(_doubts(steps, beyond, outside), case.untold)
+    return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
+
+
+def _doubts(steps: _CycleSteps, beyond: int, outside: Sequence[str]) -> Iterator[Message]:
+    """What is doubtful about a cycle."""
+    vehicle, speeds = steps.vehicle, steps.engine_speeds
+    too_fast = ~vehicle.may_turn(speeds)
+    if too_fast.any():
+        last, fastest = (one * 30 / math.pi for one in (vehicle.engine[-1][0], speeds.max()))
+        text = (
+            f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would turn at up to "
+            f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
+        )
+        yield Message("W428", text)
+    if beyond:
+        text = "the engine would have to give more than at full load"
+        yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
+    if outside:
+        yield outside_message(outside)
 
 
 SAME_ENGINE_TORQUE = 1e-9
@@ -340,14 +363,13 @@ def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
     CaseError
         If one is none of the case, or nothing tells it.
     """
-    names = [gear.name for gear in case.gears]
+    names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
     if choice.least_speed is not None:
         ahead = [n for n, way in enumerate(ways) if way == np.sign(np.nansum(np.sign(ways)) or 1)]
-        highest = vehicle.engine[-1][0] if vehicle.engine else math.inf
-        return by_least_speed(engine, choice.least_speed, highest, ahead)
+        return by_least_speed(engine, choice.least_speed, may, ahead)
     if choice.shifts:
         try:
-            told_gears = by_shift_speeds(case, choice.shifts, trace.speed)
+            told_gears = by_shift_speeds(case, choice.shifts, trace.speed, may)
         except ValueError as error:
             raise CaseError("E426", f"--shift: {error}") from None
     elif trace.gears:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.errors import Problem, ReadError
-from vstatics.numerics.arrays import Floats
+from vstatics.model.vehicle import SAME_SPEED
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.unit_table import TableColumn, read_unit_table
 
@@ -44,6 +45,17 @@ class FuelMap(NamedTuple):
             tuple(self.torques.tolist()),
         )
         return grid.along(speeds, np.maximum(torques, 0.0))
+
+    def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
+        """Whether points are above the largest speed or torque of the grid.
+
+        >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
+        ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))
+        array([False,  True])
+        """
+        far = 1 + SAME_SPEED
+        beyond: Booleans = (speeds > self.speeds[-1] * far) | (torques > self.torques[-1] * far)
+        return beyond
 
 
 def read_fuel_map(data: bytes, file: str) -> FuelMap:

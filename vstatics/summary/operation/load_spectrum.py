@@ -55,9 +55,9 @@ class MemberLoad(NamedTuple):
     """What a link, a member of a mechanism, or a shift element carries over a duty cycle."""
 
     torque: LargestValue
-    """[N*m]; of a link the sum of the torques above 0 on it."""
+    """[N*m]; of a link the sum of the torques above 0 on it; NaN of a planet."""
     speed: LargestValue
-    """[rpm]; of a member against the third link, of a shift element its slip."""
+    """[rpm]; of a member or planet against the third link, of a shift element its slip."""
     revolutions: float
     """Of that speed; of shares in a second."""
     equivalent_torque: float
@@ -136,13 +136,13 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
     """What one of them carries; torques [N*m], speeds [rad/s]."""
     sizes = np.abs(torques)
-    turned = np.abs(speeds) * weights
+    turned = np.nan_to_num(np.abs(speeds)) * weights
     whole = float(turned.sum())
     top = float(np.nanmax(sizes, initial=0.0))
     with np.errstate(all="ignore"):
         mean = float(((sizes / top) ** exponent) @ turned / whole) if top and whole else math.nan
     if top == 0 and whole:
-        mean = 0.0
+        mean = math.nan if np.isnan(torques).all() else 0.0
     return MemberLoad(
         _largest(torques),
         _largest(speeds * 30 / math.pi),
@@ -338,6 +338,11 @@ class PointLoads(NamedTuple):
             for member in device.members:
                 relative = speeds[:, member.link] - speeds[:, third]
                 yield f"{device.name}.{member.name}", (torques[number, member.name], relative)
+        planets = [one.name for device in case.own_devices for one in device.planets]
+        turning = self.taken(self.results.planet_speeds_rpm) * math.pi / 30
+        for name, column in zip(planets, turning.T, strict=True):
+            if not np.isnan(column).all():
+                yield name, (np.full(len(column), np.nan), column)
         for name, torque, slip in self.elements():
             yield name, (torque, slip)
 

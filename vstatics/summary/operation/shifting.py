@@ -1,4 +1,7 @@
-"""Which gear a driving cycle is driven in: by shift speeds, or the highest that fits."""
+"""Which gear a driving cycle is driven in: by shift speeds, or the highest that fits.
+
+No rule takes a gear in which the engine would turn faster than it may, if another one holds.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ import numpy as np
 
 from vstatics.errors import quoted
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.readers.named.si_units import measured
 
 
@@ -64,13 +67,26 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
                 up, down = (measured(part, "velocity") for part in parts)
             except ValueError:
                 continue
-            if up >= 0 and down >= 0 and any(sign.isalpha() for sign in parts[0]):
+            if up >= 0 and down >= 0 and all(any(map(str.isalpha, part)) for part in parts):
                 return up, down
     return None, None
 
 
-def by_shift_speeds(case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Floats) -> list[str]:
+def by_shift_speeds(
+    case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Floats, may: Booleans
+) -> list[str]:
     """The gears of mean speeds [m/s], from the first gear on.
+
+    A shift up comes at the latest where the engine may not turn as fast as it would.
+
+    Parameters
+    ----------
+    case : Transmission
+    shifts : sequence of ShiftSpeed
+    speeds : ndarray, shape (rows,)
+        Of the vehicle. [m/s]
+    may : ndarray, shape (rows, gears)
+        Whether the engine may turn as fast as it would.
 
     Raises
     ------
@@ -81,7 +97,8 @@ def by_shift_speeds(case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Fl
     --------
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
-    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], np.array([3.0, 5.0, 4.5, 3.9]))
+    >>> speeds, may = np.array([3.0, 5.0, 4.5, 3.9]), np.ones((4, 2), bool)
+    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, may)
     ['1', '2', '2', '1']
     """
     names = [gear.name for gear in case.gears]
@@ -89,31 +106,45 @@ def by_shift_speeds(case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Fl
     for name in ladder:
         if name not in names:
             raise ValueError(f"there is no gear {quoted(name)} in the case")
+    holds = may[:, [names.index(name) for name in ladder]]
     place, found = 0, []
-    for speed in speeds.tolist():
-        while place < len(shifts) and speed >= shifts[place].up:
+    for speed, held in zip(speeds.tolist(), holds.tolist(), strict=True):
+        while place < len(shifts) and (speed >= shifts[place].up or not held[place]):
             place += 1
-        while place and speed < shifts[place - 1].down:
+        while place and speed < shifts[place - 1].down and held[place - 1]:
             place -= 1
         found.append(ladder[place])
     return found
 
 
-def by_least_speed(engine: Floats, least: float, highest: float, may: Sequence[int]) -> Integers:
-    """The highest gear, of the least speed of the engine, that fits; else the first.
+def by_least_speed(engine: Floats, least: float, may: Booleans, ahead: Sequence[int]) -> Integers:
+    """The highest gear in which the engine turns as fast as it shall and no faster than it may.
+
+    Where there is none, the first of those in which it turns no faster; of none the highest.
 
     Parameters
     ----------
     engine : ndarray, shape (rows, gears)
         Speeds of the engine. [rad/s]
-    least, highest : float
-        Between which it runs. [rad/s]
-    may : sequence of int
-        Indices of gears that may be taken.
+    least : float
+        As fast as it shall turn. [rad/s]
+    may : ndarray, shape (rows, gears)
+        Whether it may turn as fast as it would.
+    ahead : sequence of int
+        Indices of gears that are taken.
+
+    Examples
+    --------
+    Of 100 to 600 rad/s: in the first gear too fast, in the second too slow; too fast in both.
+
+    >>> engine = np.array([[700.0, 90.0], [1400.0, 700.0]])
+    >>> by_least_speed(engine, 100.0, engine <= 600, [0, 1])
+    array([1, 1])
     """
-    order = sorted(may, key=lambda gear: -float(engine[:, gear].max(initial=0.0)))
+    order = sorted(ahead, key=lambda gear: float(engine[:, gear].max(initial=0.0)))
     chosen = np.full(len(engine), order[0] if order else 0)
     for gear in order:
-        fits = (engine[:, gear] >= least) & (engine[:, gear] <= highest)
-        chosen[fits] = gear
+        chosen[may[:, gear]] = gear
+    for gear in reversed(order):
+        chosen[may[:, gear] & (engine[:, gear] >= least)] = gear
     return chosen

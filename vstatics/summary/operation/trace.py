@@ -1,4 +1,4 @@
-"""A driving cycle in CSV: time, speed, perhaps the gear and the slope."""
+"""A driving cycle in CSV: time, speed, perhaps the gear and the slope, the sine of its angle."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from vstatics.errors import Problem, ReadError
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.unit_table import TableColumn, UnitTable, read_unit_table
 
+SLOPE = "as it is the sine of the angle"
 COLUMNS = (
     TableColumn("time", "time"),
     TableColumn("speed", "velocity"),
     TableColumn("gear", is_text=True, optional=True),
-    TableColumn("slope", optional=True),
+    TableColumn("slope", optional=True, meaning=SLOPE),
 )
 
 
@@ -60,7 +61,11 @@ def read_trace(data: bytes, file: str) -> Trace:
     wrong = [(row, "time", times) for row in (np.flatnonzero(np.diff(times) <= 0) + 1).tolist()]
     wrong += [(row, "speed", speeds) for row in np.flatnonzero(speeds < 0).tolist()]
     wrong += [(row, "slope", slopes) for row in np.flatnonzero(np.abs(slopes) > 1).tolist()]
-    expected = {"time": "a later time than above", "speed": "0 or more", "slope": "-1 to 1"}
+    expected = {
+        "time": "a later time than above",
+        "speed": "0 or more",
+        "slope": f"-1 to 1, {SLOPE}",
+    }
     problems = [
         Problem(
             "E122", f"{name}: read {column[row]:g}, expected {expected[name]}", (), table.place(row)

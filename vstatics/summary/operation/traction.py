@@ -183,9 +183,9 @@ class Traction:
         found = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
             engine = speeds / self.per_engine[gear]
-            force = self.forces(gear, engine)
+            force = self.forces(gear, np.minimum(engine, self.last))
             own = (force - self.vehicle.resistance(speeds)) / self.mass[gear]
-            found = np.fmax(found, np.where(engine <= self.last * (1 + 1e-12), own, -math.inf))
+            found = np.fmax(found, np.where(self.vehicle.may_turn(engine), own, -math.inf))
         return found
 
     def time_to(self, speed: float) -> float:

@@ -26,7 +26,7 @@ from vstatics.sweep.kept.expressions import (
     resolved_expression,
     terms_of,
 )
-from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, Selection, Tables, VariedNumber
+from vstatics.sweep.kept.meanings import OF_RATIOS, OK, SPREAD, Selection, Tables, VariedNumber
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 from vstatics.tables.names import NAME
@@ -168,7 +168,7 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
     ReadError
         If it means something else, or another column has it.
     """
-    meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS
+    meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS, OK
     if name in (*meaning, *output_headings((), ()), GEAR):
         message = f"`{name}` means something already, expected another name"
     elif name in known:
@@ -220,7 +220,7 @@ def _headings(
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
         before = own or expression.table or node.table
-        if not own and node.table != SPREAD:
+        if not own and node.table not in (SPREAD, OK):
             gears, rows = names.gears, names.written_rows(node.table)
             own_gear, own_row = node.gear, node.row
     for row in range(len(expression.rows or ("",))):

@@ -6,11 +6,15 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats
 
 STEP, SPREAD = "step", "spread"
 OF_RATIOS = (STEP, SPREAD)
 """Tables that follow from the ratios of all gears; only sweeps have them."""
+
+
+OK = "ok"
+"""Whether the status of a row is that; only sweeps have it."""
 
 
 class Selection(NamedTuple):
@@ -55,6 +59,21 @@ class GearRows(NamedTuple):
         variants, gears, *rows = table.shape
         whole: Floats = table.reshape(variants * gears, 1, *rows)
         return whole
+
+
+class WithStatus(NamedTuple):
+    """Tables, and which rows are of variants of which nothing bad is to be said."""
+
+    tables: Tables
+    good: Booleans
+    """(rows,)"""
+
+    def existing(self, name: str) -> Floats:
+        """A table; the one of the status has a single value for each row."""
+        if name == OK:
+            good: Floats = self.good[:, np.newaxis].astype(float)
+            return good
+        return self.tables.existing(name)
 
 
 def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:

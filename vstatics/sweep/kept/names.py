@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from vstatics.errors import quoted, typed_number
+from vstatics.errors import nearest, quoted, typed_number
+from vstatics.model.fields import gear_place, numbered_gear
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.evaluation import FUNCTIONS
 from vstatics.readers.expressions.excerpt import Excerpt
@@ -14,7 +15,7 @@ from vstatics.readers.expressions.operands import Constant, DottedName, Subscrip
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
-from vstatics.sweep.kept.meanings import OF_RATIOS, SPREAD, STEP, Selection, VariedNumber
+from vstatics.sweep.kept.meanings import OF_RATIOS, OK, SPREAD, STEP, Selection, VariedNumber
 from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
 from vstatics.sweep.variants.subject import number_of_case
 from vstatics.sweep.variants.targets import Target, Varied, own_number
@@ -101,6 +102,9 @@ class SweepNames:
             gear = 0 if read.name == SPREAD else self._gear(subscripts)
             self._nothing_more(subscripts, STEP + "[gear]" if read.name == STEP else SPREAD)
             return Selection(read.name, gear, None, 0)
+        if read.name == OK:
+            self._nothing_more(list(read.subscripts), OK)
+            return Selection(OK, 0, None, 0)
         known = BY_NAME.get(read.name)
         if known is None:
             raise self.source.error(self._no_table(read.name), read.at)
@@ -136,7 +140,7 @@ class SweepNames:
 
     def rows(self, table: str) -> Sequence[str]:
         """The names of a table's rows in the case; none if it has one value per gear."""
-        if table in OF_RATIOS:
+        if table in (*OF_RATIOS, OK):
             return []
         return self._modes if table == OMEGA else table_rows(table, self.case)
 
@@ -189,7 +193,11 @@ class SweepNames:
             return found[0]
         if found:
             raise self.source.error(several(name, found, names), subscript.at)
-        number = typed_number(written.removeprefix("#"), len(names))
+        number = (
+            gear_place(written, names)
+            if kind == "one"
+            else typed_number(written.removeprefix("#"), len(names))
+        )
         if number is not None:
             return number - 1
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
@@ -201,6 +209,8 @@ class SweepNames:
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
         second = f"; a gear goes in the second place: [:,{written}]"
         hint = second if kind != "one" and name in self.gears else ""
+        if kind == "one":
+            hint = nearest(name, names) + numbered_gear(written, names)
         return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:
@@ -212,9 +222,11 @@ class SweepNames:
             hint = f"; `{name}` is a link: in brackets, as in speeds[{name}]"
         elif name in [element.name for element in case.shift_elements]:
             hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
+        elif name in ("status", "assembled"):
+            hint = "; `ok` is true where the column `status` says so"
         else:
             hint = (
-                nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS))
+                nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS, OK))
                 or "; such as ratio, efficiency, speeds[C1]"
             )
         return f"there is no table {quoted(name)}{hint}"

@@ -196,4 +196,4 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
     drawing = drawing_of(case)
     owners = {number.way[1] for number in numbers if number.way[0] == "elements"}
     found = [one for n in owners if drawing for one in misfits(drawing.elements[int(n)])]
-    return all(one in case.allow for one in found)
+    return all(one in case.untold for one in found)

@@ -6,11 +6,13 @@ vary, and what a number may not be is told by their reader.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
+from vstatics.arguments import refusing
 from vstatics.errors import Place, ReadError, nearest, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import Mapping, Node, decode
@@ -238,13 +240,16 @@ class VariedScenario:
         return ScenarioDocument(root, decode(*self.scenario)).with_case(reading)
 
 
-def load_varied(file: str, case: str | None = None) -> VariedScenario:
+@refusing()
+def load_varied(
+    file: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
+) -> VariedScenario:
     """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
 
     Parameters
     ----------
-    file : str
-    case : str, optional
+    file : path-like
+    case : path-like, optional
         A case in place of that which the scenario names.
 
     Returns
@@ -274,8 +279,9 @@ def load_varied(file: str, case: str | None = None) -> VariedScenario:
     from vstatics.simulation.scenario.file import case_bytes, read_scenario
 
     with open(file, "rb") as opened:  # noqa: PTH123
-        scenario = Document(opened.read(), file)
-    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), case)))
+        scenario = Document(opened.read(), os.fspath(file))
+    instead = None if case is None else os.fspath(case)
+    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), instead)))
     varied.own  # noqa: B018 (faults are told now)
     return varied
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.extras import higher, require
 from vstatics.numerics.arrays import Floats
@@ -220,6 +221,7 @@ class BoxList(NamedTuple):
         return shown(higher("box_grids")(*self))
 
 
+@refusing()
 def find_boxes(
     search: BoxSearch,
     efficiency: float = EFFICIENCY,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from vstatics.arguments import refusing
 from vstatics.errors import plural
 from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.model.transmission import Transmission
@@ -22,6 +23,7 @@ INERTIA = 1.0
 """Of input and output, so that the case can be in motion. [kg*m^2]"""
 
 
+@refusing()
 def scheme_case(
     scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
 ) -> Transmission:
@@ -47,7 +49,8 @@ def scheme_case(
     Raises
     ------
     ValueError
-        If the scheme can't be a gearbox. One with `locked_sets` can be.
+        If the scheme can't be a gearbox. One with `locked_sets` can be. If there is not a ratio
+        for each set.
     CaseError
         If a ratio is none.
 
@@ -60,6 +63,8 @@ def scheme_case(
     ['T-L2', 'F-L0-L1']
     """
     _check(scheme, input_link, output_link)
+    if len(ratios) != len(scheme.sets):
+        raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
     elements = _elements(scheme, input_link, output_link)
     case = Transmission(
         links=scheme.links,

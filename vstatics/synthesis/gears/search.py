@@ -12,6 +12,7 @@ from itertools import combinations as subsets
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, listed, nearest, plural, quoted, typed_number
 from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
 from vstatics.summary.unused_sets import needed
@@ -315,6 +316,7 @@ def count_text(count: float) -> str:
     return f"about {count:.3g}" if count >= 1e15 else f"{count}"
 
 
+@refusing()
 def combinations(
     case: Transmission,
     engaged: int | Sequence[int] = (),

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import listed
 from vstatics.explain.bodies import on_own_links
@@ -66,6 +67,7 @@ class Fit(NamedTuple):
     """What else is to be known of it."""
 
 
+@refusing()
 def fit(  # noqa: PLR0913 - all but the first two by name
     case: Transmission,
     ratios: Mapping[str, float],

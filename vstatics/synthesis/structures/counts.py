@@ -15,6 +15,7 @@ from math import comb, perm
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS
 from vstatics.synthesis.structures.growth import (
     StructureSearch,
@@ -29,6 +30,7 @@ LinkSizes = tuple[int, ...]
 """How many members each link of a scheme joins, ascending."""
 
 
+@refusing()
 def count(
     search: StructureSearch, advance: Callable[[int], None] = lambda _: None
 ) -> dict[int, int]:

@@ -14,6 +14,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vstatics.arguments import refusing
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.synthesis.structures import arrays
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
@@ -266,6 +267,7 @@ def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
         yield (np.arange(links)[:, np.newaxis] == code).astype(int).tolist()
 
 
+@refusing()
 def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
     """All schemes that are asked for, in ascending order of their codes.
 

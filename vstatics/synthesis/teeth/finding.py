@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
@@ -190,6 +191,7 @@ class FoundTeeth(NamedTuple):
     """Ratios that no teeth come to, in words."""
 
 
+@refusing()
 def find_teeth(
     case: Transmission,
     ratios: Mapping[str, float],

@@ -19,6 +19,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.answer import Flat, Sometimes, document
@@ -115,6 +116,7 @@ class Swing(NamedTuple):
         return math.hypot(speed * self.torque_by_speed, torque - self.level)
 
 
+@refusing()
 def dump(given: Dump, rate: float | None = None) -> DumpTorque:
     """The largest torques when a clutch is dumped.
 

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, spoken
 from vstatics.model.clutch_dump import NEEDED, ClutchDump
 from vstatics.model.transmission import Gear, Transmission
@@ -59,6 +60,7 @@ class GearsDumpAnswer(NamedTuple):
     gears: Sequence[GearDump]
 
 
+@refusing()
 def gear_dumps(
     case: Transmission, gears: Sequence[int | str] | None = None, rate: float | None = None
 ) -> list[GearDump]:

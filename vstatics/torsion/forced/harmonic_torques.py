@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError
 from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Transmission
@@ -121,6 +122,7 @@ class GearResponse(NamedTuple):
         return self._replace(sum=SummedResponse(*map(total, parts))) if orders else self
 
 
+@refusing()
 def response(  # noqa: PLR0913 - all but the first by name
     case: Transmission,
     at: int | str,

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.damage.rayleigh import rayleigh_life
 from vstatics.errors import CaseError
 from vstatics.model.fatigue import Fatigue
@@ -80,6 +81,7 @@ class GearRandom(NamedTuple):
     """About their working points."""
 
 
+@refusing()
 def random_vibration(  # noqa: PLR0913 - all but the first by name
     case: Transmission,
     at: int | str,

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import linalg
 
+from vstatics.arguments import refusing
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.tolerances import TIE
@@ -21,6 +22,7 @@ STIFFER = 1e9
 """A rigid set by the stiffest device of the gear."""
 
 
+@refusing()
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
     """The scheme of a gear reduced to its input, or why it has none.
 

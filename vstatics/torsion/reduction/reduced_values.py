@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.motions import free_motions
@@ -59,6 +60,7 @@ class GearReduction(NamedTuple):
     error: Failure = ""
 
 
+@refusing()
 def reduce(
     case: Transmission,
     to: int | str,

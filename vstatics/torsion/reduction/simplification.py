@@ -24,6 +24,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, Problem, listed, nearest, spoken
 from vstatics.numerics.tolerances import TIE
 from vstatics.tables.numbers import certain
@@ -78,6 +79,7 @@ SchemeReached = tuple[PartialSystem, TorsionScheme]
 """A system that is taken out, and the scheme then."""
 
 
+@refusing()
 def simplify(
     scheme: TorsionScheme,
     frequencies: int,

@@ -61,5 +61,4 @@ def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[G
     ValueError
         If there is no such gear.
     """
-    numbers = [case.gear_number(one) for one in gears or range(1, len(case.gears) + 1)]
-    return [case.gears[number - 1] for number in numbers]
+    return [case.gears[case.gear_number(one) - 1] for one in gears or ()] or [*case.gears]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, plural, spoken
 from vstatics.extras import higher
 from vstatics.model.transmission import Transmission
@@ -146,6 +147,7 @@ class CaseModes(list[GearModes]):
         return shown(higher("overview_grids")(self))
 
 
+@refusing()
 def modes(
     case: Transmission,
     gears: Sequence[int | str] | None = None,

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.arguments import refusing
 from vstatics.errors import CaseError, listed, nearest, quoted, spoken
 from vstatics.model.transmission import Transmission
 from vstatics.tables.answer import told
@@ -46,6 +47,7 @@ class Damped(NamedTuple):
     notes: Sequence[str] = ()
 
 
+@refusing()
 def identify(  # noqa: PLR0913
     case: Transmission,
     gear: int | str,
@@ -110,6 +112,7 @@ def identify(  # noqa: PLR0913
     return Identified(found.omega, compliances, _dampings(decrements, compliances, omega))
 
 
+@refusing()
 def damping(  # noqa: PLR0913
     case: Transmission,
     gear: int | str,
@@ -191,7 +194,7 @@ def _of_mode(
     at = case.gear_number(gear)
     if number < 1:
         raise ValueError(f"mode: read {number}, expected a number from 1")
-    [found] = modes(case, [at], count=number)
+    [found] = modes(case, [gear], count=number)
     if found.error:
         raise CaseError("E515", found.error, ("gears", at))
     if not found.modes:

@@ -47,8 +47,11 @@ MODE_GAP = 14.0
 """Modes, and columns. [pt]"""
 BETWEEN_SHARES = 5.0
 """Between the bars of two energies that stand below one another. [pt]"""
-SAID_HEIGHT = height("") + 3.0
-"""Of what is said over a shape. [pt]"""
+NO_BREAK = "\N{NO-BREAK SPACE}"
+PART_GAP = "    "
+"""Between the parts of what is said."""
+SAID_GAP = 3.0
+"""Below what is said over a shape. [pt]"""
 NOTE_GAP = 4.0
 """Between the note on a gear and its links. [pt]"""
 AMPLITUDE_SCALE_WIDTH = 16.0
@@ -64,7 +67,8 @@ class _ModeRow(NamedTuple):
     """A mode, with the bars beside its shape."""
 
     mode: Mode
-    said: str
+    said: Sequence[str]
+    """Parts of a line."""
     elastic: list[Share]
     kinetic: list[Share]
 
@@ -88,6 +92,8 @@ class _ModeColumns(NamedTuple):
     kinetic: float
     stacked: bool
     """Whether bars of kinetic energy stand below those of elastic energy."""
+    named: float
+    """Of what the bars of elastic energy are called."""
 
     @property
     def left(self) -> float:
@@ -107,13 +113,40 @@ class _ModeColumns(NamedTuple):
         """The width of a figure."""
         return self.ends[1] + MARGIN
 
+    def said(self, row: _ModeRow) -> str:
+        """What is said of a mode: a line up to what its bars are called, else above them."""
+        line = PART_GAP.join(row.said)
+        if self._stands_beside(line):
+            return line
+        parts = " ".join(part.replace(" ", NO_BREAK) for part in row.said)
+        return _spaced(wrapped(parts, self.right - 2 * MARGIN, lambda one: width(_spaced(one))))
+
+    def _stands_beside(self, line: str) -> bool:
+        return width(line) <= self.ends[0] - self.named - MODE_GAP - MARGIN
+
+    def drop(self, row: _ModeRow) -> float:
+        """Of the bars below what is said, if that has no room beside what they are called."""
+        is_beside = self._stands_beside(PART_GAP.join(row.said))
+        return 0.0 if is_beside else self.said_height(row)
+
+    def said_height(self, row: _ModeRow) -> float:
+        """Of what is said over a shape."""
+        return height(self.said(row)) + SAID_GAP
+
     def high(self, row: _ModeRow) -> float:
         """Of a mode with the gap below it."""
         bars = [shares_height(one) for one in (row.elastic, row.kinetic)]
-        if not self.stacked:
-            return SAID_HEIGHT + max(LEAST_MODE_HEIGHT, *bars) + MODE_GAP
-        both = sum(bars) + 2 * height("") + BETWEEN_SHARES
-        return max(SAID_HEIGHT + LEAST_MODE_HEIGHT, both) + MODE_GAP
+        if self.stacked:
+            right = sum(bars) + 2 * height("") + BETWEEN_SHARES
+        else:
+            right = max(bars) + height("") + SAID_GAP
+        left = self.said_height(row) + LEAST_MODE_HEIGHT
+        return max(left, self.drop(row) + right) + MODE_GAP
+
+
+def _spaced(parts: str) -> str:
+    """Parts with their gaps between them."""
+    return parts.replace(" ", PART_GAP).replace(NO_BREAK, " ")
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
@@ -178,7 +211,7 @@ def _row(
         said.append(f"{style.text('damping')} {mode.damping_ratio:.4f}")
     return _ModeRow(
         mode,
-        "    ".join(said),
+        said,
         largest_shares(mode.elastic, marks, {}, style),
         largest_shares(mode.kinetic, {}, colours, style),
     )
@@ -188,9 +221,7 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     """Bars beside one another if links have room besides, else below one another."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
-    said = widest(row.said for row in rows) - AMPLITUDE_SCALE_WIDTH
-    whole = max([said, *map(whole_width, links)])
-    least = max(map(least_width, links), default=0.0)
+    said = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH
     count = max((len(one.names) for one in links), default=1)
     elastic, kinetic = (
         max([width(style.text(said)), SHARE_BAR_WIDTH, *map(shares_width, shares)])
@@ -199,11 +230,16 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
             (KINETIC, [row.kinetic for row in rows]),
         )
     )
+    # What is said of a mode may stand above its bars, up to what these are called.
+    named = width(style.text(ELASTIC))
+    said -= elastic - named
+    whole = max([said, *map(whole_width, links)])
+    least = max([said, *map(least_width, links)])
     left = style.width - 2 * MARGIN - AMPLITUDE_SCALE_WIDTH - MODE_GAP
     beside = left - elastic - MODE_GAP - kinetic
     stacked = beside < least
     shapes = min(whole, left - max(elastic, kinetic) if stacked else beside)
-    return _ModeColumns(shapes, shapes / count, elastic, kinetic, stacked)
+    return _ModeColumns(shapes, shapes / count, elastic, kinetic, stacked, named)
 
 
 def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
@@ -278,15 +314,15 @@ def _draw_mode(
 ) -> None:
     """A mode below an ordinate [pt]: what is said, its shape, its bars."""
     pen, style = axis.pen, axis.pen.style
-    pen.text(MARGIN, top, row.said, **BELOW)
-    room = columns.high(row) - MODE_GAP - SAID_HEIGHT
-    high = min(room, SHAPE_HEIGHT)
-    band = AmplitudeBand(top - SAID_HEIGHT - high / 2, high / 2 - 3)
+    pen.text(MARGIN, top, columns.said(row), **BELOW)
+    said = columns.said_height(row)
+    high = min(columns.high(row) - MODE_GAP - said, SHAPE_HEIGHT)
+    band = AmplitudeBand(top - said - high / 2, high / 2 - 3)
     draw_shape(axis, band, links, row.mode.shape)
-    y = top
+    y = top - columns.drop(row)
     both = (row.elastic, row.kinetic)
-    for end, said, shares in zip(columns.ends, (ELASTIC, KINETIC), both, strict=True):
-        pen.text(end, y, style.text(said), va="top", ha="right", color=style.soft)
-        draw_shares(pen, end, y - SAID_HEIGHT, shares)
+    for end, called, shares in zip(columns.ends, (ELASTIC, KINETIC), both, strict=True):
+        pen.text(end, y, style.text(called), va="top", ha="right", color=style.soft)
+        draw_shares(pen, end, y - height("") - SAID_GAP, shares)
         if columns.stacked:
             y -= height("") + shares_height(shares) + BETWEEN_SHARES

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 
+from vstatics.arguments import refusing
 from vstatics.explain.bodies import on_own_links
 from vstatics.extras import require
 from vstatics.model.parts import HOUSING
@@ -17,6 +18,7 @@ MOST_ENDS = 2
 """Links that an elastic device joins; one of a single link stands on the housing."""
 
 
+@refusing()
 def box_is_planar(case: Transmission) -> bool:
     """Whether the graph of links, housing and axis is planar.
 

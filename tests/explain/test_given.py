@@ -1,0 +1,145 @@
+"""An exercise can be solved from its sheet: whatever changes a blank changes what is given."""
+
+from __future__ import annotations
+
+import copy
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from tests.chance import seeded
+from tests.commands import CASES
+from vstatics import Transmission, load, solve
+from vstatics.errors import CaseError, ReadError
+from vstatics.explain.given import given
+from vstatics.explain.worksheet import worksheet
+from vstatics.tables import markdown
+from vstatics.writers.named import mapping
+
+LAWFUL = """
+links: [in, mid, out]
+shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewheel, links: [out]}}
+elements:
+  pair: {kind: gear_pair, first: in, second: mid, teeth: {first: 20, second: 41}}
+mechanisms:
+  M: {first: mid, second: out, ratio: -1.5, efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
+load: {speed: 1000 rpm, torque: 100 N*m}
+gears: {g: {engaged: [], drag: {out: 2 N*m}, torques: {mid: 10 N*m}}}
+"""
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
+
+
+def numbers(data: Any, way: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Ways to all numbers of plain data, also those of texts."""
+    parts = data.items() if isinstance(data, dict) else enumerate(data)
+    for key, one in parts:
+        if isinstance(one, dict | list):
+            yield from numbers(one, (*way, key))
+        elif isinstance(one, bool):
+            continue
+        elif isinstance(one, int | float) or NUMBER.match(one):
+            yield (*way, key)
+
+
+def other(one: Any) -> Any:
+    """Another number of the kind, not far away."""
+    if isinstance(one, str):
+        return NUMBER.sub(lambda found: str(other(float(found[0]))), one, count=1)
+    if isinstance(one, int):
+        return one + 2
+    return 0.97 * one if one else 0.01
+
+
+def filled(case: Transmission) -> dict[str, Any]:
+    """A case as plain data, with the defaults that solving reads."""
+    data = mapping(case)
+    if "elements" in data:
+        efficiencies = {"external": 0.98, "internal": 0.99, "bevel": 0.97}
+        data["mesh_efficiency"] = efficiencies | data.get("mesh_efficiency", {})
+    for one in data.get("mechanisms", {}).values():
+        one.setdefault("efficiency", 1.0)
+    return data
+
+
+def said_and_asked(case: Transmission, place: int) -> tuple[str, list[tuple[Any, ...]]]:
+    """What is given on the sheet, and its blanks with nine digits."""
+    sheet = worksheet(solve(case), place)
+    told = markdown.write([], given(sheet.results, place))
+    return told, [(one.table, one.row, f"{one.value:.8e}") for one in sheet.blanks]
+
+
+def unsaid(case: Transmission, random: Random, most: int) -> list[str]:
+    """Numbers that change a blank of some gear, but nothing that is given."""
+    place = random.randrange(len(case.gears))
+    data = filled(case)
+    gear = case.gears[place].name
+    data["gears"] = {gear: data["gears"][gear]}
+    try:
+        before = said_and_asked(Transmission.from_dict(data), 0)
+    except CaseError:  # a gear without numbers
+        return []
+    ways = [*numbers({k: v for k, v in data.items() if k != "links"})]
+    missed = []
+    for way in random.sample(ways, min(most, len(ways))):
+        changed = copy.deepcopy(data)
+        part = changed
+        for key in way[:-1]:
+            part = part[key]
+        part[way[-1]] = other(part[way[-1]])
+        try:
+            after = said_and_asked(Transmission.from_dict(changed), 0)
+        except (CaseError, ReadError):  # teeth that can't be, a name that is a number
+            continue
+        if after[1] != before[1] and after[0] == before[0]:
+            missed.append(f"{case.name} {gear}: {way}")
+    return missed
+
+
+def shipped() -> list[Path]:
+    return sorted((*CASES.glob("*.yaml"), *CASES.glob("*.dat")))
+
+
+def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
+    file = tmp_path / "laws.yaml"
+    file.write_text(LAWFUL, encoding="utf-8")
+    case = load(file)
+    assert {"AMLGP", "losses", "ETA"} <= {one.table for one in worksheet(solve(case), 0).blanks}
+    assert unsaid(case, seeded(1), 99) == []
+    random = seeded(2)
+    for path in random.sample(shipped(), 12):
+        assert unsaid(load(path), random, 4) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+def test_what_changes_a_blank_of_any_shipped_case_stands_on_its_sheet(path: Path) -> None:
+    case = load(path)
+    for seed in range(min(len(case.gears), 3)):
+        assert unsaid(case, seeded(seed), 60) == []
+
+
+def test_what_is_given_is_not_asked() -> None:
+    """Speeds of links, and signs that a convention sets."""
+    case = load(CASES / "toyota-p410.yaml")
+    asked = {(one.table, one.row) for one in worksheet(solve(case), 0).blanks}
+    assert {row for table, row in asked if table == "W"} == set(case.link_names) - {
+        *("engine", "MG1", "right wheel")
+    }
+    case = load(CASES / "mzkt7922.yaml")
+    results = solve(case)
+    assert results.idle[0].tolist() == [False, True, False]
+    assert ("IX", "D2") not in {(one.table, one.row) for one in worksheet(results, 0).blanks}
+
+
+def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:
+    """Power that enters at the output, the sign of idle mechanisms, what freewheels do."""
+    case = load(CASES / "mzkt7922.yaml")
+    for one in (case.with_coast(coast=True), case.replace(idle="exact")):
+        assert said_and_asked(one, 0) != said_and_asked(case, 0)
+        assert said_and_asked(one, 0)[0] != said_and_asked(case, 0)[0]
+    told = said_and_asked(load(CASES / "ravigneaux-gf4a.yaml"), 0)[0]
+    assert "| one-way clutch 2 | freewheel | carrier | housing | holds |" in told

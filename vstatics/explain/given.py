@@ -1,0 +1,167 @@
+"""What the numbers of a gear follow from: all that solving reads of its case, as tables.
+
+An exercise can be solved from these alone, so what solving reads stands here. What it does not
+read is listed in `UNREAD`; a key that is in neither shows itself among the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vstatics.explain.given_parts import (
+    UNREAD,
+    cell_of,
+    data_text,
+    elements,
+    in_words,
+    link_text,
+    losses,
+    mechanisms,
+    shift_elements,
+    springs,
+)
+from vstatics.explain.text import LOSSES, engaged
+from vstatics.model.parts import HOUSING
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.numerics.traced import plain
+from vstatics.statics.results import Results
+from vstatics.statics.state import GearState
+from vstatics.tables.grid import NOTHING, Grid, Value, grid_of, whole, word
+from vstatics.texts import heading, tr
+from vstatics.writers.named import mapping
+
+_SHOWN = frozenset(
+    (
+        *("shift_elements", "elements", "mechanisms", "springs", "input", "output", "outputs"),
+        *("load", "coast", "idle", "losses", "mesh_efficiency"),
+        *("engaged", "speeds", "torques", "drag", "open_drag", "speed_ratios", "input_turns"),
+        "balance",
+    )
+)
+"""Keys of a case or a gear whose numbers stand in tables of their own; losses as they act."""
+
+
+def given(results: Results, place: int) -> Iterator[Grid]:
+    """What is given of a gear: its parts, how they are joined, what acts; and how signs count.
+
+    Parameters
+    ----------
+    place : int
+        Of the gear, from 0.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> [one.key for one in given(solve(case), 0) if one.rows]
+    ['mechanisms', 'losses', 'shift_elements', 'ports', 'acting']
+    """
+    case, state = results.case, results.gear_at(place)
+    gear = case.gears[place]
+    names = [one.name for one in case.shift_elements]
+    holding = [names[number - 1] for number in state.holding]
+    said = engaged([names[number - 1] for number in gear.engaged], holding)
+    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
+    data = mapping(case)
+    made = (
+        elements(case, data.get("elements", {})),
+        mechanisms(case, gear),
+        losses(case),
+        shift_elements(case, gear, state.engaged),
+        springs(case),
+        _ports(case, gear),
+        _acting(case, gear),
+        _rest({**data, **data["gears"][gear.name]}),
+        _idle(state),
+    )
+    yield from (one for one in made if one.rows)
+    yield from (Grid(one, (), ()) for one in _conventions(state))
+
+
+def _conventions(state: GearState) -> Iterator[str]:
+    """How speeds and torques of a gear are counted, in words."""
+    case = state.case
+    if case.input_torque(state.gear):
+        yield tr(
+            "Speeds are relative to the speed of the input, torques to its torque, powers to its "
+            "power."
+        )
+    else:
+        yield tr("Speeds are relative to the speed of the input; torques are in N*m.")
+    yield tr(
+        "A torque on a device is that which its link gives to it, positive in the direction of the "
+        "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
+        "what the output gives to the load."
+    )
+    if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
+        yield f"{tr('Torques with losses')}: {tr(LOSSES)}"
+    if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
+        yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+    if case.freewheels:
+        yield tr("A freewheel keeps its first link from turning backward against the second.")
+    if case.coasts(state.gear):
+        yield tr("Coasting: power enters at the output.")
+
+
+def _ports(case: Transmission, gear: Gear) -> Grid:
+    rows = [
+        (case.link_name(case.gear_input(gear)), word("input")),
+        (case.link_name(case.gear_output(gear)), word("output")),
+        *((case.link_name(link), word("further output")) for link in case.further_outputs(gear)),
+    ]
+    return grid_of("Ports", ["link", "port"], rows, key="ports")
+
+
+def _acting(case: Transmission, gear: Gear) -> Grid:
+    """Speeds and torques that are given, drag, and what is told of the load."""
+    entry = case.gear_input(gear)
+    rows: list[tuple[int, str, Value]] = [
+        (entry, "speed", cell_of(1.0)),
+        (entry, "torque", cell_of(case.input_torque(gear))),
+    ]
+    for link, speed in gear.speeds.items():
+        told = case.speed_text(speed) if not isinstance(speed, float) else cell_of(speed)
+        rows.append((link, "speed", told))
+    rows += [(link, "torque", cell_of(torque)) for link, torque in gear.torques.items()]
+    rows += [(link, "drag", cell_of(drag)) for link, drag in gear.drag.items()]
+    load = case.gear_load(gear)
+    if load.speed is not None:
+        rows.append((entry, "speed, rpm", cell_of(load.speed)))
+    if load.torque is not None:
+        rows.append((entry, "torque, N*m", cell_of(load.torque)))
+    if case.freewheels and (turns := case.input_turns(gear)):
+        rows.append((entry, "sense of rotation", word(turns)))
+    if gear.balance:
+        rows += [
+            (link, "efficiency", cell_of(efficiency))
+            for link, efficiency in gear.balance.efficiencies
+        ]
+        rows.append((HOUSING, "charging power, kW", cell_of(gear.balance.battery)))
+    named = (
+        (link_text(case, link) if link else NOTHING, heading(what), value)
+        for link, what, value in rows
+    )
+    return grid_of("Given", ["link", "quantity", "value"], named, key="acting")
+
+
+def _rest(data: Mapping[str, Any]) -> Grid:
+    """Any other key of the case or the gear."""
+    rows = [
+        (in_words(key), data_text(value))
+        for key, value in data.items()
+        if key not in UNREAD | _SHOWN
+    ]
+    return grid_of("Given besides", ["quantity", "value"], rows, key="rest")
+
+
+def _idle(state: GearState) -> Grid:
+    """Signs that no power decides, but a convention."""
+    rows = [
+        (one.name, whole(plain(sign)))
+        for one, sign, idle in zip(
+            state.case.mechanisms, state.signs, state.search.idle, strict=True
+        )
+        if idle
+    ]
+    return grid_of("Signs of idle mechanisms", ["mechanism", "sign"], rows, key="idle")

@@ -1,0 +1,178 @@
+"""What is given of the parts of a case, as tables: what solving reads of each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from vstatics.elements.drawing import drawing_of, parts_of
+from vstatics.elements.element import Element
+from vstatics.model.parts import HOUSING, Law, Mechanism
+from vstatics.model.springs import Spring, ends
+from vstatics.model.transmission import Gear, Transmission
+from vstatics.tables.grid import NOTHING, Cell, Grid, Value, Values, grid_of, word
+from vstatics.texts import heading, tr
+
+UNREAD = frozenset(
+    (
+        *("name", "description", "source", "allow", "links", "gears", "kind", "cylinders"),
+        *("inertias", "masses", "stiffness", "damping", "static", "friction", "capacity"),
+        *("converters", "dump", "vehicle", "fatigue", "planet"),
+    )
+)
+"""Keys of a case and of its parts that no blank depends on; other gears do not count, either."""
+_OF_ELEMENT = frozenset(("kind", "teeth", "efficiency", "back_efficiency", "mesh_efficiency"))
+"""The same of an element, besides its members."""
+_OVER = {"speed": "speed, rad/s", "torque": "torque, N*m"}
+
+
+def cell_of(value: Any) -> Value:
+    """A number with all the digits that a calculation wants, or a law with all its points."""
+    if value is None or isinstance(value, str):
+        return value or NOTHING
+    if isinstance(value, Law):
+        if value.text:
+            return f"{value.text} [{tr('N*m')}]"
+        points = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in value.points)
+        return f"{heading(_OVER[value.over])}: {points}"
+    if math.isnan(value):
+        return NOTHING
+    return Cell(f"{value:.6g}", value, kind=float)
+
+
+def link_text(case: Transmission, link: int) -> str:
+    """A link by its name."""
+    return case.link_name(link) if link else tr("housing")
+
+
+def in_words(name: str) -> str:
+    """A key or member of this program, in the language that is spoken."""
+    return tr(name.replace("_", " "))
+
+
+def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
+    """Drawn elements, their teeth, and what else is told of them."""
+    drawing = drawing_of(case)
+    rows: list[Values] = []
+    for one in drawing.elements if drawing else ():
+        links = [f"{in_words(name)} {link_text(case, link)}" for name, link in one.members.items()]
+        links += [f"{wheel.member} {link_text(case, wheel.link)}" for wheel in _own_wheels(one)]
+        own = {key: value for key, value in data[one.name].items() if key not in one.members}
+        rest = {k: v for k, v in own.items() if k not in _OF_ELEMENT | UNREAD | {"planets"}}
+        known = {"suns", "rings", "rims", "meshes"}  # which the teeth tell
+        more = "; ".join(
+            f"{in_words(k)}: {data_text(v)}" for k, v in rest.items() if k not in known
+        )
+        teeth = ", ".join(_teeth(one))
+        row = one.name, word(one.kind.replace("_", " ")), ", ".join(links), teeth
+        rows.append((*row, one.planets or "", more))
+    headings = ["element", "kind", "links", "teeth", "planets", "given"]
+    more_columns = ("teeth", "planets", "given")
+    return grid_of("Elements", headings, rows, key="elements", optional=more_columns)
+
+
+def _own_wheels(element: Element) -> Sequence[Any]:
+    return [one for one in element.wheels if one.member not in element.members]
+
+
+def _teeth(element: Element) -> Iterator[str]:
+    """Teeth of wheels and rims; of a group also what meshes with what."""
+    for name, count in element.teeth.items():
+        yield f"{in_words(name)} {count:g}"
+    for wheel in element.wheels:
+        kind = tr("ring" if wheel.internal else "sun")
+        yield f"{kind} {wheel.member} {wheel.teeth} ({wheel.rim})"
+    for planet, rims in element.rims.items():
+        own = ", ".join(f"{rim} {count}" for rim, count in rims.items())
+        yield f"{planet}: {own}"
+    for one, other in element.meshes:
+        yield f"{one} - {other}"
+
+
+def data_text(value: Any) -> str:
+    """Plain data in words.
+
+    >>> data_text({"large_sun": -2.0, "rest": [1, 2]})
+    'large_sun -2, rest (1, 2)'
+    """
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {data_text(one)}" for key, one in value.items())
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return f"({', '.join(map(data_text, value))})"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def mechanisms(case: Transmission, gear: Gear) -> Grid:
+    """Those that the case gives as such; of a variator its speed ratio in the gear."""
+    ratios = case.gear_ratios(gear)[case.own_mechanisms.start :]
+    rows = [
+        (
+            one.name,
+            word(one.kind),
+            *(link_text(case, link) for link in (one.first, one.second)),
+            link_text(case, one.third) if one.third or one.is_set else NOTHING,
+            *(cell_of(x) for x in ((None, ratio) if one.kind else (ratio, None))),
+            cell_of(one.planet_ratio),
+            data_text(one.points) if one.points else "",
+        )
+        for one, ratio in zip(case.mechanisms[case.own_mechanisms.start :], ratios, strict=True)
+    ]
+    optional = ("kind", "speed ratio", "planet ratio", "points")
+    headings = ["mechanism", "kind", "first", "second", "third", "ratio", *optional[1:]]
+    return grid_of("Mechanisms", headings, rows, key="mechanisms", optional=optional)
+
+
+def losses(case: Transmission) -> Grid:
+    """The efficiency of each mechanism that is solved: as a case gives it, or by its default."""
+    rows: list[Values] = []
+    for part in parts_of(case):
+        for mechanism, members in part.lowered:
+            between = " - ".join(map(in_words, filter(None, members[:2]))) if part.element else ""
+            rows.append((part.name, between, *_efficiencies(mechanism)))
+    headings = ["mechanism", "between", "efficiency", "efficiency backward"]
+    optional = ("between", "efficiency backward")
+    return grid_of("Losses, third link held", headings, rows, key="losses", optional=optional)
+
+
+def _efficiencies(one: Mechanism) -> tuple[Value, Value]:
+    back = one.back_efficiency
+    return cell_of(one.efficiency), "" if back is None else cell_of(back)
+
+
+def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
+    """Those that are open may drag; freewheels that hold are engaged."""
+    rows = []
+    for number, one in enumerate(case.shift_elements, 1):
+        kind = one.kind or ("brake" if HOUSING in one.links else "clutch")
+        on, off = ("holds", "overruns") if one.is_freewheel else ("engaged", "open")
+        drag = gear.open_drag.get(number, one.drag)
+        drags = number not in engaged and (drag or isinstance(drag, Law))
+        rows.append(
+            (
+                one.name,
+                word(kind.replace("_", " ")),
+                *(link_text(case, link) for link in one.links),
+                word(on if number in engaged else off),
+                cell_of(drag) if drags else "",
+            )
+        )
+    headings = ["shift element", "kind", "first", "second", "state", "drag"]
+    return grid_of("Shift elements", headings, rows, key="shift_elements", optional=("drag",))
+
+
+def springs(case: Transmission) -> Grid:
+    """The twists of springs, in which speeds and torques follow one another."""
+    rows = ((one.name, twist_text(case, one)) for one in case.springs)
+    return grid_of("Springs", ["spring", "twist"], rows, key="springs")
+
+
+def twist_text(case: Transmission, spring: Spring) -> str:
+    """The twist of a spring as a sum: ``engine - disc``; of one link alone its name."""
+    shaft = ends(spring.twist)
+    said = ""
+    for link, part in spring.form.items():
+        size = "" if shaft or abs(part) == 1 else f"{abs(part):.6g} "
+        sign = ("-" if part < 0 else "+") if said else "-" * (part < 0)
+        said += f"{f' {sign} ' if said else sign}{size}{case.link_name(link)}"
+    return said

@@ -1,0 +1,62 @@
+"""What shift elements carry by the loads of their gears, and whether they can."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.tolerances import SAME_RATIO
+
+if TYPE_CHECKING:
+    from vstatics.statics.results import Results
+
+MORE = 1e-4
+"""So much above its capacity shows in the digits that are told."""
+
+
+def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
+    """(gears, shift elements) of one case: torques by a common one, and whether there are any.
+
+    The torque is the larger of those without and with losses. `common` is an input torque
+    [N*m]; 0 where none is told, then that of each gear is the unit.
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> torques, carrying = carried_torques(solve(case), 0.0)
+    >>> torques[carrying].round(4).tolist()
+    [2.5, 0.7143]
+    """
+    case = results.case
+    count = len(case.shift_elements)
+    names = "torques", "lossy_torques"
+    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
+    own = (case.gear_load(gear).torque_size for gear in case.gears)
+    units = [abs(torque / common) if torque and common else 1.0 for torque in own]
+    torques = np.fmax(*both) * np.array(units)[:, np.newaxis]
+    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
+    return torques, carrying
+
+
+def overloads(results: Results) -> Iterator[tuple[int, str]]:
+    """Of one case each gear's index, and what an engaged element carries above its capacity."""
+    case = results.case
+    able = [(number, one) for number, one in enumerate(case.shift_elements) if one.capacity]
+    if not able:
+        return
+    common = case.load.torque_size if case.load else 0.0
+    torques, carrying = carried_torques(results, common)
+    unit, of = (common, "N*m") if common else (1.0, "times the input torque")
+    for number, element in able:
+        capacity = float(element.capacity or 0.0)
+        above = carrying[:, number] & (torques[:, number] > capacity * (1 + MORE))
+        for gear in np.flatnonzero(above).tolist():
+            has, can = (_told(one * unit) for one in (torques[gear, number], capacity))
+            yield gear, f"{element.name} carries {has} of {can} {of}, more than its capacity"
+
+
+def _told(torque: float) -> str:
+    return f"{torque:.5g}" if torque < 99999 else f"{torque:.0f}"

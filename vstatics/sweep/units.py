@@ -1,0 +1,73 @@
+"""Units of what a sweep varies and of its columns, as a dataset tells them."""
+
+from __future__ import annotations
+
+from vstatics.model.shape import STRAIGHT, UNIT_OF
+from vstatics.model.transmission import Transmission
+from vstatics.readers.expressions.evaluation import LAST
+from vstatics.readers.expressions.grammar import Applied
+from vstatics.sweep.frequencies import OMEGA
+from vstatics.sweep.kept.expressions import Node
+from vstatics.sweep.kept.meanings import Selection
+from vstatics.sweep.motion_tables import RUN_UNITS
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.path_numbers import CasePath
+from vstatics.sweep.variants.subject import VariedScenario
+from vstatics.sweep.variants.targets import Target, Varied
+from vstatics.tables.quantities import BY_NAME, UNITS
+
+KEEPING = (LAST, "abs", "min", "max", "sum")
+"""Functions whose value is in the unit of what they are of."""
+
+
+def units_of(plan: SweepPlan) -> dict[str, str]:
+    """The units of varied numbers and columns, as far as they have one that is known.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Load, Mechanism, Transmission, sweep
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
+    >>> grid = {"load.torque": [200, 400], "D1.ratio": [-2, -3]}
+    >>> units_of(sweep(case, grid, out="ratio[1], speeds_rpm[2,1], 2*speeds_rpm[2,1]").plan)
+    {'load.torque': 'N*m', 'speeds_rpm[2,1]': 'rpm'}
+    """
+    subject = plan.subject
+    of_run = isinstance(subject, VariedScenario)
+    case = subject.own.scenario.case if isinstance(subject, VariedScenario) else subject
+    found = {one.name: _of_varied(one, case) for one in plan.variants.targets}
+    each = (part.expression.node for part in plan.columns.parts for _ in part.cells)
+    units = (_of_node(node, case, of_run=of_run) for node in each)
+    found |= zip(plan.headings, units, strict=True)
+    return {name: unit for name, unit in found.items() if unit}
+
+
+def _of_varied(one: Varied, case: Transmission) -> str:
+    if isinstance(one, CasePath):
+        if one.unit or one.measure is None:
+            return one.unit
+        return "W" if one.measure == "power" else UNIT_OF[one.measure]
+    if not isinstance(one, Target):
+        return getattr(one, "unit", "")
+    quantity = one.quantity
+    if quantity == "inertia":
+        return UNIT_OF["mass" if one.owner + 1 in case.masses else quantity]
+    if quantity not in ("stiffness", "compliance", "damping"):
+        return ""
+    spring = one.owner - case.among_devices.stop
+    is_straight = spring >= 0 and case.is_straight(case.springs[spring])
+    return UNIT_OF[STRAIGHT[quantity] if is_straight else quantity]
+
+
+def _of_node(node: Node, case: Transmission, *, of_run: bool) -> str:
+    """The unit of a table, or of what is left of it; nothing where that takes more thought."""
+    if isinstance(node, Selection):
+        if of_run:  # rows of what moves straight are in units of their own
+            return "" if case.masses else RUN_UNITS.get(node.table, "")
+        if node.table == OMEGA:
+            return UNIT_OF["si_speed"]
+        quantity = BY_NAME.get(node.table)
+        return UNITS[quantity.unit].text if quantity and quantity.unit else ""
+    if isinstance(node, Applied) and node.name in KEEPING:
+        units = {_of_node(one, case, of_run=of_run) for one in node.operands}
+        return units.pop() if len(units) == 1 else ""
+    return ""
