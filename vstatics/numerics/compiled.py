@@ -91,3 +91,10 @@ def put(values: Floats | Integers, into: Floats | Integers) -> None:
     """Copy an array; an assignment of slices would take seconds to compile."""
     for place in range(len(values)):
         into[place] = values[place]
+
+
+@compiled
+def fill(into: Floats | Integers, value: float) -> None:
+    """Give all places of an array one value."""
+    for place in range(len(into)):
+        into[place] = value

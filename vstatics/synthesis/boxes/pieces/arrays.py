@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache, lru_cache
 
 import numpy as np
@@ -13,7 +12,7 @@ from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.joining import set_room
 from vstatics.synthesis.boxes.search.kernel import Room
 from vstatics.synthesis.boxes.search.ranges import lines
-from vstatics.synthesis.boxes.search.sequences import Sequence, sequence_room
+from vstatics.synthesis.boxes.search.sequences.room import sequence_of, sequence_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.shifts import neighbours
 from vstatics.synthesis.boxes.search.solving import cell_room
@@ -32,16 +31,6 @@ def asked_arrays(search: BoxSearch) -> Asked:
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
-def wanted_sequence(search: BoxSearch) -> Sequence:
-    """The gears besides the targets, in logarithms."""
-    wanted = search.sequence
-    if wanted is None:
-        return Sequence(0, 0, 0.0, 0.0, 0.0, 0.0, falling=False)
-    low, high = map(math.log, wanted.spread)
-    least, most = map(math.log, wanted.steps)
-    return Sequence(wanted.least, wanted.most, low, high, least, most, wanted.falling)
-
-
 def single_shifts(search: BoxSearch) -> Integers:
     """The targets between which one element is to change."""
     in_turn = search.singly and search.sequence is None
@@ -53,13 +42,14 @@ def room_of(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
     """Room for the boxes of a choice of ports; each thread of a worker has its own."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = asked_arrays(search)
+    wanted = sequence_of(search.sequence, singly=search.singly)
     targets, sets, speeds = len(asked.targets), search.sets, len(table.members)
     return Room(
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets, single_shifts(search)),
-        sequences=sequence_room(table, asked, wanted_sequence(search), sets),
+        sequences=sequence_room(table, asked, wanted, sets),
         lengths=np.zeros(most, np.int64),
-        gears=np.zeros((most, targets + wanted_sequence(search).most), np.int64),
+        gears=np.zeros((most, targets + wanted.most), np.int64),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),

@@ -247,7 +247,7 @@ def longest(cells: RatioCells, top: int) -> int:
             total = 0.0
             for ratio in range(cells.parts.shape[0]):
                 if cells.reach[top, ratio]:
-                    total += _change(cells.parts[ratio], number)
+                    total += change_along(cells.parts[ratio], number)
             if total > best:
                 best = total
                 found = number
@@ -255,7 +255,7 @@ def longest(cells: RatioCells, top: int) -> int:
 
 
 @compiled
-def _change(part: Floats, number: int) -> float:
+def change_along(part: Floats, number: int) -> float:
     """How much a quotient changes at most along the ratio of a set, from 0 to 1."""
     most = 0.0
     for corner in range(part.shape[1]):

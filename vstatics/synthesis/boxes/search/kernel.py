@@ -11,7 +11,8 @@ from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, fi
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
 from vstatics.synthesis.boxes.search.ranges import divide, reached
-from vstatics.synthesis.boxes.search.sequences import SequenceRoom, sequence_found
+from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
+from vstatics.synthesis.boxes.search.sequences.search import sequence_found
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.solving import CellRoom, solved
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
@@ -118,7 +119,7 @@ def gears_besides(
     """The gears of a sequence that a set of elements has; whether it may have more of them."""
     count = _different(table, port, elements, room)
     put(room.cells.ratio_of, room.sequences.ratio_of)
-    put(room.cells.chains.used, room.sequences.used)
+    put(room.cells.chains.used, room.sequences.chains.used)
     return sequence_found(room.parts[:count], asked, room.sequences)
 
 

@@ -197,7 +197,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     """
     least, most = math.log(asked.low), math.log(asked.high)
     sets = len(room.logs)
-    _weigh(room.logs, asked, room)
+    weigh(room.logs, asked, room)
     best = _errors(parts, chosen, asked, room, room.errors)
     if best == math.inf:
         return best
@@ -213,7 +213,7 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
             room.tried[number] = wanted
         if step < LEAST_BOX_STEP:
             return best
-        _weigh(room.tried, asked, room)
+        weigh(room.tried, asked, room)
         value = _errors(parts, chosen, asked, room, room.trial)
         value += _pull(room.trial, stiffness, room)
         if value > best:
@@ -243,7 +243,7 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 
 
 @compiled
-def _weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
+def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
     """How the corners weigh at a point, and how that changes with the logarithm of each ratio."""
     sets = len(logs)
     room.own[:] = 1.0
@@ -264,7 +264,7 @@ def _weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
 
 
 @compiled
-def _weighed(part: Floats, weights: Floats) -> tuple[float, float]:
+def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
     """Numerator and denominator by their values at the corners, each with its weight."""
     above = below = 0.0
     for corner in range(len(weights)):
@@ -278,7 +278,7 @@ def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found:
     """ln(i/target)/width of every gear; the sum of squares, infinity with another sign of one."""
     total = 0.0
     for target in range(len(asked.targets)):
-        above, below = _weighed(parts[chosen[target]], room.own)
+        above, below = weighed(parts[chosen[target]], room.own)
         quotient = above / (below * asked.targets[target])
         if not 0 < quotient < math.inf:
             return math.inf
@@ -292,16 +292,22 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
     """Derivatives of ln(i)/width of every gear by the logarithms of the ratios of sets."""
     for target in range(len(chosen)):
         part = parts[chosen[target]]
-        above, below = _weighed(part, room.own)
+        above, below = weighed(part, room.own)
         for number in range(room.slopes.shape[0]):
-            over, under = _weighed(part, room.slopes[number])
+            over, under = weighed(part, room.slopes[number])
             room.jacobian[target, number] = (over / above - under / below) / asked.widths[target]
 
 
 @compiled
 def _step(room: FitRoom, least: float, most: float, stiffness: float, damping: float) -> None:
-    """The step of damped normal equations into `tried`, of what is not held by a bound."""
+    """The step of damped normal equations into `tried`."""
     _weigh_errors(room, stiffness)
+    damped_step(room, least, most, damping)
+
+
+@compiled
+def damped_step(room: FitRoom, least: float, most: float, damping: float) -> None:
+    """The same of errors that have their weights, of what is not held by a bound."""
     _find_system(room, least, most, damping)
     system, step = room.system, room.tried
     sets = len(step)

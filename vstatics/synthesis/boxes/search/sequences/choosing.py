@@ -1,0 +1,159 @@
+"""Choices of ratios for the targets and for a sequence, by bounds of ratios and of their steps.
+
+At a point these bounds are numbers, and what is possible is so.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from vstatics.numerics.compiled import compiled
+from vstatics.synthesis.boxes.search.chains import chained
+from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom, Sequence, SequenceRoom
+from vstatics.synthesis.boxes.search.set_ratios import Asked
+
+
+class Goal(NamedTuple):
+    """Which choices are looked for."""
+
+    targets: int
+    """The first gears chosen are theirs."""
+    ratios: int
+    fewest: int
+    """Gears of the sequence."""
+    looks: int
+    """So many gears are looked at, no more."""
+
+
+@compiled
+def begin_choices(room: ChoiceRoom) -> None:
+    """Before the first choice."""
+    for ratio in range(len(room.free)):
+        room.free[ratio] = True
+    room.places[0] = -1
+    room.looks[0] = 0
+
+
+@compiled
+def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> int:
+    """The next choice that the bounds let be; each is met once.
+
+    Parameters
+    ----------
+    wanted : Sequence
+    goal : Goal
+    depth : int
+        0 at first, then what was returned before.
+    room : ChoiceRoom
+
+    Returns
+    -------
+    int
+        The gears chosen, with those of the targets; 0 after the last, -1 after too many looks.
+    """
+    while depth >= 0:
+        if depth == goal.targets + wanted.most:  # there is no room for another one
+            depth -= 1
+        place = room.places[depth]
+        if place >= 0:
+            room.free[room.order[place]] = True
+        place += 1
+        while place < goal.ratios and not _may_be(wanted, goal, depth, room.order[place], room):
+            place += 1
+        if place == goal.ratios:
+            depth -= 1
+            continue
+        room.looks[0] += 1
+        if room.looks[0] > goal.looks:
+            return -1
+        ratio = room.order[place]
+        room.places[depth] = place
+        room.chosen[depth] = ratio
+        room.free[ratio] = False
+        depth += 1
+        room.places[depth] = -1
+        if depth - goal.targets >= max(goal.fewest, 2):
+            first = room.chosen[goal.targets]
+            if room.steps[first, ratio, 1] >= wanted.spread[0]:
+                return depth
+    return 0
+
+
+@compiled
+def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
+    """Whether the next gear may have a ratio."""
+    if not room.free[ratio]:
+        return False
+    if depth < goal.targets:
+        return bool((room.reach[ratio] >> depth) & 1)
+    if depth == goal.targets:
+        return bool(room.ends[ratio, 0] <= room.ends[ratio, 1])
+    return _follows(wanted, goal, depth, ratio, room)
+
+
+@compiled
+def _follows(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
+    """Whether a ratio may be the next of a sequence."""
+    first, last = room.chosen[goal.targets], room.chosen[depth - 1]
+    low, high = room.steps[last, ratio, 0], room.steps[last, ratio, 1]
+    largest = wanted.steps[1]
+    if wanted.falling:
+        if depth > goal.targets + 1:
+            largest = min(largest, room.steps[room.chosen[depth - 2], last, 1])
+        further = min(largest, high)
+    else:
+        further = largest
+    if high < wanted.steps[0] or low > largest or room.steps[first, ratio, 0] > wanted.spread[1]:
+        return False
+    gears = goal.targets + wanted.most - depth - 1  # that may come further
+    return bool(gears == 0 or room.steps[first, ratio, 1] + gears * further >= wanted.spread[0])
+
+
+@compiled
+def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> bool:
+    """Whether elements can be engaged in the chosen gears so that all are used.
+
+    Parameters
+    ----------
+    asked : Asked
+    length : int
+        So many gears are chosen at the point, with those of the targets.
+    singly : int
+        Whether one element is to change between neighbours, too.
+    room : SequenceRoom
+        `chains` takes the combinations.
+    """
+    chains, targets, turn = room.chains, asked.targets, 0
+    for sign in (1, -1):
+        start, after, last = turn, math.inf, -1
+        while True:  # by falling size, as a transmission has them
+            best, largest = -1, -math.inf
+            for gear in range(length):
+                if gear < len(targets):
+                    log = math.log(abs(targets[gear]))
+                    is_such = targets[gear] * sign > 0
+                else:
+                    log, is_such = room.logs[room.point.chosen[gear]], sign > 0
+                is_later = log < after or (log == after and gear > last)
+                if is_such and is_later and log > largest:
+                    best, largest = gear, log
+            if best < 0:
+                break
+            chains.order[turn] = best
+            chains.is_shift[turn] = singly > 0 and turn > start
+            turn += 1
+            after, last = largest, best
+    chains.is_shift[turn] = False
+    return bool(turn == length and chained(room.ratio_of, room.point.chosen[:length], chains))
+
+
+@compiled
+def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
+    """The same of gears that may be in a cell; with targets they may follow in another order."""
+    chains = room.chains
+    for gear in range(length):
+        chains.order[gear] = gear
+        chains.is_shift[gear] = singly > 0 and targets == 0 and gear > 0
+    chains.is_shift[length] = False
+    return bool(chained(room.ratio_of, room.cell.chosen[:length], chains))
