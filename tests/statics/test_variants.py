@@ -665,6 +665,7 @@ OTHER: dict[type, dict[str, object]] = {
         "link_names": ("a", "b", "c", "d"),
         "load": Load(100.0, 9.0),
         "allow": ("W201",),
+        "hushed": ("W201",),
         "inertias": {1: 0.5},
         "masses": {2: 300.0},
         "cylinders": 6,

@@ -118,11 +118,11 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2], name="1R")])
-    >>> columns = read_columns("ratio, speeds[3], abs(losses[D1]), ratio[2] - 1", case, [])
+    >>> columns = read_columns("ratio, speeds[3], abs(losses[D1]), ratio[#2] - 1", case, [])
     >>> columns.headings[:4]
     ('ratio[1]', 'ratio["1R"]', 'speeds[3,1]', 'speeds[3,"1R"]')
     >>> columns.headings[4:]
-    ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[2] - 1')
+    ('abs(losses[D1])[1]', 'abs(losses[D1])["1R"]', 'ratio[#2] - 1')
     """
     terms = terms_of(targets)
     names = names_of(Excerpt(text, OPTION), subject, terms)
