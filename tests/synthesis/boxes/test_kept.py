@@ -12,7 +12,15 @@ from vstatics.synthesis.boxes.pieces.found import found_in
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
 from vstatics.synthesis.boxes.schemes.stems import box_schemes
 
-BUILT = ["aisin-8speed", "gm-8l90", "mercedes-5g", "ravigneaux-aod", "simpson", "zf-6hp26"]
+BUILT = [
+    "aisin-8speed",
+    "gm-8l90",
+    "mercedes-5g",
+    "mercedes-7g",
+    "ravigneaux-aod",
+    "simpson",
+    "zf-6hp26",
+]
 """With and without one-way clutches, meshed sets, held members, inputs of their own."""
 
 
@@ -50,6 +58,17 @@ def test_what_is_kept_is_what_a_filter_leaves(free: int) -> None:
     left = [one for one in every if len(has & {*one.elements}) >= len(has) - free]
     assert {one.elements for one in boxes(search)} == {one.elements for one in left}
     assert 0 < len(left) <= len(every)
+
+
+@pytest.mark.slow
+def test_the_seven_speed_is_on_its_own_ports() -> None:
+    """With all elements free; a group of planets is two sets on one sun."""
+    wanted = (4.377, 2.859, 1.921, 1.368, 1.0, 0.82, 0.728, -3.416, -2.231)  # as published
+    search = kept_search(example("mercedes-7g"), 7, wanted)._replace(tolerance=0.005)
+    assert search.kept is not None
+    found = found_in(search)
+    assert found.given_up == 0
+    assert {*search.kept.elements} in [{*one.elements} for one in found.boxes]
 
 
 def test_the_ten_speed_has_a_shaft_beside_its_sets() -> None:

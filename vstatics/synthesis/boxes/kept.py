@@ -9,6 +9,7 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.parts import HOUSING, Mechanism
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, KeptParts
+from vstatics.synthesis.boxes.case_sets import case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme
 
 
@@ -38,7 +39,8 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     >>> search.kept.scheme.code, search.kept.input, search.kept.output, search.kept.free
     ('1-3-0-1-2-3', 4, 3, 1)
     """
-    own = on_own_links(case).case
+    plain = on_own_links(case)
+    own = plain.case.replace(mechanisms=case_mechanisms(plain))
     mechanisms = _sets(own)
     body = _bodies(own)
     sets = [_members(one, body) for one in mechanisms]

@@ -11,9 +11,10 @@ from vstatics.explain.bodies import on_own_links
 from vstatics.model.parts import HOUSING, Mechanism
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
+from vstatics.synthesis.boxes.case_sets import GROUP, case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme
 
-OF_SETS = ("planetary", "double_planet", "ravigneaux")
+OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
 """Kinds of elements that are sets of a box."""
 
 
@@ -46,7 +47,7 @@ def built_box(case: Transmission) -> FoundBox | None:
     """
     own = on_own_links(case)
     drawn = [part for part in own.parts for _ in part.lowered]
-    pairs = [*zip(drawn, own.case.mechanisms, strict=True)]
+    pairs = [*zip(drawn, case_mechanisms(own), strict=True)]
     held = {HOUSING, *(one.first for part, one in pairs if _is_held(part))}
     sets = [_case_set(one, held) for part, one in pairs if _is_of_set(part, one)]
     is_more = len(sets) + len(held) - 1 < len(pairs)
