@@ -80,10 +80,8 @@ def _words(hint: Any) -> str:
     elif getattr(kind, "_is_protocol", False):
         words = f"a {kind.__name__.lower()}"
     else:
-        article = (
-            "" if kind.__name__ == "Results" else "an " if kind.__name__[0] in "AEIO" else "a "
-        )
-        words = "Results" if kind.__name__ == "Results" else f"{article}{kind.__name__}"
+        name = kind.__name__
+        words = name if name == "Results" else f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
     return words
 
 

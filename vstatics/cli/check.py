@@ -252,8 +252,8 @@ def _told(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
         files.show(once.first(_printed(file, problems, options.telling)))
-        is_told = grid is not None and (fails or not options.telling.quiet)
-        found += [f"{text}\n" for text in lines(grid, indent="  ")] if grid and is_told else []
+        if grid is not None and (fails or not options.telling.quiet):
+            found += [f"{text}\n" for text in lines(grid, indent="  ")]
     return "".join(found), failed
 
 

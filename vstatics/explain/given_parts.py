@@ -8,7 +8,7 @@ from typing import Any
 
 from vstatics.elements.drawing import drawing_of, parts_of
 from vstatics.elements.element import Element
-from vstatics.model.parts import HOUSING, Law, Mechanism
+from vstatics.model.parts import HOUSING, Law, ShiftElement
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Value, Values, grid_of, word
@@ -22,8 +22,13 @@ UNREAD = frozenset(
     )
 )
 """Keys of a case and of its parts that no blank depends on; other gears do not count, either."""
-_OF_ELEMENT = frozenset(("kind", "teeth", "efficiency", "back_efficiency", "mesh_efficiency"))
-"""The same of an element, besides its members."""
+_TOLD = frozenset(
+    (
+        *("kind", "teeth", "planets", "suns", "rings", "rims", "meshes"),
+        *("efficiency", "back_efficiency", "mesh_efficiency"),
+    )
+)
+"""Keys of an element that have columns of their own, or a table as losses have."""
 _OVER = {"speed": "speed, rad/s", "torque": "torque, N*m"}
 
 
@@ -58,11 +63,10 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     for one in drawing.elements if drawing else ():
         links = [f"{in_words(name)} {link_text(case, link)}" for name, link in one.members.items()]
         links += [f"{wheel.member} {link_text(case, wheel.link)}" for wheel in _own_wheels(one)]
-        own = {key: value for key, value in data[one.name].items() if key not in one.members}
-        rest = {k: v for k, v in own.items() if k not in _OF_ELEMENT | UNREAD | {"planets"}}
-        known = {"suns", "rings", "rims", "meshes"}  # which the teeth tell
         more = "; ".join(
-            f"{in_words(k)}: {data_text(v)}" for k, v in rest.items() if k not in known
+            f"{in_words(key)}: {data_text(value)}"
+            for key, value in data[one.name].items()
+            if key not in {*one.members, *_TOLD, *UNREAD}
         )
         teeth = ", ".join(_teeth(one))
         row = one.name, word(one.kind.replace("_", " ")), ", ".join(links), teeth
@@ -129,29 +133,31 @@ def losses(case: Transmission) -> Grid:
     for part in parts_of(case):
         for mechanism, members in part.lowered:
             between = " - ".join(map(in_words, filter(None, members[:2]))) if part.element else ""
-            rows.append((part.name, between, *_efficiencies(mechanism)))
+            back = mechanism.back_efficiency
+            both = cell_of(mechanism.efficiency), "" if back is None else cell_of(back)
+            rows.append((part.name, between, *both))
     headings = ["mechanism", "between", "efficiency", "efficiency backward"]
     optional = ("between", "efficiency backward")
     return grid_of("Losses, third link held", headings, rows, key="losses", optional=optional)
 
 
-def _efficiencies(one: Mechanism) -> tuple[Value, Value]:
-    back = one.back_efficiency
-    return cell_of(one.efficiency), "" if back is None else cell_of(back)
+def kind_of(one: ShiftElement) -> Cell:
+    """The kind of a shift element, in words."""
+    kind = one.kind or ("brake" if HOUSING in one.links else "clutch")
+    return word(kind.replace("_", " "))
 
 
 def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
     """Those that are open may drag; freewheels that hold are engaged."""
     rows = []
     for number, one in enumerate(case.shift_elements, 1):
-        kind = one.kind or ("brake" if HOUSING in one.links else "clutch")
         on, off = ("holds", "overruns") if one.is_freewheel else ("engaged", "open")
         drag = gear.open_drag.get(number, one.drag)
         drags = number not in engaged and (drag or isinstance(drag, Law))
         rows.append(
             (
                 one.name,
-                word(kind.replace("_", " ")),
+                kind_of(one),
                 *(link_text(case, link) for link in one.links),
                 word(on if number in engaged else off),
                 cell_of(drag) if drags else "",

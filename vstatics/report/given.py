@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.explain.given_parts import twist_text
+from vstatics.explain.given_parts import kind_of, twist_text
 from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
 from vstatics.model.springs import Spring, SpringLimit
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.model.transmission import Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of, word
 from vstatics.tables.html import Markup, tables, terms
 from vstatics.tables.straight import in_both_units
@@ -110,7 +110,7 @@ def _shift_elements(case: Transmission) -> Grid:
     rows = [
         (
             one.name,
-            word((one.kind or ("brake" if HOUSING in one.links else "clutch")).replace("_", " ")),
+            kind_of(one),
             *map(case.link_name, (one.first, one.second)),
             _number_or_law(one.drag) if drags else "",
             one.capacity,

@@ -196,7 +196,6 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     3.0
     """
     least, most = math.log(asked.low), math.log(asked.high)
-    sets = len(room.logs)
     weigh(room.logs, asked, room)
     best = _errors(parts, chosen, asked, room, room.errors)
     if best == math.inf:
@@ -205,13 +204,8 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     _slopes(parts, chosen, asked, room)
     damping = FIRST_DAMPING
     for _ in range(MOST_BOX_STEPS):
-        _step(room, least, most, stiffness, damping)
-        step = 0.0
-        for number in range(sets):
-            wanted = min(max(room.logs[number] + room.tried[number], least), most)
-            step = max(step, abs(wanted - room.logs[number]))
-            room.tried[number] = wanted
-        if step < LEAST_BOX_STEP:
+        _weigh_errors(room, stiffness)
+        if damped_step(room, least, most, damping) < LEAST_BOX_STEP:
             return best
         weigh(room.tried, asked, room)
         value = _errors(parts, chosen, asked, room, room.trial)
@@ -299,15 +293,11 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
 
 
 @compiled
-def _step(room: FitRoom, least: float, most: float, stiffness: float, damping: float) -> None:
-    """The step of damped normal equations into `tried`."""
-    _weigh_errors(room, stiffness)
-    damped_step(room, least, most, damping)
+def damped_step(room: FitRoom, least: float, most: float, damping: float) -> float:
+    """Go by damped normal equations of errors that have their weights; the largest step.
 
-
-@compiled
-def damped_step(room: FitRoom, least: float, most: float, damping: float) -> None:
-    """The same of errors that have their weights, of what is not held by a bound."""
+    The next logarithms, within these bounds, are `tried`; what a bound holds stays there.
+    """
     _find_system(room, least, most, damping)
     system, step = room.system, room.tried
     sets = len(step)
@@ -321,6 +311,12 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> Non
         for column in range(row + 1, sets):
             total -= system[row, column] * step[column]
         step[row] = total / system[row, row]
+    largest = 0.0
+    for number in range(sets):
+        wanted = min(max(room.logs[number] + step[number], least), most)
+        largest = max(largest, abs(wanted - room.logs[number]))
+        room.tried[number] = wanted
+    return largest
 
 
 @compiled

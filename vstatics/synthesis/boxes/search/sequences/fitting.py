@@ -62,9 +62,10 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
     stiffness, before = 0.0, math.inf
     for turn in range(MOST_TURNS):
         total = _fitted(parts, length, asked, stiffness, room)
-        beyond = -math.inf
+        beyond = 0.0
         for row in range(len(fit.errors)):
-            beyond = max(beyond, abs(_beyond(fit.errors[row], row, room)))
+            error = fit.errors[row]
+            beyond = max(beyond, error - room.rows[row, 3], room.rows[row, 2] - error)
         if total == math.inf or beyond <= BEYOND_WIDTH:
             return total
         if turn == 0 and total > rows:
@@ -113,14 +114,8 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
 
 
 @compiled
-def _beyond(error: float, row: int, room: SequenceRoom) -> float:
-    """How far an error is beyond its range, with its sign."""
-    return float(max(error - room.rows[row, 3], 0.0) + min(error - room.rows[row, 2], 0.0))
-
-
-@compiled
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
-    """The same with what it is pulled by, at the end that is nearer."""
+    """By how much an error is beyond its range with its pull, at the end that is nearer, signed."""
     pull = room.fit.pulls[row]
     above, below = error - room.rows[row, 3] + pull, room.rows[row, 2] - error + pull
     if above >= below:
@@ -133,7 +128,7 @@ def _fitted(
     parts: Floats, length: int, asked: Asked, stiffness: float, room: SequenceRoom
 ) -> float:
     """The least sum of squares near a point, with such a stiffness; that of the errors alone."""
-    fit, sets = room.fit, len(room.fit.logs)
+    fit = room.fit
     least, most = math.log(asked.low), math.log(asked.high)
     weigh(fit.logs, asked, fit)
     best = _errors(parts, length, asked, room, fit.errors)
@@ -146,13 +141,7 @@ def _fitted(
         if is_new:
             _find_slopes(parts, length, asked, room)
         _weigh_errors(stiffness, room)
-        damped_step(fit, least, most, damping)
-        step = 0.0
-        for number in range(sets):
-            wanted = min(max(fit.logs[number] + fit.tried[number], least), most)
-            step = max(step, abs(wanted - fit.logs[number]))
-            fit.tried[number] = wanted
-        if step < LEAST_BOX_STEP:
+        if damped_step(fit, least, most, damping) < LEAST_BOX_STEP:
             break
         weigh(fit.tried, asked, fit)
         value = _errors(parts, length, asked, room, fit.trial)

@@ -37,9 +37,16 @@ def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     """ln(i) of all forward ratios at the logarithms of the fit."""
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(len(parts)):
-        above, below = weighed(parts[ratio], room.fit.own)
-        value = above / below
-        room.logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
+        _ratio_at(parts, ratio, room)
+
+
+@compiled
+def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
+    """A ratio at the weights of the corners; ln(i) of it is kept."""
+    above, below = weighed(parts[ratio], room.fit.own)
+    value = above / below
+    room.logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
+    return float(value)
 
 
 @compiled
@@ -48,9 +55,7 @@ def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
     own, logs, count = room.point, room.logs, len(parts)
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(count):
-        above, below = weighed(parts[ratio], room.fit.own)
-        value = above / below
-        logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
+        value = _ratio_at(parts, ratio, room)
         own.reach[ratio] = 0
         for target in range(len(asked.targets)):
             if asked.least[target] <= value <= asked.most[target]:
@@ -65,12 +70,10 @@ def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
         own.order[place] = ratio
     for one in range(count):
         for other in range(count):
-            if own.ends[one, 0] == math.inf or own.ends[other, 0] == math.inf:
-                own.steps[one, other, 0] = math.inf
-                own.steps[one, other, 1] = -math.inf
-            else:
-                own.steps[one, other, 0] = logs[one] - logs[other]
-                own.steps[one, other, 1] = logs[one] - logs[other]
+            is_step = min(logs[one], logs[other]) > -math.inf
+            step = logs[one] - logs[other]
+            own.steps[one, other, 0] = step if is_step else math.inf
+            own.steps[one, other, 1] = step if is_step else -math.inf
 
 
 @compiled

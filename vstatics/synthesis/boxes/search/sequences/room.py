@@ -163,7 +163,7 @@ def _choice_room(ratios: int, gears: int) -> ChoiceRoom:
         steps=np.zeros((ratios, ratios, 2)),
         order=np.arange(ratios),
         places=np.zeros(gears + 1, np.int64),
-        chosen=np.zeros(gears + 1, np.int64),
+        chosen=np.zeros(gears, np.int64),
         free=np.zeros(ratios, np.bool_),
         looks=np.zeros(1, np.int64),
     )
