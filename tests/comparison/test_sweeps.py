@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vstatics.comparison.sweeps import sweep_differences
+from vstatics.comparison.sweeps import sweep_lines, sweep_places
 from vstatics.tables.written_results import WrittenSweep
 
 
@@ -12,5 +12,8 @@ def test_a_name_stays_whatever_is_in_it() -> None:
     """NaN is told as no value, a gear that is named so is not."""
     name = "ratio[nan banana]"
     sweeps = [WrittenSweep([1], ["ok"], {name: [value]}) for value in (math.nan, 2.5)]
-    assert list(sweep_differences(*sweeps)) == [f"variant 1, {name}: no value, expected 2.5"]
-    assert list(sweep_differences(*sweeps[::-1])) == [f"variant 1, {name}: 2.5, expected no value"]
+    told = [list(sweep_lines(sweep_places(*pair))) for pair in (sweeps, sweeps[::-1])]
+    assert told == [
+        [f"variant 1, {name}: no value, expected 2.5"],
+        [f"variant 1, {name}: 2.5, expected no value"],
+    ]

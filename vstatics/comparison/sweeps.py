@@ -24,24 +24,6 @@ MOST_TOLD_NUMBERS = 20
 """So many numbers of a column are told."""
 
 
-def sweep_differences(
-    actual: WrittenSweep,
-    expected: WrittenSweep,
-    *,
-    atol: float = ATOL,
-    rtol: float = RTOL,
-    leave_out: Container[str] = (),
-) -> Iterator[str]:
-    """Every place in which two sweeps differ, a line each; the first ones of a column.
-
-    Parameters
-    ----------
-    leave_out : container of str
-        Keys of tables, `Quantity.key`, whose columns are not compared.
-    """
-    return sweep_lines(sweep_places(actual, expected, atol=atol, rtol=rtol, leave_out=leave_out))
-
-
 def sweep_places(
     actual: WrittenSweep,
     expected: WrittenSweep,
@@ -84,15 +66,14 @@ def sweep_lines(found: Iterable[Difference]) -> Iterator[str]:
     found : iterable of Difference
         Those of `sweep_places`, in their order.
     """
-    lacking = (_kind_that_lacks, attrgetter("actual"))
-    for kind, ones in groupby(found, lacking[0]):
+    for kind, ones in groupby(found, _kind_that_lacks):
         if not kind:
             for column, places in groupby(ones, attrgetter("table")):
                 yield from _first([_line(one) for one in places], column)
             continue
-        for side, some in groupby(ones, lacking[1]):
+        for side, some in groupby(ones, attrgetter("actual")):
             names = [_row(one) if kind == "variant" else one.table for one in some]
-            yield from _lacking(kind, names, "expected" if side == NOT_THERE else "not expected")
+            yield _lacking(kind, names, is_there=side == THERE)
 
 
 def _kind_that_lacks(one: Difference) -> str:
@@ -130,11 +111,9 @@ def _first(told: Sequence[str], column: str) -> Iterator[str]:
         yield f"{column}: {len(told) - MOST_TOLD_NUMBERS} more variants differ"
 
 
-def _lacking(kind: str, names: Sequence[str], what: str) -> Iterator[str]:
+def _lacking(kind: str, names: Sequence[str], *, is_there: bool) -> str:
     """One line for all of a kind."""
-    if names:
-        shown = ", ".join(
-            names[:MOST_TOLD_NUMBERS]
-        ) + f" and {len(names) - MOST_TOLD_NUMBERS} more" * (len(names) > MOST_TOLD_NUMBERS)
-        side = "not there, expected" if what == "expected" else "there, but not expected"
-        yield f"{plural(kind, len(names))} {shown}: {side}"
+    more = len(names) - MOST_TOLD_NUMBERS
+    told = ", ".join(names[:MOST_TOLD_NUMBERS]) + f" and {more} more" * (more > 0)
+    side = "there, but not expected" if is_there else "not there, expected"
+    return f"{plural(kind, len(names))} {told}: {side}"

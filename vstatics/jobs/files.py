@@ -41,11 +41,10 @@ def is_stream(output: str | None) -> bool:
 
 def unwritable(output: str | None, error: OSError) -> Problem:
     """The problem that an output, or stdout, cannot be written."""
+    told = f"can't be written: {error.strerror or error}"
     if output is None or output == STDOUT:
-        return of_file("E030", "<stdout>", f"can't be written: {error.strerror or error}")
-    return missing_folder(output) or of_file(
-        "E030", output, f"can't be written: {error.strerror or error}"
-    )
+        return of_file("E030", "<stdout>", told)
+    return missing_folder(output) or of_file("E030", output, told)
 
 
 def missing_folder(output: str) -> Problem | None:

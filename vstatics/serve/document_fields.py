@@ -9,6 +9,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.elements.keys import with_elements
 from vstatics.errors import ReadError
 from vstatics.model.keys import CASE
+from vstatics.model.shape import STRAIGHT, UNIT_OF
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.node_paths import Keys, child, written
 from vstatics.readers.named.nodes import Node, Scalar, decode, encoding_of
@@ -27,6 +28,8 @@ _HEAVY = ("inertias", "masses")
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
 """Keys of a scenario below which names stand that may look like numbers."""
 
+_TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
+"""Units of what may move straight as well."""
 _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
 """What points of a torque are over, and in what their first numbers are."""
 
@@ -146,9 +149,8 @@ def _over(root: Node, keys: Keys) -> str:
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
     """A unit, but not where links move straight, or controls are pressures: it may be another."""
-    turning = unit in ("rad/s", "N*m", "rad", "N*m/rad", "rad/(N*m)", "N*m*s/rad")
     pressed = keys[0] == "controls" and any(one.friction for one in case.shift_elements)
-    return "" if (turning and case.masses) or pressed else unit
+    return "" if (unit in _TURNING and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:

@@ -71,8 +71,8 @@ def state(name: str) -> Cell:
 
     >>> from vstatics.texts import speaking
     >>> with speaking("de"):
-    ...     [Grid("", (), [[one("open")]]).spoken.texts for one in (state, word)]
-    [[['Leerlauf']], [['offen']]]
+    ...     [one("open").spoken.text for one in (state, word)]
+    ['Leerlauf', 'offen']
     """
     return word(name)._replace(said_as=NEUTRAL.english if name == NEUTRAL.name else "")
 

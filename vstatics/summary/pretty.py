@@ -227,8 +227,9 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     if said:
         yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
-    shown = [(Grid("", (), [[state(one.name)]]).spoken.texts[0][0], one) for one in STATUSES]
-    yield from (f"{said}: {tr(one.meaning)}" for said, one in shown if one in states)
+    for one in STATUSES:
+        if one in states:
+            yield f"{state(one.name).spoken.text}: {tr(one.meaning)}"
 
 
 def results_html(results: Results) -> str:

@@ -25,6 +25,8 @@ class MotionTable(NamedTuple):
     """A table of a run: along time, or with a number for each row."""
 
     kind: Kind
+    unit: str
+    """As of `AskedTable`."""
     of_row: OfRow | None = None
 
 
@@ -77,55 +79,33 @@ def _of_target(field: Literal["time", "distance"]) -> OfRow:
 TIME = "time"
 """The instants themselves."""
 TABLES: Mapping[str, MotionTable] = {
-    TIME: MotionTable("number"),
-    "speeds": MotionTable("link"),
-    "slips": MotionTable("shift element"),
-    "torques": MotionTable("device"),
-    **{name: MotionTable(table.kind) for name, table in ASKED.items()},
-    "heat": MotionTable("friction", _of_energy("heat", 0.0)),
-    "heat_per_area": MotionTable("shift element", _of_energy("heat_per_area", math.nan)),
-    "losses": MotionTable("loss", _of_energy("losses", 0.0)),
-    "peaks": MotionTable("device", _of_peak("torque")),
-    "peak_times": MotionTable("device", _of_peak("time")),
-    "locks": MotionTable("friction", _of_event("locks", 0)),
-    "last_locks": MotionTable("friction", _of_event("locks", -1)),
-    "breaks": MotionTable("friction", _of_event("slips", 0)),
-    "reverses": MotionTable("friction", _of_event("reverses", 0)),
-    "impacts": MotionTable("friction", _of_event("impact", 0)),
-    "events": MotionTable("friction", _events),
-    "steps": MotionTable("step", _step),
-    "time_to": MotionTable("target", _of_target("time")),
-    "distance_to": MotionTable("target", _of_target("distance")),
-    "damage": MotionTable("device with fatigue", _damage),
-    "work": MotionTable("number"),
-    "kinetic": MotionTable("number"),
-    "elastic": MotionTable("number"),
-    "impact": MotionTable("number"),
-    "balance": MotionTable("number"),
+    TIME: MotionTable("number", "s"),
+    "speeds": MotionTable("link", "rad/s"),
+    "slips": MotionTable("shift element", "rad/s"),
+    "torques": MotionTable("device", "N*m"),
+    **{name: MotionTable(table.kind, table.unit) for name, table in ASKED.items()},
+    "heat": MotionTable("friction", "J", _of_energy("heat", 0.0)),
+    "heat_per_area": MotionTable("shift element", "J/m^2", _of_energy("heat_per_area", math.nan)),
+    "losses": MotionTable("loss", "J", _of_energy("losses", 0.0)),
+    "peaks": MotionTable("device", "N*m", _of_peak("torque")),
+    "peak_times": MotionTable("device", "s", _of_peak("time")),
+    "locks": MotionTable("friction", "s", _of_event("locks", 0)),
+    "last_locks": MotionTable("friction", "s", _of_event("locks", -1)),
+    "breaks": MotionTable("friction", "s", _of_event("slips", 0)),
+    "reverses": MotionTable("friction", "s", _of_event("reverses", 0)),
+    "impacts": MotionTable("friction", "s", _of_event("impact", 0)),
+    "events": MotionTable("friction", "", _events),
+    "steps": MotionTable("step", "s", _step),
+    "time_to": MotionTable("target", "s", _of_target("time")),
+    "distance_to": MotionTable("target", "m", _of_target("distance")),
+    "damage": MotionTable("device with fatigue", "", _damage),
+    "work": MotionTable("number", "J"),
+    "kinetic": MotionTable("number", "J"),
+    "elastic": MotionTable("number", "J"),
+    "impact": MotionTable("number", "J"),
+    "balance": MotionTable("number", ""),
 }
-"""By name; in `RUN_UNITS`."""
-RUN_UNITS = {
-    **dict.fromkeys(
-        (TIME, "peak_times", "locks", "last_locks", "breaks", "reverses", "impacts"), "s"
-    ),
-    **dict.fromkeys(("steps", "time_to"), "s"),
-    **dict.fromkeys(("speeds", "slips"), "rad/s"),
-    **dict.fromkeys(("torques", "peaks"), "N*m"),
-    "accelerations": "rad/s^2",
-    "jerks": "rad/s^3",
-    "powers": "W",
-    **dict.fromkeys(("heat", "losses", "work", "kinetic", "elastic", "impact"), "J"),
-    "slip_power": "W",
-    "heat_per_area": "J/m^2",
-    "slip_power_per_area": "W/m^2",
-    "temperatures": "degree_Celsius",
-    "vehicle_speed": "m/s",
-    "vehicle_acceleration": "m/s^2",
-    "vehicle_jerk": "m/s^3",
-    "reduced_inertia": "kg*m^2",
-    "distance_to": "m",
-}
-"""Of tables whose numbers have a unit, of rows that turn."""
+"""By name."""
 
 
 def along_time(name: str) -> bool:

@@ -9,7 +9,7 @@ from vstatics.readers.expressions.grammar import Applied
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.expressions import Node
 from vstatics.sweep.kept.meanings import Selection
-from vstatics.sweep.motion_tables import RUN_UNITS
+from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import VariedScenario
@@ -62,7 +62,7 @@ def _of_node(node: Node, case: Transmission, *, of_run: bool) -> str:
     """The unit of a table, or of what is left of it; nothing where that takes more thought."""
     if isinstance(node, Selection):
         if of_run:  # rows of what moves straight are in units of their own
-            return "" if case.masses else RUN_UNITS.get(node.table, "")
+            return "" if case.masses else TABLES[node.table].unit
         if node.table == OMEGA:
             return UNIT_OF["si_speed"]
         quantity = BY_NAME.get(node.table)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 from vstatics.tables.numbers import ROUNDED_PART, certain, rounded
@@ -68,6 +69,14 @@ class Cell(NamedTuple):
         known = self.value is not None and not math.isnan(self.value)
         return self.kind(self.value) if known else None
 
+    @property
+    def spoken(self) -> Cell:
+        """The same in the language that is spoken; what a sign means is no name."""
+        if spoken() == "en":
+            return self
+        text = labelled(self.said_as or self.text) if self.is_said else self.text
+        return self._replace(text=text, says=tr(self.says))
+
 
 Row = list[Cell | str]
 """Cells; one of words may be its text alone."""
@@ -125,7 +134,7 @@ class Grid(NamedTuple):
             for one in self.columns
         ]
         made = self._replace(title=title(self.title), columns=columns)
-        return made.changed(_translated)
+        return made.changed(attrgetter("spoken"))
 
     def with_columns(self, chosen: Sequence[int]) -> Grid:
         """The same with some of its columns."""
@@ -150,12 +159,6 @@ class Grid(NamedTuple):
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
         return self.changed(again)
-
-
-def _translated(cell: Cell) -> Cell:
-    """A cell in the language that is spoken; what a sign means is no name."""
-    text = labelled(cell.said_as or cell.text) if cell.is_said else cell.text
-    return cell._replace(text=text, says=tr(cell.says))
 
 
 Value = Cell | Datum | Sequence[str]

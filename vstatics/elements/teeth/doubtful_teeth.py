@@ -129,17 +129,12 @@ def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     if subject is None:
         return
     is_right = _rule(subject)
-    any_number = element.planets is None and isinstance(subject, OfPlanets)
+    layout = subject.layout if element.planets is None and isinstance(subject, OfPlanets) else None
     choices = list(nearest(subject.space, wide=True))
     random.shuffle(choices)
     for teeth in that_go_in(subject, choices):
-        if is_right(teeth) and not (any_number and not _any_go_in(subject, teeth)):
+        if is_right(teeth) and (layout is None or those_that_go_in(layout(teeth), USUAL_PLANETS)):
             yield teeth
-
-
-def _any_go_in(subject: Subject, teeth: Teeth) -> bool:
-    assert isinstance(subject, OfPlanets)  # noqa: S101 - for mypy
-    return bool(those_that_go_in(subject.layout(teeth), USUAL_PLANETS))
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:

@@ -26,19 +26,8 @@ KINDS = {
 ELEMENTS = (
     *("sun", "ring", "carrier", "small_sun", "large_sun", "sun2", "ring2", "left", "right"),
     *("worm", "wheel", "first", "second", "third", "mechanism", "variator", "converter"),
-    *(
-        "clutch",
-        "brake",
-        "dog_clutch",
-        "freewheel",
-        "held",
-        "link",
-        "planet",
-        "idler",
-        "short",
-        "long",
-    ),
-    "planet2",
+    *("clutch", "brake", "dog_clutch", "freewheel", "held", "link"),
+    *("planet", "planet2", "idler", "short", "long"),
     *("planetary", "double_planet", "stepped", "ravigneaux", "planet_group", "bevel"),
     *("bevel_pair", "gear_pair", "internal_pair", "chain", "belt", "shaft", "spring"),
 )

@@ -154,30 +154,35 @@ class AskedTable(NamedTuple):
     """What has a row in a table, and how its rows are made."""
 
     kind: Kind
+    unit: str
+    """Of rows that turn; nothing for a number without one, or in any."""
     make: Maker
 
 
 TABLES: Mapping[str, AskedTable] = {
-    "accelerations": AskedTable("link", partial(_of_links, Moments.accelerations)),
-    "jerks": AskedTable("link", partial(_of_links, Moments.jerks)),
-    "powers": AskedTable("link or spring", _powers),
-    "heat": AskedTable("friction", _heat),
-    "slip_power": AskedTable("shift element", _slip_power),
-    "heat_per_area": AskedTable("shift element", partial(_per_area, _heat)),
-    "slip_power_per_area": AskedTable("shift element", partial(_per_area, _slip_power)),
-    "temperatures": AskedTable("element with a heat_capacity", partial(_values, "temperature")),
-    "states": AskedTable("state", partial(_values, "value")),
-    "vehicle_speed": AskedTable("link with a road", partial(_of_vehicles, attrgetter("speeds"))),
-    "vehicle_acceleration": AskedTable(
-        "link with a road", partial(_of_vehicles, Moments.accelerations)
+    "accelerations": AskedTable("link", "rad/s^2", partial(_of_links, Moments.accelerations)),
+    "jerks": AskedTable("link", "rad/s^3", partial(_of_links, Moments.jerks)),
+    "powers": AskedTable("link or spring", "W", _powers),
+    "heat": AskedTable("friction", "J", _heat),
+    "slip_power": AskedTable("shift element", "W", _slip_power),
+    "heat_per_area": AskedTable("shift element", "J/m^2", partial(_per_area, _heat)),
+    "slip_power_per_area": AskedTable("shift element", "W/m^2", partial(_per_area, _slip_power)),
+    "temperatures": AskedTable(
+        "element with a heat_capacity", "degree_Celsius", partial(_values, "temperature")
     ),
-    "vehicle_jerk": AskedTable("link with a road", partial(_of_vehicles, Moments.jerks)),
-    "ratio": AskedTable("converter", _speed_ratios),
-    "efficiency": AskedTable("converter", _efficiencies),
-    "reduced_inertia": AskedTable("number", _reduced_inertia),
+    "states": AskedTable("state", "", partial(_values, "value")),
+    "vehicle_speed": AskedTable(
+        "link with a road", "m/s", partial(_of_vehicles, attrgetter("speeds"))
+    ),
+    "vehicle_acceleration": AskedTable(
+        "link with a road", "m/s^2", partial(_of_vehicles, Moments.accelerations)
+    ),
+    "vehicle_jerk": AskedTable("link with a road", "m/s^3", partial(_of_vehicles, Moments.jerks)),
+    "ratio": AskedTable("converter", "", _speed_ratios),
+    "efficiency": AskedTable("converter", "", _efficiencies),
+    "reduced_inertia": AskedTable("number", "kg*m^2", _reduced_inertia),
 }
-"""By name; [rad/s^2], [rad/s^3], [W], [J], [W], [J/m^2], [W/m^2], [degrees Celsius], any unit,
-[m/s], [m/s^2], [m/s^3], [-], [-], [kg*m^2]. A number has one row, which has no name."""
+"""By name. A number has one row, which has no name."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables that every run has."""
 
