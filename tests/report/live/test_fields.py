@@ -21,3 +21,15 @@ def test_a_field_has_a_slider_that_can_stand_where_the_number_is() -> None:
         low, high = one.limits
         assert low <= one.value <= high
         assert shown.count(f'data-path="{one.path}"') == 2
+
+
+def test_the_first_point_of_a_law_is_no_field() -> None:
+    for efficiency in ("{over: torque, points: [[0, .9], [100, .97]]}", ".9"):
+        text = f"""links: [a, b, c]
+load: {{speed: 2000 rpm, torque: 100 N*m}}
+shift_elements: {{B: [b, housing]}}
+mechanisms: {{D: {{first: a, second: b, third: c, ratio: -2.5, efficiency: {efficiency}}}}}
+gears: {{"1": {{engaged: [B]}}}}
+"""
+        paths = {field.path for field in case_fields(vstatics.loads(text))}
+        assert ("D.efficiency" in paths) == (efficiency == ".9")

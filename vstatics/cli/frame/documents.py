@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shlex
 from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -147,19 +145,5 @@ def case_of(
     except ReadError as error:
         if case:
             raise
-        why = f"{file} {error.problems[0].message}{_shipped(file)}"
+        why = f"{file} {error.problems[0].message}"
         raise document.no_case(why) from None
-
-
-def _shipped(file: str) -> str:
-    """How a case that comes with the program is written to a file, where one has its name.
-
-    >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
-    ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
-    """
-    from vstatics.examples import example_files  # seldom needed
-
-    name, suffix = os.path.splitext(os.path.basename(file))  # noqa: PTH119, PTH122
-    if suffix != ".yaml" or name not in example_files():
-        return ""
-    return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import os
+import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
@@ -95,12 +96,20 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """How one gets a file that comes with the program, if this is the name of one."""
+    """How one gets a file that comes with the program, if this is the name of one.
+
+    >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
+    ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
+    """
     from vstatics.examples import example_files
 
-    path = os.path.splitext(file)[0].replace(os.sep, "/")  # noqa: PTH122
-    name = path.removeprefix("cases/")
-    return f"; `vstatics new {file} -t {name}` copies it" if name in example_files() else ""
+    path, suffix = os.path.splitext(file)  # noqa: PTH122
+    path = path.replace(os.sep, "/").removeprefix("cases/")
+    names = [path] + [os.path.basename(path)] * (suffix == ".yaml")  # noqa: PTH119
+    name = next((one for one in names if one in example_files()), None)
+    if name is None:
+        return ""
+    return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 
 def show(problems: Iterable[Problem]) -> None:

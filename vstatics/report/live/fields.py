@@ -71,7 +71,8 @@ class PageField(NamedTuple):
 def case_fields(case: Transmission) -> Iterator[PageField]:
     """The numbers that a case gives itself: teeth, ratios, efficiencies, loads, given values.
 
-    Numbers that its drawing makes of others are none, neither are drags of nothing.
+    Numbers that its drawing makes of others are none, neither are drags of nothing, nor what
+    stands at the first point of an efficiency that follows a law.
 
     Examples
     --------
@@ -82,6 +83,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
     [('gears.1.speeds.2', 0.5), ('D.ratio', -2.5), ('D.efficiency', 0.9)]
     """
     own, derived = _relative(case), {*_derived(case)}
+    derived |= {f"{one.name}.efficiency" for one in case.mechanisms if one.points}
     for path in known_paths(case):
         number = case_path(path, case)
         assert number is not None  # noqa: S101 - it is known
