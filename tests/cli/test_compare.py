@@ -263,6 +263,40 @@ def test_sweeps_are_compared_in_every_format_and_in_directories() -> None:
     assert "1 unreadable" in vstatics("compare", "new", "golden").out
 
 
+@pytest.mark.parametrize("broken", [0, 1])
+def test_one_file_that_cannot_be_read_fails_in_every_format(broken: int) -> None:
+    names = [results(f"{name}.json", "neutral.yaml") for name in ("new", "golden")]
+    Path(names[broken]).write_text("{", encoding="utf-8")
+    suite = ET.fromstring(vstatics("compare", *names, "-f", "junit").out)[0]  # noqa: S314 - our own
+    assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
+    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    assert (document["unreadable"], document["same"]) == (1, 0)
+    for form in ("text", "markdown"):
+        said = vstatics("compare", *names, "-f", form)
+        assert (said.status, "no JSON" in said.err) == (1, True)
+
+
+def test_mechanisms_of_a_deck_are_not_elements_of_a_drawing_by_their_place() -> None:
+    """As many rows of torques, but none of one part: a deck has meshes, YAML members."""
+    case = CASES / "ravigneaux-aod.yaml"
+    vstatics("convert", case, "box.dat")  # a deck keeps no description
+    assert vstatics("convert", "box.dat", "box.yaml").status == 0
+    names = results("deck.json", "box.yaml"), results("drawn.json", case)
+    document = json.loads(vstatics("compare", *names, "-f", "json").out)
+    torques = [one for one in document["cases"][0]["numbers"] if one["table"] == "AMLG"]
+    assert torques
+    assert not [one for one in torques if one["deviation"] is not None]
+
+
+def test_an_empty_line_of_a_sweep_is_none_and_a_workbook_is_told() -> None:
+    name = sweep("a.csv", "-3:-2:3")
+    text = Path(name).read_text(encoding="utf-8")
+    Path("b.csv").write_text(text.replace("\n", "\n\n", 2), encoding="utf-8")
+    assert lines("b.csv", name) == []
+    said = vstatics("compare", results("a.xlsx", "neutral.yaml"), name)
+    assert (said.status, "a workbook" in said.err) == (1, True)
+
+
 def test_a_column_with_many_other_numbers_is_told_in_short() -> None:
     told = lines(sweep("a.csv", "-3:-2:500"), sweep("b.csv", "-4:-3.1:500"))
     assert len(told) == 3 * 21

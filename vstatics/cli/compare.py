@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable
+from pathlib import PurePath
 
 import click
 
@@ -17,8 +18,8 @@ from vstatics.comparison.numbers import ATOL, RTOL
 from vstatics.comparison.pairs import content, verdicts_of_directories, verdicts_of_files
 from vstatics.comparison.sweeps import sweep_lines
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
-from vstatics.comparison.verdicts import Verdict, verdict
-from vstatics.errors import plural
+from vstatics.comparison.verdicts import Verdict, unreadable, verdict
+from vstatics.errors import ReadError, plural
 from vstatics.tables.answer import plain_data
 from vstatics.tables.written_results import WrittenSweep
 from vstatics.writers.junit import CaseOutcome, junit
@@ -94,13 +95,12 @@ def compare(
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
         made = verdict([*verdicts_of_directories(actual, expected, how, files.read_input)])
     else:
-        read = [files.read_input(file) for file in (actual, expected)]
-        here, there = (content(*file) for file in read)
-        sweeps = [isinstance(one, WrittenSweep) for one in (here, there)]
-        are_sweeps = all(sweeps)
-        mixed = any(sweeps) and not are_sweeps
-        refuse((mixed, "one is a sweep, the other is not: expected two of a kind"))
-        made = verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how))
+        try:
+            made, are_sweeps = _of_files(actual, expected, how)
+        except ReadError as error:
+            if form == "text":
+                raise
+            made = verdict([unreadable(PurePath(actual).stem, error.problems)])
     for one in made.cases:
         files.show(one.problems)
     count = sum(len(one.found) or one.differs for one in made.cases)
@@ -115,6 +115,16 @@ def compare(
         tally = all(folders) or (len(made.cases) > 1 and lines)
         lines += [made.tally] * bool(tally)
     return _told(lines, count, actual, expected)
+
+
+def _of_files(actual: str, expected: str, how: Tolerances) -> tuple[Verdict, bool]:
+    """What is said of two files; whether they are sweeps."""
+    read = [files.read_input(file) for file in (actual, expected)]
+    here, there = (content(*file) for file in read)
+    sweeps = [isinstance(one, WrittenSweep) for one in (here, there)]
+    mixed = any(sweeps) and not all(sweeps)
+    refuse((mixed, "one is a sweep, the other is not: expected two of a kind"))
+    return verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how)), all(sweeps)
 
 
 def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:

@@ -89,6 +89,11 @@ def differences(
         else:
             names = _PlaceNames(quantity, expected.case or actual.case, gears)
             rows = [result.rows.get(quantity.key, ()) for result in (actual, expected)]
+            if any(rows):  # of a drawn case; rows of mechanisms are not those of elements
+                rows = [
+                    own or _named(one, quantity)
+                    for own, one in zip(rows, (actual, expected), strict=True)
+                ]
             if all(rows):
                 names.rows, here, there = yield from _by_name(quantity, rows, here, there)
             yield from _table(names, here, there, atol, rtol)
@@ -120,6 +125,12 @@ def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
         is_by_gear = BY_NAME[key].columns != "devices" and all(len(row) == count for row in rows)
         tables[key] = [[row[place] for place in places] for row in rows] if is_by_gear else rows
     return result._replace(tables=tables)
+
+
+def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
+    """The rows of a table by the case, where they are as many."""
+    names = row_names(result.case, quantity.rows) if result.case else ()
+    return names if len(names) == len(result.tables[quantity.key]) else ()
 
 
 def _by_name(

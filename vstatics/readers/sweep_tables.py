@@ -15,6 +15,8 @@ from vstatics.tables.csv import unguarded
 from vstatics.tables.written_results import GEAR, WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
+WORKBOOK = "xl/workbook.xml"
+"""In every XLSX, which is an archive like NPZ."""
 
 
 def is_sweep(data: bytes) -> bool:
@@ -38,11 +40,11 @@ def read(data: bytes, file: str) -> WrittenSweep:
         text = data.decode()
         records: Iterable[Mapping[str, Any]]
         if text.startswith("{"):
-            records = [json.loads(line) for line in text.splitlines()]
+            records = [json.loads(line) for line in text.splitlines() if line.strip()]
         else:
             lines = csv.reader(io.StringIO(text))
             heads = [unguarded(head) for head in next(lines)]
-            records = [dict(zip(heads, line, strict=True)) for line in lines]
+            records = [dict(zip(heads, line, strict=True)) for line in lines if line]
         columns = {name: [one[name] for one in records] for name in records[0]} if records else {}
         return _of_columns(columns)
     except ReadError:
@@ -56,6 +58,8 @@ def _npz(data: bytes) -> dict[str, Any]:
     import numpy as np
 
     with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+        if WORKBOOK in archive.files:
+            raise ValueError("a workbook; expected NPZ, Parquet, CSV or JSON lines")
         columns = {name: archive[name].tolist() for name in archive.files}
     words = {STATUS: columns.pop("statuses")}
     if "gears" in columns:
