@@ -89,9 +89,12 @@ def new(target: str, name: str) -> None:
 
     Folders of FILE that are missing are made.
 
-    A file that is there already is left as it is, and the exit status is 1. A scenario,
-    as scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
-    second command writes: vstatics new ../tarasik-box.yaml -t tarasik-box
+    A file that is there already is left as it is, and the exit status is 1. A scenario, as
+    scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
+    second command writes:
+
+    \b
+      vstatics new ../tarasik-box.yaml -t tarasik-box
     """
     kind = format_of_name(target)
     text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
