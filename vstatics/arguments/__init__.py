@@ -2,7 +2,8 @@
 
 What a function takes is told once, by the types of its arguments; `refusing` holds it to them, in
 one wording (`decorators`, `types`, `words`). Which numbers and names are right is the function's
-own matter. By `naming` its problems speak of arguments where those of the command line speak of options.
+own matter. By `naming` its problems speak of arguments where those of the command line speak of
+options.
 """
 
 from vstatics.arguments.decorators import naming, refusing
