@@ -52,10 +52,6 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
     answer = said("--ratios", "low=-5.6875", "--centre", "G=52.5", "--write", str(file), case=box)
     assert answer.status == 0, answer.err
     assert solve(load(file)).ratio.tolist() == pytest.approx([-5.6875], rel=1e-3)
-    file.write_text("mine", encoding="utf-8")
-    answer = said("--ratios", "low=-5.6875", "--centre", "G=52.5", "--write", str(file), case=box)
-    assert (answer.status, answer.out, file.read_text("utf-8")) == (1, "", "mine")
-    assert "is there already" in answer.err
 
 
 @pytest.mark.parametrize(

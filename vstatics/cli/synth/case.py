@@ -49,7 +49,7 @@ by chance."""
     type=click.Path(),
     metavar="FILE",
     default=STDOUT,
-    help="Write to this new file, whole or not at all.",
+    help="Write to this file, whole or not at all; one that is there is replaced.",
 )
 def case(
     scheme: SetScheme,

@@ -19,7 +19,8 @@ written_case = click.option(
     "target",
     type=click.Path(),
     metavar="FILE",
-    help="Also write what is found as a case, a new file: YAML, JSON or deck by the suffix.",
+    help="Also write what is found as a case: YAML, JSON or deck by the suffix. A file that is "
+    "there is replaced.",
 )
 """The option for it; the command gets `target`."""
 
@@ -32,7 +33,7 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     UsageError
         If the suffix is none, or what is read or written besides would be written over.
     ReadError
-        If its directory is not there, or the file is: a case may have been edited since.
+        If its directory is not there.
     """
     files.spare(inputs, target)
     if output is not None and target == output:
@@ -44,7 +45,6 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
         raise click.BadParameter(message, param_hint="--write")
     if problem := missing_folder(target):
         raise ReadError([problem])
-    files.refuse_existing(target)
     return form
 
 
