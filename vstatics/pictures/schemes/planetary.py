@@ -14,7 +14,7 @@ from vstatics.pictures.schemes.scheme import Device, Scheme
 from vstatics.pictures.schemes.sets import HalfSection, section_of
 from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.words import word
+from vstatics.pictures.sheet.words import wheel
 
 
 def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
@@ -27,7 +27,7 @@ def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, H
             group = group_of(element)
             if style.wheels:
                 teeth = teeth_of(element).items()
-                names = {one: f"{word(one, style)}: {count:g}" for one, count in teeth}
+                names = {one: wheel(one, count, style) for one, count in teeth}
         elif element is None and ("carrier" in device.members or can_be_set(device)):
             group = bare_group(case.mechanisms[device.numbers[0]])
         else:

@@ -47,6 +47,21 @@ def word(name: str, style: Style) -> str:
     return style.text(said) if name in ELEMENTS else said
 
 
+SUNS = {"sun": "sun: {teeth}", "small_sun": "small sun: {teeth}", "large_sun": "large sun: {teeth}"}
+"""What is written at suns: their name is long in some language."""
+
+
+def wheel(name: str, teeth: float, style: Style) -> str:
+    """A wheel with its teeth, in as few letters as there is room for beside it.
+
+    >>> wheel("sun", 48, Style("ru")), wheel("ring", 96, Style("en"))
+    ('солн. шест.: 48', 'ring: 96')
+    """
+    if name in SUNS:
+        return style.text(SUNS[name], teeth=f"{teeth:g}")
+    return f"{word(name, style)}: {teeth:g}"
+
+
 def quantity(name: str, value: float, style: Style) -> str:
     """What a number is, and the number.
 
