@@ -129,7 +129,7 @@ def test_no_text_has_two_rows() -> None:
 
 
 TERMS = {
-    r"\bsuns?\b": ("Sonnenr", r"солн(ечн|\.)"),
+    r"\bsun(s|2)?\b": ("Sonnenr", r"солн(ечн|\.)"),
     r"\brings?\b": ("Hohlr", "эпицикл"),
     r"\bcarriers?\b": ("Steg", "водил"),
     r"\bplanets?\b|^(short|long)$": ("Planet", r"сат(еллит|\.)"),

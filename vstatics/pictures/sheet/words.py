@@ -47,7 +47,12 @@ def word(name: str, style: Style) -> str:
     return style.text(said) if name in ELEMENTS else said
 
 
-SUNS = {"sun": "sun: {teeth}", "small_sun": "small sun: {teeth}", "large_sun": "large sun: {teeth}"}
+SUNS = {
+    "sun": "sun: {teeth}",
+    "sun2": "sun2: {teeth}",
+    "small_sun": "small sun: {teeth}",
+    "large_sun": "large sun: {teeth}",
+}
 """What is written at suns: their name is long in some language."""
 
 
