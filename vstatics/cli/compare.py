@@ -14,7 +14,7 @@ from vstatics.cli.frame.options import Command, refuse
 from vstatics.cli.frame.values import value
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
-from vstatics.comparison.pairs import content, stem, verdicts_of_directories, verdicts_of_files
+from vstatics.comparison.pairs import content, file_stem, verdicts_of_directories, verdicts_of_files
 from vstatics.comparison.sweeps import sweep_lines
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, unreadable, verdict
@@ -99,7 +99,7 @@ def compare(
         except ReadError as error:
             if form == "text":
                 raise
-            made = verdict([unreadable(stem(actual), error.problems)])
+            made = verdict([unreadable(file_stem(actual), error.problems)])
     for one in made.cases:
         files.show(one.problems)
     count = sum(len(one.found) or one.differs for one in made.cases)

@@ -59,7 +59,7 @@ def verdicts_of_files(
     ReadError
         If one is a sweep, the other is not.
     """
-    of_file_names = [stem(name) for name in names if name != STDIN_NAME]
+    of_file_names = [file_stem(name) for name in names if name != STDIN_NAME]
     if isinstance(actual, WrittenSweep) or isinstance(expected, WrittenSweep):
         name = next(filter(None, of_file_names), "sweep")
         return [_sweeps_compared(name, actual, expected, names[0], how)]
@@ -102,10 +102,10 @@ def _called(result: WrittenResult, way: str = "") -> str:
     file = "" if result.file == STDIN_NAME else result.file
     if file and SEPARATORS.search(way) and file.endswith(way):
         return os.path.splitext(way)[0]  # noqa: PTH122
-    return stem(file) or result.case_name
+    return file_stem(file) or result.case_name
 
 
-def stem(file: str) -> str:
+def file_stem(file: str) -> str:
     """The name of a file without folders and suffix, also of another system."""
     return os.path.splitext(SEPARATORS.split(file)[-1])[0]  # noqa: PTH122
 
