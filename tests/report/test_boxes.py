@@ -39,7 +39,7 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     assert sections == ["overview", "boxes", "diagrams"]
     assert "<h1>1 found box</h1>" in html
     assert (
-        "looked at 27885 sets of elements given up 0 families, of equal ratios 1 in the Pareto list 1 least"
+        "looked at 27885 choices of shift elements given up 0 families, of equal ratios 1 in the Pareto list 1 least"
         in words(html)
     )
     assert html.count('href="#box-1"') == 3  # best in both, and in the table

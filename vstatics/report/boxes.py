@@ -139,7 +139,7 @@ def _line(listing: BoxListing) -> Markup:
     """How many there are, and the best of them."""
     facts: list[tuple[str, str]] = [
         (tr("looked at"), str(listing.searched)),
-        (tr("sets of elements given up"), str(listing.given_up)),
+        (tr("choices of shift elements given up"), str(listing.given_up)),
         (tr("families, of equal ratios"), str(len(listing.families))),
         (tr("in the Pareto list"), str(sum(box.pareto for box in listing.boxes))),
     ]

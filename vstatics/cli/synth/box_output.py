@@ -52,7 +52,7 @@ class FoundBoxes:
     boxes: tuple[RankedBox, ...]
     """Those that are wanted, in their order."""
     given_up: int
-    """Sets of elements that may be boxes, too."""
+    """Choices of shift elements that may be boxes, too."""
 
     @cached_property
     def listing(self) -> BoxListing:

@@ -185,7 +185,7 @@ def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
             advance(1)
     asked = run.asked
     if pieces.given_up:
-        those = f"{pieces.given_up} of the sets of elements could not be looked at to the end"
+        those = f"{pieces.given_up} choices of shift elements could not be looked at to the end"
         advice = "expected narrower --bounds, or more --ratios"
         files.say(f"warning: {those}, and some of them may be boxes, too; {advice}")
     boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
