@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vstatics.cli.check import ProblemRecord
-from vstatics.cli.synth.box import BoxSearchEstimate
+from vstatics.cli.synth.box.command import BoxSearchEstimate
 from vstatics.cli.synth.combinations_output import CombinationEstimate
 from vstatics.cli.synth.structures import StructureCount, StructureEstimate
 from vstatics.cli.torsion import dump

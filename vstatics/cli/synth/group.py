@@ -14,7 +14,7 @@ COMMANDS = {
         "What each combination of shift elements of a case does.",
     ),
     "fit": ("vstatics.cli.synth.fit", "Ratios of mechanisms for wanted ratios of gears."),
-    "box": ("vstatics.cli.synth.box", "Whole gearboxes for wanted ratios of gears."),
+    "box": ("vstatics.cli.synth.box.command", "Whole gearboxes for wanted ratios of gears."),
     "teeth": ("vstatics.cli.synth.teeth", "Integer teeth for wanted ratios of gears or sets."),
 }
 

@@ -21,9 +21,9 @@ from vstatics.cli.frame.values import (
     wrong_use,
     wrong_value,
 )
-from vstatics.cli.synth.box_kept import free_parts, kept_box_search
-from vstatics.cli.synth.box_ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
-from vstatics.cli.synth.box_sequence import ends, gear_counts, wanted_sequence
+from vstatics.cli.synth.box.kept import free_parts, kept_box_search
+from vstatics.cli.synth.box.ratios import WantedGears, wanted_gears, wanted_ratio, wanted_tolerances
+from vstatics.cli.synth.box.sequence import ends, gear_counts, wanted_sequence
 from vstatics.errors import plural, spoken, typed_number
 from vstatics.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search

@@ -14,7 +14,7 @@ from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.sharing import Sharing, shared
-from vstatics.cli.synth.box_options import BoxAsked, options
+from vstatics.cli.synth.box.options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import require
 from vstatics.jobs.files import is_stream
@@ -78,7 +78,7 @@ def box(
         if dry_run:
             _estimate(asked, to, sharing.processes, quiet=quiet)
             return DONE
-        from vstatics.cli.synth.box_run import BoxRun, carry_out
+        from vstatics.cli.synth.box.run import BoxRun, carry_out
 
         return carry_out(BoxRun(asked, to, sharing, quiet, complete))
     except CaseError as error:  # is shown as what ends a reading
@@ -96,7 +96,7 @@ def _check_folder(output: str) -> None:
         raise click.UsageError("-o names nothing: expected a directory or a file.")
     if os.path.exists(output.rstrip("/") or "/") and not os.path.isdir(output):  # noqa: PTH110, PTH112
         raise click.UsageError(f"{output} is a file: expected a directory")
-    from vstatics.cli.synth.box_output import of_others
+    from vstatics.cli.synth.box.output import of_others
 
     if name := of_others(output):
         path = os.path.join(output, name)  # noqa: PTH118
@@ -129,7 +129,7 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
         "found": say(found.found) if found.exact or found.found else "few, or none",
     }
     if to.is_folder:
-        from vstatics.cli.synth.box_output import drawn_count, writing_seconds
+        from vstatics.cli.synth.box.output import drawn_count, writing_seconds
 
         writing = writing_seconds(counts[1]) / jobs
         drawn = f"{say(drawn_count(counts[1]))} diagrams"

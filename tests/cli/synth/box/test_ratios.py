@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from vstatics.cli.synth.box_ratios import (
+from vstatics.cli.synth.box.ratios import (
     WantedGears,
     wanted_gears,
     wanted_ratio,

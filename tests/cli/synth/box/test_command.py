@@ -21,8 +21,8 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
-from vstatics.cli.synth import box_run
-from vstatics.cli.synth.box_output import RECORD
+from vstatics.cli.synth.box import run as box_run
+from vstatics.cli.synth.box.output import RECORD
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.pieces import work
 from vstatics.synthesis.boxes.pieces.found import FoundPiece
@@ -277,7 +277,7 @@ def test_a_case_that_is_edited_after_a_search_is_not_lost() -> None:
 
 def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first of each family, here."""
-    monkeypatch.setattr("vstatics.cli.synth.box_output.MOST_DRAWN_CASES", 2)
+    monkeypatch.setattr("vstatics.cli.synth.box.output.MOST_DRAWN_CASES", 2)
     said = vstatics("synth", "box", *ASKED, "-o", "found")
     assert said.err.startswith("found: 2 of 3 boxes have a diagram: those of the Pareto list, ")
     assert [name for name in names(Path("found")) if name.startswith("box-")] == [

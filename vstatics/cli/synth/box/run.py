@@ -11,8 +11,8 @@ from vstatics.cli.frame.exit_status import DONE, FAILED, stopped_by
 from vstatics.cli.frame.formats import Destination
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
-from vstatics.cli.synth.box_options import BoxAsked
-from vstatics.cli.synth.box_output import FoundBoxes, write_folder
+from vstatics.cli.synth.box.options import BoxAsked
+from vstatics.cli.synth.box.output import FoundBoxes, write_folder
 from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import is_stream, replace, unwritable
