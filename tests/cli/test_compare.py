@@ -143,6 +143,32 @@ def test_a_result_of_another_command_is_named() -> None:
     assert (said.status, "result 1 is one of summary; results of run" in said.err) == (1, True)
 
 
+def test_json_that_is_no_result_is_told_by_what_it_is() -> None:
+    told = {
+        "a problem that check tells": vstatics("check", "open.yaml", "-f", "json").out,
+        "a message that check explains": vstatics("check", "--explain", "W201", "-f", "json").out,
+        "a case, of which run makes": vstatics("convert", "open.yaml", "-", "--to", "json").out,
+        "of check where all is well": "[]",
+        "has keys `a`, `b`, `c`, ..., none": '{"a": 1, "b": 2, "c": 3, "d": 4}',
+    }
+    for words, text in told.items():
+        Path("x.json").write_text(text, "utf-8")
+        said = vstatics("compare", "x.json", "x.json")
+        assert said.status == 1
+        assert words in said.err
+        assert "results of run and of sweep are compared" in said.err
+
+
+def test_a_case_that_is_there_again_is_named() -> None:
+    """Those of one name go in their order, whatever stands between them."""
+    twice = results("a.jsonl", "neutral.yaml", "neutral.yaml", "locked.yaml")
+    text = Path(twice).read_text("utf-8").splitlines()
+    Path("b.jsonl").write_text("\n".join([text[2], *text[:2]]), "utf-8")
+    assert lines("b.jsonl", twice) == []
+    Path("c.jsonl").write_text("\n".join([text[2], text[0]]), "utf-8")
+    assert lines("b.jsonl", "c.jsonl")[0] == "neutral (there twice): added"
+
+
 def test_a_directory_that_is_not_there_is_named(tmp_path: Path) -> None:
     for named in ((tmp_path, "goldn"), ("goldn", tmp_path)):
         said = vstatics("compare", *named)

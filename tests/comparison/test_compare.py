@@ -226,9 +226,11 @@ def test_several_results_are_compared_in_their_order(written: Callable[..., Path
 def test_a_failed_case_equals_a_failed_case_only(
     written: Callable[..., Path], tmp_path: Path
 ) -> None:
-    (tmp_path / "bad.yaml").write_text(BAD, encoding="utf-8")
-    failed = vstatics("run", MZKT, tmp_path / "bad.yaml", "-f", "json").out
-    good = vstatics("run", MZKT, MZKT, "-f", "json").out
+    bad = tmp_path / "bad.yaml"
+    bad.write_bytes((CASES / "zf-8hp70.yaml").read_bytes())
+    good = vstatics("run", MZKT, bad, "-f", "json").out
+    bad.write_text(BAD, encoding="utf-8")
+    failed = vstatics("run", MZKT, bad, "-f", "json").out
     assert vstatics("compare", written(failed), written(failed)).status == 0
     said = vstatics("compare", written(failed), written(good))
     assert said.out.splitlines()[0] == "bad: a case in error, expected a result"

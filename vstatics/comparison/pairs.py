@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from vstatics.comparison.sweeps import sweep_places
 from vstatics.comparison.tolerances import Tolerances
@@ -69,13 +69,16 @@ def verdicts_of_files(
         name = next(filter(None, (*told, *of_file_names)), "result")
         return [compared(name, one, other, how)]
     found, wanted = _paired(actual, expected)
-    called = {name: _called(result, name) for name, result in {**wanted, **found}.items()}
-    seen = Counter(called.values())
+    called = {key: _called(result, key[0]) for key, result in {**wanted, **found}.items()}
+    seen = Counter((short, time) for (_, time), short in called.items())
     return [
         compared(
-            short if seen[short] == 1 and short else name, found.get(name), wanted.get(name), how
+            _counted(short if short and seen[short, time] == 1 else way, time),
+            found.get((way, time)),
+            wanted.get((way, time)),
+            how,
         )
-        for name, short in called.items()
+        for (way, time), short in called.items()
     ]
 
 
@@ -110,20 +113,44 @@ def file_stem(file: str) -> str:
     return os.path.splitext(SEPARATORS.split(file)[-1])[0]  # noqa: PTH122
 
 
+_Key = tuple[str, int]
+"""What tells a result from the others: file or name of its case, and which time it is there."""
+
+
+def _counted(name: str, time: int) -> str:
+    """The name of a result that may be there again.
+
+    >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
+    ('box', 'box (there twice)', 'box (there 3 times)')
+    """
+    if time == 1:
+        return name
+    return f"{name} (there {'twice' if time == 2 else f'{time} times'})"
+
+
 def _paired(
     actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
-) -> list[dict[str, WrittenResult]]:
-    """Both by what tells the results of each apart: file, name of the case, or number.
+) -> list[dict[_Key, WrittenResult]]:
+    """Both by what tells most results of each apart; those of one name in their order.
 
     Of its folders a file has so many as it takes, as the same cases may have been named from
     another place.
     """
-    for keys in _names(actual, expected):
-        if all(all(side) and len(set(side)) == len(side) for side in keys):
-            break
-    else:
-        keys = [[f"result {n}" for n, _ in enumerate(side, 1)] for side in (actual, expected)]
-    return [dict(zip(*pair, strict=True)) for pair in zip(keys, (actual, expected), strict=True)]
+    ways = [pair for pair in _names(actual, expected) if all(map(all, pair))]
+    best = max(ways, key=lambda pair: sum(len(set(side)) for side in pair), default=None)
+    keys = best or [[f"result {n}" for n, _ in enumerate(s, 1)] for s in (actual, expected)]
+    return [
+        dict(zip(_numbered(names), side, strict=True))
+        for names, side in zip(keys, (actual, expected), strict=True)
+    ]
+
+
+def _numbered(names: Iterable[str]) -> Iterator[_Key]:
+    """Each name with the number of times it has been there."""
+    times = Counter[str]()
+    for name in names:
+        times[name] += 1
+        yield name, times[name]
 
 
 def _names(*sides: Sequence[WrittenResult]) -> Iterator[list[list[str]]]:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vstatics.errors import ReadError
+from vstatics.errors import ReadError, plural, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import decode, head
@@ -19,6 +19,14 @@ from vstatics.tables.quantities import PRINTED, QUANTITIES
 from vstatics.tables.written_results import Figure, Figures, WrittenResult
 
 FORMAT = "vstatics-result"
+TAKEN = "results of run and of sweep are compared"
+OTHERS = {
+    "cure": "a message that check explains",
+    "severity": "a problem that check tells",
+    "changed": "what compare told",
+    "gears": "a case, of which run makes a result",
+}
+"""What has no format in it, by a key that a result has not."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
 """The line above each of several listings in one text."""
 
@@ -50,7 +58,7 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
         raise _no_json(error, file) from None
     documents = content if isinstance(content, list) else [content]
     if not documents:
-        raise no_result("an empty array; expected at least one result", file)
+        raise no_result(f"an empty array, as of check where all is well; {TAKEN}", file)
     return [_report(document, file, number) for number, document in enumerate(documents, 1)]
 
 
@@ -87,7 +95,7 @@ def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
     if not isinstance(document, dict):
-        message = f"result {number} is no JSON object; expected one of `vstatics run`"
+        message = f"result {number} is no JSON object; {TAKEN}"
         raise no_result(message, file, line)
     if "errors" in document:
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
@@ -113,10 +121,15 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
     """What is said of a document without tables, which may be one of another command."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
-        name = form.removeprefix("vstatics-")
-        return f"result {number} is one of {name}; results of run and of sweep are compared"
+        what = f"one of {form.removeprefix('vstatics-')}"
+    else:
+        what = next((told for key, told in OTHERS.items() if key in document), "")
+    if what:
+        return f"result {number} is {what}; {TAKEN}"
     known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
-    return f"result {number} has none of the tables {known}, ..."
+    keys = ", ".join(map(quoted, [*document][:3])) + ", ..." * (len(document) > 3)
+    has = f"has {plural('key', len(document))} {keys}, none" if keys else "has none"
+    return f"result {number} {has} of the tables {known}, ...; {TAKEN}"
 
 
 def _file(document: Mapping[str, Any]) -> str:
@@ -178,9 +191,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 tables[table].append(figures)
                 names.setdefault(table, []).extend([name.strip()] * bool(is_named))
     if not reports:
-        raise no_result(
-            "no table of results found; expected a listing or JSON of `vstatics run`", file
-        )
+        raise no_result(f"no table of results found; {TAKEN}", file)
     return reports
 
 
