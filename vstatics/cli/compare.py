@@ -15,7 +15,6 @@ from vstatics.cli.frame.values import value
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
 from vstatics.comparison.pairs import content, file_stem, verdicts_of_directories, verdicts_of_files
-from vstatics.comparison.sweeps import sweep_lines
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.errors import ReadError, plural
@@ -87,7 +86,6 @@ def compare(
     )
     how = Tolerances(atol, rtol, leave_out)
     folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
-    are_sweeps = False
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
@@ -95,7 +93,7 @@ def compare(
         made = verdict([*verdicts_of_directories(actual, expected, how, files.read_input)])
     else:
         try:
-            made, are_sweeps = _of_files(actual, expected, how)
+            made = _of_files(actual, expected, how)
         except ReadError as error:
             if form == "text":
                 raise
@@ -107,8 +105,6 @@ def compare(
         lines = [json.dumps(plain_data(made), ensure_ascii=False, indent=1)]
     elif form == "junit":
         lines = [_as_junit(made)]
-    elif form == "text" and are_sweeps and not summary:
-        lines = [*sweep_lines(made.cases[0].found)]
     else:
         lines = _lines(made, form, all_numbers=all_numbers, summary=summary)
         tally = all(folders) or (len(made.cases) > 1 and lines)
@@ -116,14 +112,14 @@ def compare(
     return _told(lines, count, actual, expected)
 
 
-def _of_files(actual: str, expected: str, how: Tolerances) -> tuple[Verdict, bool]:
-    """What is said of two files; whether they are sweeps."""
+def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
+    """What is said of two files."""
     read = [files.read_input(file) for file in (actual, expected)]
     here, there = (content(*file) for file in read)
     sweeps = [isinstance(one, WrittenSweep) for one in (here, there)]
     mixed = any(sweeps) and not all(sweeps)
     refuse((mixed, "one is a sweep, the other is not: expected two of a kind"))
-    return verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how)), all(sweeps)
+    return verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how))
 
 
 def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:

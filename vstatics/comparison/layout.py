@@ -8,6 +8,7 @@ from itertools import zip_longest
 from typing import Any
 
 from vstatics.comparison.numbers import Difference, shown
+from vstatics.comparison.sweeps import VARIANT
 from vstatics.comparison.verdicts import PLURALS, CaseVerdict
 from vstatics.errors import plural
 from vstatics.tables.markdown import escaped
@@ -53,8 +54,8 @@ def markdown(one: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
     """The rows that are shown, and a line that tells how many are not.
 
-    Without ratios, steps and efficiencies that differ other tables are shown. Of what can't be
-    read the further errors are told.
+    Without ratios, steps and efficiencies that differ other tables are shown, of a sweep all.
+    Of what can't be read the further errors are told.
     """
     if one.problems:
         return [], [*map(str, one.problems[1:])]
@@ -67,7 +68,8 @@ def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str
     count = sum(map(len, kinds.values()))
     if all_numbers:
         return [row for rows in kinds.values() for row in rows], []
-    first = [kind for kind in kinds if kind in PLURALS] or [
+    is_sweep = "column" in one.counts
+    first = [kind for kind in kinds if kind in PLURALS and not is_sweep] or [
         kind for kind in kinds if kind != "case"
     ]
     order = list(_in_turn(["case", *first], kinds))
@@ -89,6 +91,8 @@ def _in_turn(kinds: Sequence[str], rows: dict[str, list[Cells]]) -> Iterator[str
 def _cells(one: Difference) -> Cells:
     if one.table == "step":
         place = f"{one.gear}-{one.row}"
+    elif one.table == "variant":
+        place = ", ".join(filter(None, (one.row.removeprefix(VARIANT), one.gear)))
     else:
         place = ", ".join(filter(None, (one.row, one.gear)))
     if isinstance(one.actual, str) or isinstance(one.expected, str):

@@ -7,9 +7,9 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from vstatics.comparison.sweeps import sweep_places
+from vstatics.comparison.sweeps import sweep_counts, sweep_places
 from vstatics.comparison.tolerances import Tolerances
-from vstatics.comparison.verdicts import CaseVerdict, compared, unreadable
+from vstatics.comparison.verdicts import CaseVerdict, compared, largest_first, unreadable
 from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.readers import sweep_tables
@@ -90,8 +90,9 @@ def _sweeps_compared(
     if not (isinstance(actual, WrittenSweep) and isinstance(expected, WrittenSweep)):
         message = "one is a sweep, the other is not: expected two of a kind"
         raise ReadError([of_file("E050", file, message)])
-    found = list(sweep_places(actual, expected, **how._asdict()))
-    return CaseVerdict(name, "changed" if found else "same", None, found, {}, bool(found))
+    found = largest_first(sweep_places(actual, expected, **how._asdict()))
+    counts = sweep_counts(actual, expected, how.leave_out)
+    return CaseVerdict(name, "changed" if found else "same", None, found, counts, bool(found))
 
 
 def _called(result: WrittenResult, way: str = "") -> str:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
-from itertools import groupby, zip_longest
-from operator import attrgetter
+from collections.abc import Container, Iterator, Mapping, Sequence
+from itertools import zip_longest
 
 from vstatics.comparison.numbers import (
     ATOL,
@@ -13,15 +12,12 @@ from vstatics.comparison.numbers import (
     THERE,
     Difference,
     is_same,
-    shown,
 )
 from vstatics.errors import plural
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import Figure, WrittenSweep
 
 VARIANT = "variant "
-MOST_TOLD_NUMBERS = 20
-"""So many numbers of a column are told."""
 
 
 def sweep_places(
@@ -58,39 +54,46 @@ def sweep_places(
                 yield Difference(name, *row, *values)
 
 
-def sweep_lines(found: Iterable[Difference]) -> Iterator[str]:
-    """Such places in words, a line each; the first ones of a column.
+def sweep_counts(
+    actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
+) -> dict[str, int]:
+    """How many variants, or rows of their gears, and columns both have."""
+    rows, columns = (
+        [set(names(one)) for one in (actual, expected)]
+        for names in (_rows, lambda one: [n for n in one.columns if _table(n) not in leave_out])
+    )
+    row = "row" if actual.gears or expected.gears else "variant"
+    return {row: len(rows[0] & rows[1]), "column": len(columns[0] & columns[1])}
 
-    Parameters
-    ----------
-    found : iterable of Difference
-        Those of `sweep_places`, in their order.
+
+def sweep_headline(found: Sequence[Difference], counts: Mapping[str, int]) -> str:
+    """What is other in a sweep, in a line.
+
+    >>> found = [Difference("ratio[1]", "variant 3", "", 2.5, 2.0)]
+    >>> found += [Difference("variant", "variant 4", "", NOT_THERE, THERE)]
+    >>> sweep_headline(found, {"variant": 9, "column": 2})
+    '1 of 9 variants, 1 of 2 columns differ; 1 variant gone'
     """
-    for kind, ones in groupby(found, _kind_that_lacks):
-        if not kind:
-            for column, places in groupby(ones, attrgetter("table")):
-                yield from _first([_line(one) for one in places], column)
-            continue
-        for side, some in groupby(ones, attrgetter("actual")):
-            names = [_row(one) if kind == "variant" else one.table for one in some]
-            yield _lacking(kind, names, is_there=side == THERE)
-
-
-def _kind_that_lacks(one: Difference) -> str:
-    """What one of the sweeps has not: a variant, a column, or nothing."""
-    if one.table == "variant":
-        return "variant"
-    return "" if one.row else "column"
-
-
-def _row(one: Difference) -> str:
-    number = one.row.removeprefix(VARIANT)
-    return f"{number}, gear {one.gear}" if one.gear else number
-
-
-def _line(one: Difference) -> str:
-    values = [each if isinstance(each, str) else shown(each) for each in one[3:]]
-    return f"variant {_row(one)}, {one.table}: {values[0]}, expected {values[1]}"
+    both = [one for one in found if one.row and one.table != "variant"]
+    columns = {one.table for one in both}
+    statuses = sum(one.table == "status" for one in both)
+    differing = [len({(one.row, one.gear) for one in both}), len(columns - {"status"})]
+    told = [
+        f"{number} of {count} {plural(kind, count)}"
+        for number, (kind, count) in zip(differing, counts.items(), strict=True)
+        if number
+    ]
+    told += [f"{statuses} status{'es' * (statuses > 1)}"] * bool(statuses)
+    parts = [f"{', '.join(told)} {'differ' if len(told) > 1 else 'differs'}"] * bool(told)
+    row = next(iter(counts))
+    for kind, lacking in (
+        (row, [one for one in found if one.table == "variant"]),
+        ("column", [one for one in found if not one.row]),
+    ):
+        for side, word in ((THERE, "added"), (NOT_THERE, "gone")):
+            number = sum(one.actual == side for one in lacking)
+            parts += [f"{number} {plural(kind, number)} {word}"] * bool(number)
+    return "; ".join(parts)
 
 
 def _rows(sweep: WrittenSweep) -> list[tuple[str, str]]:
@@ -103,17 +106,3 @@ def _table(column: str) -> str:
     """The key of the table that a column is of, such as ``W[C1,low]``."""
     quantity = BY_NAME.get(column.partition("[")[0])
     return quantity.key if quantity else ""
-
-
-def _first(told: Sequence[str], column: str) -> Iterator[str]:
-    yield from told[:MOST_TOLD_NUMBERS]
-    if len(told) > MOST_TOLD_NUMBERS:
-        yield f"{column}: {len(told) - MOST_TOLD_NUMBERS} more variants differ"
-
-
-def _lacking(kind: str, names: Sequence[str], *, is_there: bool) -> str:
-    """One line for all of a kind."""
-    more = len(names) - MOST_TOLD_NUMBERS
-    told = ", ".join(names[:MOST_TOLD_NUMBERS]) + f" and {more} more" * (more > 0)
-    side = "there, but not expected" if is_there else "not there, expected"
-    return f"{plural(kind, len(names))} {told}: {side}"

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 from vstatics.comparison.case_changes import CaseChange, case_changes
 from vstatics.comparison.numbers import Difference, differences
 from vstatics.comparison.steps import step_differences, steps_of
+from vstatics.comparison.sweeps import sweep_headline
 from vstatics.comparison.tolerances import Tolerances
-from vstatics.errors import Problem, plural
+from vstatics.errors import Problem
 from vstatics.tables.answer import Sometimes, told
 from vstatics.tables.written_results import WrittenResult
 from vstatics.texts import tr
@@ -48,7 +49,7 @@ class CaseVerdict(NamedTuple):
     found: Sequence[Difference] = ()
     """The largest of each table first."""
     counts: Mapping[str, int] = {}
-    """How many ratios, steps and efficiencies there are."""
+    """How many ratios, steps and efficiencies there are; of a sweep variants and columns."""
     differs: bool = False
     """Whether anything differs but the case."""
     problems: Sequence[Problem] = ()
@@ -89,10 +90,8 @@ class CaseVerdict(NamedTuple):
         if any(one.table == "case" for one in self.found):
             [one] = self.found
             return f"{self.name}: {one.actual}, expected {one.expected}"
-        if not self.counts:  # of a sweep
-            places = len(self.found)
-            verb = "differ" if places > 1 else "differs"
-            return f"{self.name}: {places} {plural('place', places)} {verb}"
+        if "column" in self.counts:
+            return f"{self.name}: {sweep_headline(self.found, self.counts)}"
         tables = [one.table for one in self.found]
         numbers = [
             tr(f"{{number}} of {{all}} {PLURALS[table]}", number=tables.count(table), all=count)
@@ -181,10 +180,16 @@ def compared(
     numbers = [
         one._replace(table=MAIN.get(one.table, one.table)) for one in (*found, *steps) if one.table
     ]
+    state: State = "changed" if changes or found else "same"
+    return CaseVerdict(name, state, changes, largest_first(numbers), counts, bool(found))
+
+
+def largest_first(found: Iterable[Difference]) -> list[Difference]:
+    """The largest of each table first: ratios, steps, efficiencies, then tables as they come."""
+    numbers = [*found]
     order = [*MAIN.values(), *dict.fromkeys(one.table for one in numbers)]
     numbers.sort(key=lambda one: (order.index(one.table), -_size(one)))
-    state: State = "changed" if changes or found else "same"
-    return CaseVerdict(name, state, changes, numbers, counts, bool(found))
+    return numbers
 
 
 def _size(one: Difference) -> float:
