@@ -123,6 +123,8 @@ def test_all_ids_are_an_array_in_json() -> None:
     told = json.loads(vstatics("check", "--explain", "all", "-f", "json").out)
     assert {one["id"] for one in told} == ids_in_code()
     assert {tuple(one) for one in told} == {("id", "severity", "cause", "cure", "example")}
+    two = vstatics("check", "--explain", "n318, w201", "-f", "json").out
+    assert [one["id"] for one in json.loads(two)] == ["N318", "W201"]
     [one] = json.loads(vstatics("check", "--explain", "E006", "-f", "json").out)
     assert (one["severity"], one["example"]) == ("error", None)
 

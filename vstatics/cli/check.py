@@ -18,6 +18,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.options import completing, refuse
 from vstatics.cli.frame.problems import Telling
+from vstatics.cli.frame.values import separated
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
@@ -125,7 +126,7 @@ def _ids() -> list[str]:
     "--explain",
     metavar="ID",
     shell_complete=completing(_ids),
-    help="Cause, cure and an example of a message, such as W201, or of all; takes no case.",
+    help="Cause, cure and an example of W201, of W201,E107, or of all; takes no case.",
 )
 @click.option(
     "-f",
@@ -189,11 +190,12 @@ def check(
 
 
 def _explained(asked: str, form: str) -> str:
-    """What an id, or all of them, stand for."""
+    """What ids with commas between, or all of them, stand for."""
     from vstatics.writers.explained import explained, known_ids, text
 
+    ids = dict.fromkeys(one if one == "all" else one.upper() for one in separated([asked]))
     try:
-        told = [explained(one) for one in (known_ids() if asked == "all" else [asked])]
+        told = [explained(one) for one in (known_ids() if "all" in ids else ids)]
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="'--explain'") from None
     if form == "json":

@@ -10,7 +10,7 @@ import click
 
 from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.options import Command, refuse
+from vstatics.cli.frame.options import Command, completing, refuse
 from vstatics.cli.frame.values import value
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
@@ -19,6 +19,7 @@ from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.errors import ReadError, plural
 from vstatics.tables.answer import plain_data
+from vstatics.tables.quantities import QUANTITIES
 from vstatics.tables.written_results import WrittenSweep
 from vstatics.writers.junit import CaseOutcome, junit
 
@@ -42,6 +43,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     multiple=True,
     metavar="TABLE",
     callback=value(left_out),
+    shell_complete=completing(lambda: (one.name for one in QUANTITIES)),
     help="Do not compare this table, by name or alias; may be given several times.",
 )
 @click.option("--all", "all_numbers", is_flag=True, help="Every number that differs.")

@@ -67,17 +67,21 @@ def completing(
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
     """Completion of an option by names, which are asked for when a shell wants them.
 
-    >>> [one.value for one in completing(lambda: ["zf-8hp70", "simpson"])(None, None, "zf")]
-    ['zf-8hp70']
+    Of several with commas the last is completed.
+
+    >>> complete = completing(lambda: ["zf-8hp70", "simpson"])
+    >>> [one.value for begun in ("zf", "a,s") for one in complete(None, None, begun)]
+    ['zf-8hp70', 'a,simpson']
     """
 
     def complete(_context: Any, _option: Any, begun: str) -> list[CompletionItem]:
         from click.shell_completion import CompletionItem  # only a shell asks for it
 
         known = names()
+        before, comma, begun = begun.rpartition(",")
         told = known if isinstance(known, Mapping) else dict.fromkeys(known)
         return [
-            CompletionItem(name, help=says)
+            CompletionItem(before + comma + name, help=says)
             for name, says in told.items()
             if name.casefold().startswith(begun.casefold())
         ]
