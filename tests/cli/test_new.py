@@ -45,6 +45,16 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
     assert (said.status, "did you mean `ravigneaux`?" in said.err) == (2, True)
 
 
+def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:
+    deck = tmp_path / "my box.dat"
+    said = vstatics("new", deck, "-t", "simpson")
+    assert said.status == 1
+    (command,) = re.findall(r"`vstatics (convert [^`]*)`", said.err)
+    assert vstatics("new", deck.with_suffix(".yaml"), "-t", "simpson").status == 0
+    vstatics(*shlex.split(command))
+    assert vstatics("run", deck, "-q").status == 0
+
+
 def test_a_scenario_that_lacks_its_case_tells_how_to_write_it(tmp_path: Path) -> None:
     folder = tmp_path / "runs"
     folder.mkdir()

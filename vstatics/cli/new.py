@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from importlib import resources
 
 import click
@@ -99,7 +100,11 @@ def new(target: str, name: str) -> None:
     kind = format_of_name(target)
     text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
     if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
-        message = f"is the name of a {kind} by its suffix, but a template is YAML; expected .yaml"
+        yaml = f"{os.path.splitext(target)[0]}.yaml"  # noqa: PTH122
+        message = (
+            f"ends as a {kind} does, but a template is YAML: expected {yaml}, "
+            f"of which `{shlex.join(['vstatics', 'convert', yaml, target])}` makes that"
+        )
         raise ReadError([of_file("E015", target, message)])
     files.refuse_existing(target)
     if folder := os.path.dirname(target):  # noqa: PTH120
