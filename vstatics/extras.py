@@ -32,6 +32,8 @@ EXTRAS = {
     "boxes": "numba",
 }
 """By extra: the package that it brings."""
+_IN_ROOMS = {"damage": "torsion"}
+"""By rooms without an extra of their own: the one that their commands name."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages of an extra."""
 
@@ -170,7 +172,8 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
         return CaseError("E014", f"{purpose}: {why}")
     package = (error.name or "").partition(".")[0]
     extras = [extra for extra, brought in EXTRAS.items() if brought == package]
-    of_room = [extra for extra in extras if extra in module.split(".")]
+    rooms = [_IN_ROOMS.get(room, room) for room in module.split(".")]
+    of_room = [extra for extra in extras if extra in rooms]
     if not extras or not isinstance(error, ModuleNotFoundError):
         return error
     return CaseError("E014", _needs(purpose, package, (of_room or extras)[0]))
