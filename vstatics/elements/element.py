@@ -68,7 +68,7 @@ class MeshEfficiency(NamedTuple):
     """Efficiency of a single mesh, both axes held [-].
 
     The defaults of gear meshes are those of the published comparison of loss models;
-    see docs/elements.md for all sources.
+    the page Elements names all sources.
 
     Examples
     --------
