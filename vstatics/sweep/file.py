@@ -29,6 +29,14 @@ from vstatics.sweep.options import (
     joined,
 )
 
+_NO_SWEEPS = {
+    "duration": "this is a scenario, expected a sweep file: `vstatics simulate` runs it, and "
+    "`vstatics sweep SCENARIO --vary NAME=VALUES` varies it",
+    "gears": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
+    "varies it",
+}
+"""What is said of other documents, by a key that they have."""
+
 
 def is_sweep_file(data: bytes, file: str) -> bool:
     """Whether a document is a sweep: it names a case and what varies, or how variants are drawn.
@@ -72,6 +80,10 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
         keys = spoken(map(quoted, list(OPTIONS)[:3]))
         expected = f"expected a sweep: a mapping with keys such as {keys}"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
+    given = {key.text for key, _ in root.entries}
+    for key, told in _NO_SWEEPS.items():
+        if key in given and given.isdisjoint(("vary", "variants")):
+            found.stop(told, root.line, root.column)
     options = _Reader(found, os.path.dirname(file)).options(root)  # noqa: PTH120
     if found.problems:
         raise ReadError(found.problems)

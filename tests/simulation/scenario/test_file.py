@@ -184,6 +184,7 @@ def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) 
         ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
         ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),
         ("[]", "read a list, expected a scenario"),
+        ("{case: box.yaml, vary: {}}", "this is a sweep file, expected a scenario"),
         (CASE.decode(), "this is a case, expected a scenario: a mapping with `case`"),
     ],
 )

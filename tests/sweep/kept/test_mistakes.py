@@ -57,6 +57,8 @@ from vstatics.sweep.variants.targets import target
         ("F", "F", "`F` is a shift element"),
         ("#1", "#1", "between the brackets of a table"),
         ("'D1'", "'D1'", "between the brackets of a table"),
+        ("status == 'ok'", "'ok'", "`ok` is true where `status` is ok"),
+        ("'ok' != status", "'ok' != status", "numbers are compared, not texts"),
         ("ratio[2] # two", "# two", "read `#`"),
         ("#x.ratio", "#x.ratio", "expected `#` and a number"),
         ("1R > 2", "1R > 2", 'goes in quotes: "1R"'),

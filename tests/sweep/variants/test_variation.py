@@ -124,6 +124,7 @@ def test_a_range_without_a_count_is_for_samples() -> None:
         ("D1.ratio=1/0", 10, "a denominator other than 0"),
         ("D1.ratio=0,7:0,9:3", 10, "with a decimal point"),
         ("D1.ratio=1:nan:3", 12, "read `nan`, expected a number"),
+        ("D1.ratio= 1..2", 11, "read `1..2`, expected START:STOP:COUNT"),
         ("D1.ratio=1:2:0.1", 14, "read `0.1`, expected how many values, such as 201, or a step"),
         ("D1.ratio=1:2:9999999999999999999", 14, "expected how many values"),
         ("D1.ratio=1:2:", 14, "read nothing, expected how many values"),

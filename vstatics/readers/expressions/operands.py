@@ -21,6 +21,7 @@ _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
+_COMPARED, _COMPARES = re.compile(r"[!=]=\s*$"), re.compile(r"\s*[!=]=")
 _QUOTES = ('"', "'")
 
 
@@ -104,6 +105,8 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
         return None
     if end > at:
         where = "it belongs between the brackets of a table, or before `.ratio`"
+        if _COMPARED.search(source.text[:at]) or _COMPARES.match(source.text, end):
+            where = "numbers are compared, not texts; in a sweep `ok` is true where `status` is ok"
         message = f"read {quoted(source.text[at:end])} alone; {where}"
     elif first == "#":
         message = "read `#`, expected `#` and a number, such as #2"

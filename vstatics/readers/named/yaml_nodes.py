@@ -23,6 +23,8 @@ _READ_AHEAD = "exceeded maximum nesting depth"
 """Of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of its events."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
+"""Which YAML takes for a list behind a text, within another list."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -98,6 +100,8 @@ class _Builder:
             mark = error.problem_mark or error.context_mark
             place = self.found.place(mark.index) if mark else self.last
             told = ", ".join(part for part in (error.context, error.problem) if part)
+            if mark and mark.index and _TEXT_WITH_BRACKETS.match(self.found.text, mark.index - 1):
+                told += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
             self.found.stop(f"not YAML: {told}", *place)
         except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
             self.found.stop(f"not YAML: {error}", *self.last)

@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.words import name_problems, vocabulary
 
 EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
 _OF_CASES = ("links", "mechanisms", "elements", "springs", "gears", "shift_elements")
+_OF_SWEEPS = ("vary", "variants")
 
 
 class ScenarioFile(NamedTuple):
@@ -184,6 +185,9 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     keys = {key.text for key, _ in root.entries}
     if "duration" not in keys and not keys.isdisjoint(_OF_CASES):
         found.stop(f"this is a case, expected {EXPECTED}", root.line, root.column)
+    if "duration" not in keys and not keys.isdisjoint(_OF_SWEEPS):
+        told = f"this is a sweep file, expected {EXPECTED}; `vstatics sweep --file` takes it"
+        found.stop(told, root.line, root.column)
     return ScenarioDocument(root, found)
 
 

@@ -29,6 +29,8 @@ _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
 _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=")
 _COUNT = re.compile(r"[0-9]{1,19}")
+_DOTS = ".."
+"""Which elsewhere stand for a range, and in no number."""
 _NO_NUMBER = ("nan", "inf", "infinity")
 
 
@@ -92,6 +94,9 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
     begin, values = behind(place, end + 1), text[end + 1 :]
     if not values.strip():
         raise refusal(f"read no values, expected {FORMS}", begin)
+    if _DOTS in values:
+        message = f"read {shown(values)}, expected {FORMS}"
+        raise refusal(message, begin, len(values) - len(values.lstrip()))
     try:
         values, unit = (
             common_unit(values) if isinstance(varied, NumberPath | CasePath) else (values, "")
