@@ -88,14 +88,14 @@ def differences(
             yield from _lacking(quantity, actual, expected)
         else:
             names = _PlaceNames(quantity, expected.case or actual.case, gears)
-            rows = [result.rows.get(quantity.key, ()) for result in (actual, expected)]
-            if any(rows):  # of a drawn case; rows of mechanisms are not those of elements
-                rows = [
-                    own or _named(one, quantity)
-                    for own, one in zip(rows, (actual, expected), strict=True)
-                ]
+            rows, by_case = _rows(quantity, actual, expected)
             if all(rows):
-                names.rows, here, there = yield from _by_name(quantity, rows, here, there)
+                paired = _by_name(quantity.key, rows, (here, there), renamed=by_case)
+                names.rows, here, there = yield from paired
+            devices = actual.device_names, expected.device_names
+            if quantity.columns == "devices" and all(devices):
+                paired = _same_devices(quantity.key, devices, (here, there))
+                names.columns, here, there = yield from paired
             yield from _table(names, here, there, atol, rtol)
 
 
@@ -127,6 +127,24 @@ def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
     return result._replace(tables=tables)
 
 
+def _rows(
+    quantity: Quantity, actual: WrittenResult, expected: WrittenResult
+) -> tuple[list[Sequence[str]], bool]:
+    """The names of a table's rows in both results; whether they are those of the cases.
+
+    A drawn case has rows of its own, which are not those of mechanisms. A listing has numbers in
+    place of names.
+    """
+    both = actual, expected
+    rows = [one.rows.get(quantity.key, ()) for one in both]
+    by_case = not any(rows) and all(one.case and not one.printed for one in both)
+    if any(rows) or by_case:
+        rows = [own or _named(one, quantity) for own, one in zip(rows, both, strict=True)]
+    if any(len({*names}) != len(names) for names in rows):
+        rows = [(), ()]
+    return rows, by_case
+
+
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
     """The rows of a table by the case, where they are as many."""
     names = row_names(result.case, quantity.rows) if result.case else ()
@@ -134,19 +152,43 @@ def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
 
 
 def _by_name(
-    quantity: Quantity, rows: Sequence[Sequence[str]], here: Figures, there: Figures
+    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures], *, renamed: bool
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """The rows that both results have, in one order, after those that only one has."""
-    found, wanted = (
-        dict(zip(*pair, strict=True)) for pair in zip(rows, (here, there), strict=True)
-    )
-    for name in [*found, *(name for name in wanted if name not in found)]:
-        if name not in wanted:
-            yield Difference(quantity.key, name, "", THERE, NOT_THERE)
-        elif name not in found:
-            yield Difference(quantity.key, name, "", NOT_THERE, THERE)
+    """The rows that both results have, in one order, after those that only one has.
+
+    Parameters
+    ----------
+    renamed : bool
+        Whether as many rows with other names are the same ones in turn: the case tells the names.
+    """
+    found, wanted = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
+    new = [name for name in found if name not in wanted]
+    gone = [name for name in wanted if name not in found]
+    if renamed and len(new) == len(gone):
+        found |= {now: found[before] for before, now in zip(new, gone, strict=True)}
+        new = gone = []
+    for name in new:
+        yield Difference(table, name, "", THERE, NOT_THERE)
+    for name in gone:
+        yield Difference(table, name, "", NOT_THERE, THERE)
     both = [name for name in wanted if name in found]
     return both, [found[name] for name in both], [wanted[name] for name in both]
+
+
+def _same_devices(
+    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
+) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
+    """The columns that both results have, in one order, after those that only one has."""
+    is_whole = all(
+        rows and {len(row) for row in rows} == {len({*devices})}
+        for devices, rows in zip(names, figures, strict=True)
+    )
+    if not is_whole:
+        return names[1], figures[0], figures[1]
+    turned = [[list(column) for column in zip(*rows, strict=True)] for rows in figures]
+    both, *same = yield from _by_name(table, names, turned, renamed=True)
+    here, there = ([list(row) for row in zip(*columns, strict=True)] for columns in same)
+    return both, here, there
 
 
 def _lacking(

@@ -104,6 +104,8 @@ class CaseVerdict(NamedTuple):
             told = tr("{numbers} differ", numbers=", ".join(numbers))
         elif others:
             told = tr("{count} other number differs|{count} other numbers differ", count=others)
+        elif self.differs:
+            told = tr("no number differs, but gears are not the same")
         if self.changes is None:
             return f"{self.name}: {told}"
         count = tr("no change of the case")

@@ -120,10 +120,15 @@ def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
 def _result(file: str, tables: _Cells) -> WrittenResult:
     figures, rows = {}, {}
     gears: Sequence[str] = ()
+    devices: Sequence[str] = ()
     for key, table in tables.items():
         figures[key] = [list(row.values()) for row in table.values()]
         if BY_NAME[key].rows != "one":
             rows[key] = list(table)
-        if BY_NAME[key].columns != "devices":
-            gears = max(gears, list(next(iter(table.values()))), key=len)
-    return WrittenResult(figures, None, printed=False, rows=rows, file=file, gears=gears)
+        columns = list(next(iter(table.values())))
+        if BY_NAME[key].columns == "devices":
+            devices = columns
+        else:
+            gears = max(gears, columns, key=len)
+    told = WrittenResult(figures, None, printed=False, rows=rows, file=file)
+    return told._replace(gears=gears, devices=devices)

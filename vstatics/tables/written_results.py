@@ -36,6 +36,8 @@ class WrittenResult(NamedTuple):
     file: str = ""
     """Of its case, with the folders that it tells; nothing where it does not tell."""
     gears: Sequence[str] = ()
+    devices: Sequence[str] = ()
+    """Of tables whose columns they are, where it tells them without its case."""
 
     @property
     def is_of_source(self) -> bool:
@@ -54,6 +56,11 @@ class WrittenResult(NamedTuple):
         if self.is_of_source:
             return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
+
+    @property
+    def device_names(self) -> Sequence[str]:
+        """Names of its devices; none where it does not tell: a listing has numbers for some."""
+        return self.devices or (self.case.devices if self.case and not self.printed else ())
 
     @property
     def case_name(self) -> str:
