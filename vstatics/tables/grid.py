@@ -94,6 +94,8 @@ class Grid(NamedTuple):
     """A short name, unlike that of other tables, where the title is long."""
     group: str = ""
     """What it shares a sheet of a workbook with; nothing: it has one of its own."""
+    prose: str = ""
+    """Its title for LaTeX, formulas in math mode, where that is a sentence and it has no rows."""
 
     @property
     def cells(self) -> list[list[Cell]]:
