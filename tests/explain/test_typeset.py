@@ -100,3 +100,15 @@ def test_how_torques_count_is_a_list_of_sentences_with_formulas(lang: str) -> No
     for item in items:  # the same sentences as in text
         first = MATH.split(item.removeprefix(r"\item "))[0]
         assert f"\n{first}" in text
+
+
+@pytest.mark.parametrize(("lang", "said"), [("de", "Sonnenrad"), ("ru", "солнечная шестерня")])
+@pytest.mark.parametrize("form", ["text", "markdown"])
+def test_what_a_symbol_stands_for_is_told_in_the_language(lang: str, said: str, form: str) -> None:
+    """Of planets that are links a symbol tells which wheels, in every format."""
+    made = vstatics(
+        "explain", str(CASES / "ford-6r80.yaml"), "--gear", "1", "-f", form, "--lang", lang
+    ).out
+    [told] = [line for line in made.splitlines() if "k1" in line and "rear:" in line]
+    assert said in told
+    assert "sun" not in told
