@@ -84,3 +84,31 @@ def test_names_of_any_letters_are_set() -> None:
     assert typeset.symbol("w[Welle & 1]") == r"w_{\mbox{\scriptsize Welle \& 1}}"
     assert typeset.symbol("w_Sonne") == r"w_{\mathrm{Sonne}}"
     assert typeset.symbol("M_вал") == r"M_{\mbox{\scriptsize вал}}"
+
+
+@pytest.mark.parametrize("lang", ["en", "de", "ru"])
+def test_how_torques_count_is_a_list_of_sentences_with_formulas(lang: str) -> None:
+    """No heading in bold, and no word of a formula outside math mode."""
+    asked = "--gear", "1", "--worksheet", "-f", "latex", "--lang", lang
+    made = vstatics("explain", str(CASES / "zf-8hp70.yaml"), *asked).out
+    [listed] = re.findall(r"\\begin\{itemize\}\n(.*?)\n\\end\{itemize\}", made, re.DOTALL)
+    items = listed.split("\n")
+    assert all(one.startswith(r"\item ") for one in items)
+    assert not re.search(r"eta|_|\\text|\bMx\b", MATH.sub("", listed))
+    assert len([one for one in MATH.findall(listed) if "eta" in one]) == 1
+    text = vstatics("explain", str(CASES / "zf-8hp70.yaml"), *asked[:3], "--lang", lang).out
+    for item in items:  # the same sentences as in text
+        first = MATH.split(item.removeprefix(r"\item "))[0]
+        assert f"\n{first}" in text
+
+
+@pytest.mark.parametrize(("lang", "said"), [("de", "Sonnenrad"), ("ru", "солнечная шестерня")])
+@pytest.mark.parametrize("form", ["text", "markdown"])
+def test_what_a_symbol_stands_for_is_told_in_the_language(lang: str, said: str, form: str) -> None:
+    """Of planets that are links a symbol tells which wheels, in every format."""
+    made = vstatics(
+        "explain", str(CASES / "ford-6r80.yaml"), "--gear", "1", "-f", form, "--lang", lang
+    ).out
+    [told] = [line for line in made.splitlines() if "k1" in line and "rear:" in line]
+    assert said in told
+    assert "sun" not in told

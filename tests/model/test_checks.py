@@ -58,3 +58,31 @@ def test_the_mass_of_a_vehicle_is_not_among_the_inertias(
     pair = Mechanism(1, 2, 0, -3.0)
     case = Transmission(2, [], [pair], [Gear()], inertias=inertias, vehicle=car)
     assert [one.id for one in doubts(case)] == ["W202"] * told
+
+
+@pytest.mark.parametrize("link", [4, 5, 1])
+def test_nor_among_those_of_what_is_geared_to_the_output(link: int) -> None:
+    """Behind the output: a pair of 4, then a hub of a held ring whose carrier is 1/(1 + 3).
+
+    Before it a flywheel may have as much by that speed: nobody knows better.
+    """
+    speeds = {4: 1 / 4, 5: 1 / 16, 1: 3.0}
+    car = Vehicle(1200, 0.3, final_drive=16)
+    behind = [Mechanism(2, 4, 0, 4.0), Mechanism(4, 0, 5, -3.0)]
+    mass = 1200 * (0.3 / 16) ** 2
+    for part in (0.45, 0.55):
+        case = Transmission(
+            5,
+            [],
+            [Mechanism(1, 2, 0, 3.0), Mechanism(3, 2, 0, -2.0), *behind],
+            [Gear()],
+            output=2,
+            inertias={link: part * mass / speeds[link] ** 2},
+            vehicle=car,
+        )
+        told = [one.message for one in doubts(case)]
+        assert len(told) == (part > 0.5 and link != 1)
+        for text in told:
+            assert text.startswith(
+                f"{link} has {part * mass:.4g} kg*m^2 by the speed of the output"
+            )

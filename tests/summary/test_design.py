@@ -32,6 +32,13 @@ def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
     neutral, low = made["gears"]
     assert (neutral["ratio"], neutral["state"], low["state"]) == (None, "open", "")
     assert made["transitions"] == []
+    for form, end in (("text", "  neutral"), ("markdown", "| neutral |"), ("csv", ",open")):
+        said = vstatics("summary", "-", "-f", form, stdin=NEUTRAL.encode()).out.splitlines()
+        assert (
+            [one for one in said if one.endswith(("neutral", "open", "neutral |"))]
+            == [one for one in said if one.endswith(end)]
+            != []
+        )
     assert made["sensitivity"]["D"] == [None, pytest.approx(2.5 / 3.5)]
 
 

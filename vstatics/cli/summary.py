@@ -10,14 +10,14 @@ import click
 
 from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
-from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, outside_notes
+from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, show_problems
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import above_0, value
-from vstatics.errors import ReadError
+from vstatics.errors import Problem, ReadError, of_file
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 from vstatics.tables.suffixes import suffix_of
@@ -187,7 +187,12 @@ def _side_by_side(
         failed |= outcome.failed
         if outcome.results is not None:
             try:
-                found.append((outcome, summarized(outcome, outcome.results)))
+                summary = summarized(outcome, outcome.results)
+                more = _of_cycle(summary, outcome.file)
+                telling = outcome.telling._replace(notes=True)
+                show_problems(more, telling, outcome.file)
+                failed |= telling.fails(more)
+                found.append((outcome, summary))
             except ReadError as error:
                 files.show(error.problems)
                 failed = True
@@ -215,12 +220,13 @@ def _summarized(
 
     with files.problems_of_file(outcome.file, "; see --at-most"):
         summary = summarize(results, at_most=at_most, output_torque=output_torque, reserve=reserve)
-    if duty is None:
-        return summary
-    made = duty.of(results)
-    notes = outside_notes(getattr(made, "outside", ()), results.case, outcome.file)
-    files.show(outcome.telling._replace(notes=True).printed(notes))
-    return summary._replace(cycle=made)
+    return summary if duty is None else summary._replace(cycle=duty.of(results))
+
+
+def _of_cycle(summary: Summary, file: str) -> list[Problem]:
+    """What is doubtful about the duty cycle of a case."""
+    messages = getattr(summary.cycle, "messages", ())  # shares by gear have none
+    return [of_file(one.id, file, one.text) for one in messages]
 
 
 def _shown(
@@ -241,4 +247,5 @@ def _shown(
 
         return summary_answer(summary)
 
-    return texts.CaseOutput([summary.results.case.name or outcome.file], {}, tables, answer)
+    titles, problems = [results.case.name or outcome.file], _of_cycle(summary, outcome.file)
+    return texts.CaseOutput(titles, {}, tables, answer, problems=problems)

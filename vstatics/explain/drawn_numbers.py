@@ -2,20 +2,67 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import islice
 from random import Random
+
+import numpy as np
 
 from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.teeth.doubtful_teeth import fitting
 from vstatics.elements.teeth.layout import Teeth
-from vstatics.model.parts import Law, Mechanism
+from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement
 from vstatics.model.transmission import Transmission
+from vstatics.numerics.arrays import Floats
+from vstatics.statics.carried import carried_torques
+from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
 
 FARTHEST = 0.25
 """By such a part a ratio changes at most."""
+
+
+def drawn(results: Results, seed: int) -> Results:
+    """Results of the case with other numbers, where elements have the margins of the given case.
+
+    Capacities are those of the given ratios: with others an element would carry too much.
+    """
+    made = solve(drawn_numbers(results.case, seed))
+    if not any(one.capacity for one in results.case.shift_elements):
+        return made
+    with np.errstate(all="ignore"):
+        factors = (_largest(made) / _largest(results)).tolist()
+    elements = [
+        _with_capacity(one, factor)
+        for one, factor in zip(made.case.shift_elements, factors, strict=True)
+    ]
+    return solve(made.case.replace(shift_elements=elements))
+
+
+def _largest(results: Results) -> Floats:
+    """What each shift element carries at most, of all gears."""
+    load = results.case.load
+    torques, carrying = carried_torques(results, load.torque_size if load else 0.0)
+    largest: Floats = np.where(carrying, torques, 0.0).max(axis=0)
+    return largest
+
+
+def _with_capacity(one: ShiftElement, factor: float) -> ShiftElement:
+    """An element whose capacity is that times as large, with its third digit rounded up."""
+    own = one.capacity
+    if own is None or not 0 < factor < math.inf:
+        return one
+    exact = factor * (own.given if isinstance(own, OfLoad) else own)
+    places = 2 - math.floor(math.log10(exact))
+    capacity = float(f"{exact:.3g}")
+    if capacity < exact:
+        capacity = round(capacity + 10.0**-places, places)
+    if isinstance(own, OfLoad):
+        return one._replace(capacity=OfLoad(capacity, own.whole))
+    return one._replace(capacity=capacity)
 
 
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:

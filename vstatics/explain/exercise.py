@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from vstatics.arguments import refusing
-from vstatics.explain.drawn_numbers import drawn_numbers
+from vstatics.explain.drawn_numbers import drawn
 from vstatics.explain.worksheet import GearExercise, worksheet
 from vstatics.statics.results import Results, expect_one_case
-from vstatics.statics.solve import solve
 
 
 @refusing()
@@ -20,8 +19,8 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     gear : int or str
         Its number from 1, or its name.
     seed : int, optional
-        With other teeth and ratios, which can be assembled; the same of the same number, which is
-        0 or more.
+        With other teeth, which can be assembled, ratios, and capacities of the same margins; the
+        same of the same number, which is 0 or more.
 
     Returns
     -------
@@ -38,7 +37,7 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
 
     Examples
     --------
-    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> made = exercise(solve(case), "1")
     >>> "[2] ____" in made.worksheet(), "[2] .286" in made.solution()
@@ -49,5 +48,5 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     if seed is not None:
         if seed < 0:
             raise ValueError(f"seed is {seed}, expected 0 or more")
-        results = solve(drawn_numbers(results.case, seed))
+        results = drawn(results, seed)
     return worksheet(results, index, seed)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from vstatics.explain import typeset
 from vstatics.explain.given_parts import (
     UNREAD,
     cell_of,
@@ -76,7 +77,7 @@ def given(results: Results, place: int) -> Iterator[Grid]:
         _idle(state),
     )
     yield from (one for one in made if one.rows)
-    yield from (Grid(one, (), ()) for one in _conventions(state))
+    yield from (Grid(one, (), (), prose=typeset.prose(one)) for one in _conventions(state))
 
 
 def _conventions(state: GearState) -> Iterator[str]:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from vstatics.explain import typeset
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import Equation, System, in_numbers, in_symbols
+from vstatics.explain.text import symbol_meaning
 from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole, word
 from vstatics.texts import tr
 
@@ -85,7 +86,10 @@ def _ratio(one: Explanation) -> Grid:
     if one.formula is not None:
         right = Cell(one.formula.text, math=typeset.formula(one.formula))
         rows.append((_symbol(one.formula.left), right, one.formula.value))
-        rows += ((_symbol(each.name), each.meaning, each.value) for each in one.formula.symbols)
+        rows += (
+            (_symbol(each.name), symbol_meaning(each.meaning), each.value)
+            for each in one.formula.symbols
+        )
         speeds = one.formula.speeds.items()
         rows += ((_symbol(name), word("given"), speed) for name, speed in speeds)
     return grid_of("ratio", ["symbol", "is", "value"], rows)

@@ -108,7 +108,8 @@ LOSSES = (
 
 def engaged(elements: Sequence[str], holding: Sequence[str] = ()) -> str:
     """What is engaged, and the freewheels that hold."""
-    parts = [tr("engaged {names}", names=", ".join(elements))] * bool(elements)
+    count, names = len(elements), ", ".join(elements)
+    parts = [tr("engaged {names}|engaged {names}", names=names, count=count)] * bool(elements)
     if holding:
         names = ", ".join(holding)
         parts.append(tr("{names} holds|{names} hold", names=names, count=len(holding)))
@@ -244,7 +245,9 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
         equal = "; ".join(f"{new} = {' = '.join(old)}" for new, old in formula.shared.items())
         yield from _formula(f"{INDENT}{tr('with {equal}', equal=equal)}: i = ", formula.shared_text)
     for symbol in formula.symbols:
-        meaning = "" if f"u_{symbol.meaning}" == symbol.name else f"  ({_meaning(symbol.meaning)})"
+        meaning = (
+            "" if f"u_{symbol.meaning}" == symbol.name else f"  ({symbol_meaning(symbol.meaning)})"
+        )
         yield f"{INDENT}{symbol.name} = {short(symbol.value, digits)}{meaning}"
     for name, speed in formula.speeds.items():
         yield f"{INDENT}{name} = {short(speed, digits)}"
@@ -261,7 +264,7 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
 _BETWEEN_WHEELS = re.compile(r"(?P<part>.+): (?P<first>.+) to (?P<second>.+), (?P<third>.+) held")
 
 
-def _meaning(text: str) -> str:
+def symbol_meaning(text: str) -> str:
     """What a symbol stands for, in the language that is spoken."""
     found = _BETWEEN_WHEELS.fullmatch(text)
     if found is None:

@@ -50,6 +50,29 @@ def in_ratios(text: str) -> str:
     return _RATIO.sub(lambda found: symbol(found[0]), text)
 
 
+_IN_PROSE = re.compile(
+    r"(u eta\^x|x = [+-]1|M \(w_\w+ - w_\w+\) > 0|\(u \+ 1\)/2|\bMx\b|(?<![\w.])u(?![\w.]))"
+)
+"""Formulas of sentences about an exercise, the same in each language."""
+
+
+def prose(sentence: str) -> str:
+    r"""A sentence for LaTeX, with its formulas in math mode.
+
+    >>> print(prose("5 % of u eta^x, x = +1 where M (w_first - w_third) > 0"))
+    5 \% of $u\,\eta^{x}$, $x = +1$ where $M\,(w_{\mathrm{first}} - w_{\mathrm{third}}) > 0$
+    """
+    parts = _IN_PROSE.split(sentence)
+    parts[::2] = map(escaped, parts[::2])
+    parts[1::2] = (f"${_in_math(one)}$" for one in parts[1::2])
+    return "".join(parts)
+
+
+def _in_math(formula: str) -> str:
+    spaced = formula.replace(" eta^x", r"\,\eta^{x}").replace("M (", r"M\,(")
+    return re.sub(r"w_\w+|Mx", lambda found: symbol(found[0]), spaced)
+
+
 def equation(one: Equation, parts: Callable[[Equation], list[str]]) -> str:
     r"""An equation, in symbols or in numbers.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from vstatics.errors import Problem, spoken, why_not_allowed
 from vstatics.model.fields import MOST_CYLINDERS, TransmissionFields
@@ -104,19 +104,66 @@ MASS_AGAIN = 0.5
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Outputs that have about the inertia of the vehicle among `inertias`."""
+    """Outputs, with what is geared to them, that have about the inertia of the vehicle."""
     outputs = case.outputs or (case.output,)
     mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
-    given = {link: case.inertias[link] for link in outputs if case.inertias.get(link)}
-    total = sum(given.values())
+    inertias = {
+        link: case.inertias[link] * speed**2
+        for link, speed in _speeds_behind(case, outputs).items()
+        if case.inertias.get(link)
+    }
+    total = sum(inertias.values())
     if total >= MASS_AGAIN * mass:
+        given = sorted(inertias, key=lambda link: -inertias[link])
         names = spoken([case.link_name(link) for link in given])
+        reduced = "" if {*given} <= {*outputs} else " by the speed of the output"
         message = (
-            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2, and the mass of "
-            f"the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
+            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
+            f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
             "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
+
+
+def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
+    """Speeds of outputs, and of what pairs of wheels join to them, by that of the output.
+
+    What pairs join to an input past the outputs is the side of the engine, as in a box of one
+    gear: a flywheel may have half of the mass of the vehicle there.
+    """
+    ends = {*outputs, 0}
+    inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in ends]
+    before = _geared(case, inputs, ends)
+    found = _geared(case, outputs, {0})
+    return {link: speed for link, speed in found.items() if link in outputs or link not in before}
+
+
+def _geared(
+    case: TransmissionFields, starts: Sequence[int], ends: Collection[int]
+) -> dict[int, float]:
+    """Speeds of what pairs join to some links, by theirs; the way there does not pass `ends`."""
+    found, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
+    while new:
+        link = new.pop()
+        for one, other, speed in pairs:
+            if one == link and other not in found and other not in ends:
+                found[other] = found[link] * speed
+                new.append(other)
+    return found
+
+
+def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
+    """Links that one mechanism joins at a fixed ratio, and the speed of the second by the first's.
+
+    So does a set whose third link is the housing.
+    """
+    for one in case.mechanisms:
+        parts = {one.first: 1.0, one.second: -one.ratio, one.third: one.ratio - 1}
+        turning = [(link, part) for link, part in parts.items() if link and part]
+        if not one.kind and len(turning) == 2:
+            (first, of_first), (second, of_second) = turning
+            yield first, second, -of_first / of_second
+            yield second, first, -of_second / of_first
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:

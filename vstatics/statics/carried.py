@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.statics.result_arrays import Message
 
 if TYPE_CHECKING:
+    from vstatics.model.transmission import Transmission
     from vstatics.statics.results import Results
 
 MORE = 1e-4
@@ -56,6 +58,39 @@ def overloads(results: Results) -> Iterator[tuple[int, str]]:
         for gear in np.flatnonzero(above).tolist():
             has, can = (_told(one * unit) for one in (torques[gear, number], capacity))
             yield gear, f"{element.name} carries {has} of {can} {of}, more than its capacity"
+
+
+def overloads_at_points(
+    case: Transmission, torques: Floats, of: str, where: Callable[[int], str]
+) -> Iterator[Message]:
+    """What elements carry above their capacities over points of load.
+
+    A capacity that is relative to whatever the input torque is says nothing of these.
+
+    Parameters
+    ----------
+    case : Transmission
+        With the load by which capacities are told.
+    torques : array
+        (points, shift elements), NaN or 0 where one carries nothing [N*m].
+    of : str
+        What the points are, `rows`.
+    where : callable
+        Says of the index of a point where it is.
+    """
+    common = case.load.torque_size if case.load else 0.0
+    sizes = np.abs(np.nan_to_num(torques))
+    for number, element in enumerate(case.shift_elements if common else ()):
+        capacity = common * float(element.capacity or np.inf)
+        above = sizes[:, number] > capacity * (1 + MORE)
+        if above.any():
+            row = int(sizes[:, number].argmax())
+            has, can = _told(sizes[row, number]), _told(capacity)
+            text = (
+                f"in {int(above.sum())} of {len(above)} {of} {element.name} carries up to {has} of "
+                f"{can} N*m, more than its capacity, most {where(row)}"
+            )
+            yield Message("W430", text)
 
 
 def _told(torque: float) -> str:

@@ -44,7 +44,7 @@ OUTPUT_STANDS = Status(
 NEUTRAL = Status(
     "open",
     "neutral",
-    "neutral, the speed of the output is not determined",
+    "the speed of the output is not determined",
     has_power=True,
 )
 NO_TORQUES = Status(

@@ -67,14 +67,14 @@ def _design(summary: Summary) -> Grid:
 
 
 def state(name: str) -> Cell:
-    """Why a gear lacks something; `open` of a gear is another word than that of an element.
+    """Why a gear lacks something; what data call `open` is neutral to readers.
 
-    >>> from vstatics.texts import speaking
-    >>> with speaking("de"):
-    ...     [one("open").spoken.text for one in (state, word)]
-    ['Leerlauf', 'offen']
+    >>> state("open").text, state("open").datum, state("tied up").text
+    ('neutral', 'open', 'tied up')
     """
-    return word(name)._replace(said_as=NEUTRAL.english if name == NEUTRAL.name else "")
+    if name == NEUTRAL.name:
+        return word(NEUTRAL.english)._replace(written_as=name)
+    return word(name)
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:

@@ -54,8 +54,8 @@ class Cell(NamedTuple):
     """What a page writes at it as data, for a script."""
     is_said: bool = False
     """Whether its text is no name of the case but of this program, which has it in languages."""
-    said_as: str = ""
-    """The English text that other languages have it by, where its own means several things."""
+    written_as: str = ""
+    """The word of formats of data, where readers have a better one as its text."""
     look: str = ""
     """A class that a page gives it besides."""
     math: str = ""
@@ -65,7 +65,7 @@ class Cell(NamedTuple):
     def datum(self) -> Datum:
         """What it stands for, with all digits."""
         if self.kind is str:
-            return None if self.text in ("", NOTHING) else self.text
+            return None if self.text in ("", NOTHING) else self.written_as or self.text
         known = self.value is not None and not math.isnan(self.value)
         return self.kind(self.value) if known else None
 
@@ -74,7 +74,7 @@ class Cell(NamedTuple):
         """The same in the language that is spoken; what a sign means is no name."""
         if spoken() == "en":
             return self
-        text = labelled(self.said_as or self.text) if self.is_said else self.text
+        text = labelled(self.text) if self.is_said else self.text
         return self._replace(text=text, says=tr(self.says))
 
 
@@ -94,6 +94,8 @@ class Grid(NamedTuple):
     """A short name, unlike that of other tables, where the title is long."""
     group: str = ""
     """What it shares a sheet of a workbook with; nothing: it has one of its own."""
+    prose: str = ""
+    """Its title for LaTeX, formulas in math mode, where that is a sentence and it has no rows."""
 
     @property
     def cells(self) -> list[list[Cell]]:

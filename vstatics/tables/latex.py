@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 
 from vstatics.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
@@ -26,7 +27,7 @@ _SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Tables in the environment `tabular`, one below the other.
+    r"""Tables in the environment `tabular`, one below the other; sentences are a list.
 
     Examples
     --------
@@ -43,7 +44,12 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     \end{tabular}
     """
     parts = [rf"\noindent\textbf{{{escaped(title)}}}\par" for title in titles]
-    parts += ["\n".join(_lines(grid)) for grid in tables]
+    for is_prose, some in groupby(tables, lambda grid: bool(grid.prose)):
+        if is_prose:
+            items = (rf"\item {grid.prose}" for grid in some)
+            parts.append("\n".join([r"\begin{itemize}", *items, r"\end{itemize}"]))
+        else:
+            parts += ["\n".join(_lines(grid)) for grid in some]
     return "\n\n\\medskip\n".join(parts) + "\n"
 
 

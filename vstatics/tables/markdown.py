@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 
 from vstatics.tables.grid import Grid
 
@@ -11,7 +12,7 @@ _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&])")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Tables with pipes, one below the other.
+    r"""Tables with pipes, one below the other; sentences are a list.
 
     Examples
     --------
@@ -27,7 +28,11 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     | a\|b | 3.5 |
     """
     parts = [f"# {escaped(title)}" for title in titles]
-    parts += ["\n".join(_lines(grid)) for grid in tables]
+    for is_prose, some in groupby(tables, lambda grid: bool(grid.prose)):
+        if is_prose:
+            parts.append("\n".join(f"- {escaped(grid.title)}" for grid in some))
+        else:
+            parts += ["\n".join(_lines(grid)) for grid in some]
     return "\n\n".join(parts) + "\n"
 
 

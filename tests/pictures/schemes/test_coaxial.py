@@ -14,6 +14,7 @@ import pytest
 
 import vstatics
 from tests.pictures.measured import measured
+from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.elements import Drawing, Element, transmission
 from vstatics.elements.drawing import drawing_of
@@ -285,6 +286,15 @@ def test_letters_can_be_read_beside_one_another(names: list[str], width: str, br
         assert page.width / 25.4 * 72 <= style.width + 0.1, name
         assert (page.overlaps, page.outside, page.covered) == ([], [], []), name
         assert min(size for _, size in page.letters) >= (7 if style.wheels else 8) - 0.01, name
+
+
+@pytest.mark.parametrize("width", [170.0, 85.0])
+def test_the_name_of_a_loose_carrier_is_clear_of_the_names_of_wheels(width: float) -> None:
+    """Whole boxes of letters, with what hangs below the line; a rim's name fits in its wheel."""
+    results = vstatics.solve(vstatics.load(SHIPPED / "wolfrom.yaml"))
+    figure = picture(results, "stick", Style(width=width / 25.4 * 72, wheels=True))
+    assert {"carrier", "planet2: 21"} <= {text.get_text() for text in figure.texts}
+    assert overlaps(figure) == []
 
 
 def driveline() -> Transmission:

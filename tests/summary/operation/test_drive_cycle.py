@@ -104,6 +104,21 @@ def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
     assert made.energy.engine == made.energy.wheels == made.distance == 0
 
 
+def test_elements_that_carry_too_much_are_told_with_their_steps() -> None:
+    """Clutch 1 bears what the engine gives, here nothing turns but the car."""
+    steps = trace((0, 10, "1"), (2, 12, "1"), (4, 18, "1"), (6, 18, "2"), (8, 18, "2"))
+    bare = CASE.replace(inertias={}, load=Load(None, 10.0))
+    made = drive(bare, steps, GearChoice())
+    torques = made.steps["engine torque [N*m]"]
+    for part, told in ((0.99, True), (1.01, False)):
+        first = bare.shift_elements[0]._replace(capacity=torques[1] * part / 10)
+        case = bare.replace(shift_elements=[first, bare.shift_elements[1]])
+        said = [(one.id, one.text) for one in drive(case, steps, GearChoice()).messages]
+        text = f"in 1 of 4 steps {first.name} carries up to {torques[1]:.5g} of "
+        text += f"{torques[1] * part:.5g} N*m, more than its capacity, most from 2 s on, gear 1"
+        assert said == [("W430", text)] * told
+
+
 def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
     case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
     for name in ("tied", "none"):

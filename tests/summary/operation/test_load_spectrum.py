@@ -12,7 +12,16 @@ import pytest
 from tests.chance import seeded
 from tests.commands import vstatics
 from tests.trains import random_train
-from vstatics import CaseError, Gear, Load, Mechanism, Spring, Transmission, solve
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    Spring,
+    Transmission,
+    solve,
+)
 from vstatics.model.fatigue import Fatigue
 from vstatics.readers import from_dict
 from vstatics.summary.operation.load_spectrum import DutyPoints, points_of, spectrum
@@ -122,6 +131,27 @@ def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
     assert made.energy.out == pytest.approx(leaving, rel=1e-9)
     lost = math.fsum(made.energy.lost.values())
     assert lost == pytest.approx(entering - leaving, rel=1e-8, abs=1e-6 * entering)
+
+
+@pytest.mark.parametrize("load", [400.0, 150.0])
+def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(load: float) -> None:
+    """A held ring bears 2.5*.96 times the sun; its capacity is in N*m, told by any load."""
+    elements = [
+        ShiftElement(1, 2, "C", capacity=9999 / load),
+        ShiftElement(2, 0, "B", capacity=600 / load),
+    ]
+    gears = [Gear([2], name="low"), Gear([1], name="high")]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5, 0.96)], gears, load=Load(None, load))
+    rows = points((200.0, 249.0, 1.0), (200.0, 260.0, 1.0), (200.0, 300.0, 1.0), (200.0, 900.0, 1))
+    rows = rows._replace(gears=np.array([0, 0, 0, 1]))
+    [one] = spectrum(case, rows).messages
+    assert (one.id, one.text) == (
+        "W430",
+        f"in 2 of 4 rows B carries up to {2.5 * 0.96 * 300:.5g} of 600 N*m, more than its "
+        "capacity, most in row 3, gear low",
+    )
+    assert not spectrum(case.replace(allow=("W430",)), rows).messages
+    assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
 
 
 def test_what_is_no_duty_cycle_is_told() -> None:

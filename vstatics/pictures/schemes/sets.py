@@ -92,7 +92,12 @@ class HalfSection:
         return self.x(own[0]), self.x(own[-1])
 
     def radius(self, rim: str) -> float:
-        """Of a rim: the smaller ones of a planet look smaller, where nothing else meshes."""
+        """Of a rim: the smaller ones of a planet look smaller, where nothing else meshes.
+
+        A name needs the height of a large one above its pin.
+        """
+        if rim in self.names:
+            return RADIUS
         own = self.group.planets[self.group.planet_of[rim]]
         meshed = {one for pair in self.group.meshes for one in pair}
         largest = max(self.group.teeth(other) for other in own)

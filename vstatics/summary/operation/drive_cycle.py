@@ -20,6 +20,7 @@ from vstatics.errors import CaseError, Problem, not_allowed, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.model.vehicle import Vehicle
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.solve import solve
@@ -99,7 +100,7 @@ def drive(
     steps = _CycleSteps.of(bare(case), case.vehicle, trace, choice)
     moving = np.flatnonzero(trace.speed > 0)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
-    lost = _Lost({}, {})
+    lost = _Lost({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
     brakes = 0.0
     if moving.size:
         engine[moving] = steps.engine_torques(moving)
@@ -130,12 +131,14 @@ def drive(
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
-    messages = not_allowed(_doubts(steps, beyond, outside), case.untold)
+    doubts = *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
+    doubts += (outside_message(outside),) * bool(outside)
+    messages = not_allowed(doubts, case.untold)
     return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
 
 
-def _doubts(steps: _CycleSteps, beyond: int, outside: Sequence[str]) -> Iterator[Message]:
-    """What is doubtful about a cycle."""
+def _doubts(steps: _CycleSteps, beyond: int) -> Iterator[Message]:
+    """What the engine can't."""
     vehicle, speeds = steps.vehicle, steps.engine_speeds
     too_fast = ~vehicle.may_turn(speeds)
     if too_fast.any():
@@ -148,8 +151,16 @@ def _doubts(steps: _CycleSteps, beyond: int, outside: Sequence[str]) -> Iterator
     if beyond:
         text = "the engine would have to give more than at full load"
         yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
-    if outside:
-        yield outside_message(outside)
+
+
+def _overloads(case: Transmission, steps: _CycleSteps, torques: Floats) -> Iterator[Message]:
+    """What shift elements can't carry, by (steps, elements) torques [N*m]."""
+
+    def where(row: int) -> str:
+        start = steps.trace.table.numbers["time"][row]
+        return f"from {start:.6g} s on, gear {case.gears[int(steps.gears[row])].name}"
+
+    yield from overloads_at_points(case, torques, "steps", where)
 
 
 SAME_ENGINE_TORQUE = 1e-9
@@ -157,15 +168,19 @@ SAME_ENGINE_TORQUE = 1e-9
 
 
 class _Lost(NamedTuple):
-    """What steps lose."""
+    """What steps lose, and what is held meanwhile."""
 
     energies: dict[str, float]
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH`` [J]."""
     outside: dict[str, None]
     """Laws that are asked outside their points."""
 
-    def add(self, loads: PointLoads, duration: Floats) -> None:
-        """Steps of some durations [s]."""
+    held_torques: Floats
+    """(steps, shift elements): what those carry that hold [N*m]."""
+
+    def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
+        """Some steps, of durations [s]."""
+        self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.drag_losses()).items():
             self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
@@ -334,14 +349,14 @@ class _CycleSteps(NamedTuple):
     def add_losses(self, rows: Integers, lost: _Lost) -> None:
         """What rows lose that the engine drives, or that brake no more than its overrun."""
         if rows.size:
-            lost.add(self._from_wheels(rows), self.trace.duration[rows])
+            lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
 
     def braked(self, rows: Integers, engine: Floats, lost: _Lost) -> float:
         """The energy of brakes where the engine brakes at its overrun [J]."""
         speeds = self._links("input")[rows]
         points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
-        lost.add(loads, self.trace.duration[rows])
+        lost.add(loads, rows, self.trace.duration[rows])
         torque = self._given(self.case, rows, loads) * np.sign(self._links("output")[rows])
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - self.forces[rows]) * self.trace.speed[rows]

@@ -14,12 +14,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.damage.devices import DeviceDamage, damages
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, not_allowed
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
+from vstatics.statics.carried import overloads_at_points
+from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.matrix import held_links
-from vstatics.statics.result_arrays import row_names
+from vstatics.statics.result_arrays import Message, row_names
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.tables.answer import told
@@ -81,8 +83,8 @@ class Spectrum(NamedTuple):
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
-    outside: Sequence[str] = ()
-    """Laws that points ask outside theirs."""
+    messages: Sequence[Message] = ()
+    """What is doubtful: laws asked outside their points, shift elements that carry too much."""
     are_shares: bool = False
     """Then energies are mean powers, and revolutions those of a second."""
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
@@ -130,7 +132,19 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     efficiency = leaving / entering if entering > 0 else math.nan
     energy = DutyEnergy(entering, leaving, lost)
     damage = damages(case, loads.device_torques())
-    return Spectrum(energy, efficiency, members, loads.outside, points.are_shares, damage)
+    messages = not_allowed(_doubts(case, loads), case.untold)
+    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage)
+
+
+def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
+    """What is doubtful about points of a case, whose load tells capacities."""
+
+    def where(row: int) -> str:
+        return f"in row {row + 1}, gear {case.gears[int(loads.points.gears[row])].name}"
+
+    yield from overloads_at_points(case, loads.held_torques, "rows", where)
+    if loads.outside:
+        yield outside_message(loads.outside)
 
 
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
@@ -237,6 +251,13 @@ class PointLoads(NamedTuple):
         slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
         for place, element in enumerate(self.case.shift_elements):
             yield element.name, torques[:, place], slips[:, place]
+
+    @property
+    def held_torques(self) -> Floats:
+        """(points, shift elements): what those carry that hold, with losses; else 0 [N*m]."""
+        holds = self.taken(self.results.holds)
+        torques = self.taken(self.results.lossy_torques_Nm)[:, : holds.shape[1]]
+        return np.where(holds, torques, 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
         """By shift element, mechanism and spring: its torque at each point [N*m]."""

@@ -67,7 +67,11 @@ def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float
     if layout.is_small or up.kind != "set":
         return
     section, carrier = layout.section(up), layout.own.train.sets[up.index].carrier
-    ends = [(carrier, section.width if len(section.levels) > 1 else _pin_end(section), 0.0)]
+    ends = [(carrier, section.width, 0.0)]
+    if len(section.levels) == 1:  # the name of a rim stands above the end of the pin
+        is_below = any(rim in section.names for rim in section.columns[-1].rims.values())
+        drop = layout.height(layout.name(carrier)) / 2 + 1
+        ends = [(carrier, _pin_end(section), -drop * is_below)]
     ends = [] if any((*up.left, *up.right)) else ends
     for number, own in enumerate(up.wheels):
         for bar in own:
