@@ -262,3 +262,39 @@ def test_teeth_and_a_number_of_a_mechanism_vary_together(case: vstatics.Transmis
     [chunk] = vstatics.sweep(without, vary, out=out)
     for (sun, own), found in zip(chunk.values, chunk.columns[:, 0], strict=True):
         assert found == pytest.approx((1 + own * 75 / sun) / (1 + 75 / sun))
+
+
+@pytest.mark.parametrize("by", [None, "gear"])
+def test_a_column_has_the_ratio_that_the_teeth_of_its_row_give(
+    case: vstatics.Transmission, by: str | None
+) -> None:
+    """-R/S of a set; a condition sees it, too. Friction gives the efficiency of a mesh."""
+    vary = ["P1.teeth.sun=25:40:16", "P1.teeth.ring=74,75"]
+    out = "P1.ratio, 2*P1.ratio, P1.efficiency"
+    [chunk] = vstatics.sweep(case, vary, out=out, by=by, where="P1.ratio < -2.2")
+    expected = [-ring / sun for sun, ring in chunk.values.tolist()]
+    assert len(expected) > 10
+    assert max(expected) < -2.2
+    np.testing.assert_allclose(chunk.columns[:, 0], expected, 1e-15)
+    np.testing.assert_allclose(chunk.columns[:, 1], chunk.columns[:, 0] * 2, 1e-15)
+    [chunk] = vstatics.sweep(case, ["mesh_efficiency.friction=.03,.06,.12"], out="P1.efficiency")
+    frictions = chunk.values[:, 0].tolist()
+    alone = [changed((("mesh_efficiency", "friction"), one)) for one in frictions]
+    found = [one.mechanisms[0].efficiency for one in alone]
+    assert found[0] > found[1] > found[2]
+    np.testing.assert_allclose(chunk.columns[:, 0], found, 1e-15)
+
+
+def test_a_ratio_and_the_teeth_that_give_it_are_one_number(case: vstatics.Transmission) -> None:
+    with pytest.raises(vstatics.ReadError, match=r"P1\.ratio is varied beside teeth"):
+        vstatics.sweep(case, ["P1.ratio=-3,-2", "P1.teeth.sun=25,30"])
+    [chunk] = vstatics.sweep(case, ["pair.ratio=2,3", "P1.teeth.sun=25,30"], out="P1.ratio")
+    assert chunk.columns[:, 0].tolist() == [-3.0, -2.5, -3.0, -2.5]
+
+
+def test_an_efficiency_that_follows_a_law_is_no_column() -> None:
+    law = {"over": "torque", "points": [[0, 0.95], [40, 0.985]]}
+    document = json.loads(json.dumps(CASE))
+    document["elements"]["P1"]["efficiency"] = law
+    with pytest.raises(vstatics.ReadError, match=r"P1\.efficiency.*it is no number"):
+        vstatics.sweep(from_dict(document), ["load.torque=50 N*m,60 N*m"], out="P1.efficiency")

@@ -54,6 +54,22 @@ def lock_time(torque: float) -> float:
     return SLIP / float(ring @ acceleration)
 
 
+def test_teeth_that_do_not_go_together_are_told_and_the_run_stands() -> None:
+    """Planets of a set want (ring - sun)/2 to be whole; the path is that of a sweep of the case."""
+    case = CASE.replace(
+        b"mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -1.5}}",
+        b"elements: {set: {kind: planetary, sun: sun, ring: ring, carrier: carrier, planets: 3,"
+        b" efficiency: 1, teeth: {sun: 40, ring: 60}}}",
+    )
+    options = SweepOptions.of(vary=["set.teeth.ring=60:66:7"], out="locks[brake]")
+    made = calculate(build.plan(subject(case=case), options), 0, 7)
+    for ring, status in zip(made.values[:, 0].tolist(), made.status, strict=True):
+        fits = (ring - 40) % 2 == 0 and (ring + 40) % 3 == 0
+        assert STATUS[status] == ("ok" if fits else "not assembled")
+    assert made.columns[0, 0] == pytest.approx(lock_time(120.0), rel=1e-6)
+    assert np.isfinite(made.columns).all()
+
+
 def test_variants_of_one_number_have_the_closed_form() -> None:
     """The published case of 120 N*m locks at .410054006 s."""
     assert lock_time(120.0) == pytest.approx(0.410054006, abs=5e-10)

@@ -5,8 +5,9 @@ Everything is calculated in blocks, so that the results of a block stay in tens 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from types import MappingProxyType
 from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -33,13 +34,12 @@ from vstatics.sweep.chunk import (
     rows_of,
 )
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
-from vstatics.sweep.kept.meanings import SPREAD, STEP
+from vstatics.sweep.kept.meanings import PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import (
     OF_MECHANISM,
-    OfMechanism,
     Target,
     Varied,
     impossible,
@@ -58,11 +58,15 @@ class BlockTables(NamedTuple):
 
     results: Results | None
     modes: Frequencies | None
+    numbers: Mapping[str, Floats] = MappingProxyType({})
+    """What mechanisms have in each variant, by `PART_NUMBERS`, (variants, 1, mechanisms). [-]"""
 
     def existing(self, name: str) -> Floats:
         """A table by its name, one of those that the plan asks for."""
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
+        if name in self.numbers:
+            return self.numbers[name]
         assert self.results is not None  # noqa: S101 - the plan has looked
         if name == STEP:
             return steps(self.results.case, self.results.ratio)
@@ -137,12 +141,17 @@ def block_tables(
     if plan.asks_for_results and paths:
         results = solve(case, vary=paths)
     elif plan.asks_for_results:
-        numbers = _of_mechanisms(case, targets, own, cases)
+        numbers = _of_mechanisms(case, plan, values, cases)
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
         modes = frequencies(case, targets, own, asked, first[:, plan.places])
-    return BlockTables(results, modes)
+    told = {
+        table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
+        for quantity, table in PART_NUMBERS.items()
+        if table in plan.tables
+    }
+    return BlockTables(results, modes, told)
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
@@ -159,23 +168,29 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 
 
 def _of_mechanisms(
-    case: Transmission, targets: Sequence[Target], values: Floats, cases: Sequence[Made] = ()
-) -> dict[OfMechanism, Floats]:
+    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
+) -> dict[str, Floats]:
     """What `vstatics.solve` takes of a block, (variants, mechanisms): each one's lie together."""
-    varied = {target.quantity for target in targets}
-    numbers: dict[OfMechanism, Floats] = {}
-    for quantity in OF_MECHANISM:
-        if cases or quantity in varied or (quantity == "ratio" and not varied & set(OF_MECHANISM)):
-            table = np.empty((len(case.mechanisms), len(values)))
-            table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
-            for chosen, made in cases:
-                if made:
-                    table.T[chosen] = [getattr(one, quantity) for one in made.mechanisms]
-            numbers[quantity] = table.T
-    for column, target in enumerate(targets):
-        if target.quantity in OF_MECHANISM:
-            numbers[target.quantity][:, target.owner] = values[:, column]
-    return numbers
+    varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
+    asked = OF_MECHANISM if cases else varied or {"ratio"}
+    return {one: _numbers_of(case, plan, values, cases, one) for one in asked}
+
+
+def _numbers_of(
+    case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made], quantity: str
+) -> Floats:
+    """The ratios or efficiencies of a block, (variants, mechanisms)."""
+    table = np.empty((len(case.mechanisms), len(values)))
+    table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
+    for chosen, made in cases:
+        if made:
+            table.T[chosen] = [getattr(one, quantity) for one in made.mechanisms]
+    for column, target in enumerate(plan.variants.targets):
+        if isinstance(target, Target) and target.quantity == quantity:
+            table[target.owner] = values[:, column]
+        elif isinstance(target, CasePath) and target.quantity == quantity:
+            table[[one.owner for one in target.of]] = values[:, column]
+    return table.T
 
 
 MEASURED_RUNS = 8
@@ -260,8 +275,7 @@ def _groups(
     All cases that differ in nothing else, unless planets are asked for, which follow from a case.
     """
     own = [one.back_efficiency for one in plan.case.mechanisms]
-    tables = {part.table for one in plan.expressions for part in one.selections}
-    of_each_case = tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
+    of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
     if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
         yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
     elif all([m.back_efficiency for m in made.mechanisms] == own for _, made in cases if made):
@@ -312,7 +326,7 @@ def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants:
     """
     by_gear = plan.by_gear
     status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
-    results, modes = tables
+    results, modes = tables.results, tables.modes
     if results is None or own is None:
         if modes is not None:
             status[modes.tied_up] = TIED_UP

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
+from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Place, Problem, ReadError, of_file
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
@@ -29,6 +31,7 @@ from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
 from vstatics.sweep.variants.table import load_table
+from vstatics.sweep.variants.targets import Target, Varied
 from vstatics.sweep.variants.variation import Variation, read_variation
 from vstatics.tables.written_results import GEAR
 
@@ -94,6 +97,8 @@ def plan(
     else:
         variants, places = _variants(subject, options, arrays or {})
     try:
+        if isinstance(subject, Transmission):
+            _check_ratios(subject, variants.targets, places)
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
         made = _with_expressions(subject, options, variants)
@@ -164,6 +169,26 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
                     one._replace(place=places[n], path=()) for one in error.problems
                 )
                 raise ReadError([*placed]) from None
+
+
+def _check_ratios(
+    case: Transmission, targets: Sequence[Varied], places: Sequence[Place | None]
+) -> None:
+    """Make sure that no ratio varies beside the teeth that it follows from.
+
+    Raises
+    ------
+    ReadError
+    """
+    parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
+    by_teeth = {part.way[1] for part in parts if part.way[0] == "elements" and "teeth" in part.way}
+    drawing = drawing_of(case)
+    names = {one.name for n, one in enumerate(drawing.elements) if n in by_teeth} if drawing else {}
+    follow = {n for one in case.own_devices if one.name in names for n in one.mechanisms}
+    for target, place in zip_longest(targets, places):
+        if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
+            message = f"{target.name} is varied beside teeth that it follows from, expected one"
+            raise ReadError([Problem("E706", f"{message} of the two", place=place)])
 
 
 def _check_slopes(made: SweepPlan) -> None:

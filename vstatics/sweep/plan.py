@@ -14,7 +14,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression
-from vstatics.sweep.kept.meanings import OF_RATIOS, OK, Tables
+from vstatics.sweep.kept.meanings import OF_RATIOS, OK, PART_NUMBERS, Tables
 from vstatics.sweep.kept.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -129,10 +129,14 @@ class SweepPlan:
             yield from self.where.parts
 
     @property
+    def tables(self) -> set[str]:
+        """All tables that are asked for."""
+        return {part.table for one in self.expressions for part in one.selections}
+
+    @property
     def asks_for_results(self) -> bool:
         """Whether the results of statics are asked for: unless all that is asked is of modes."""
-        tables = {part.table for one in self.expressions for part in one.selections}
-        return tables - {OK} != {OMEGA}
+        return self.tables - {OK} != {OMEGA}
 
     @property
     def takes_all(self) -> bool:
@@ -144,7 +148,7 @@ class SweepPlan:
     def asked_gears(self) -> list[int]:
         """Indices of the gears that are asked for: all where a number is of all, or of none."""
         every = [part for one in self.expressions for part in one.selections]
-        parts = [part for part in every if part.table != OK]
+        parts = [part for part in every if part.table not in (OK, *PART_NUMBERS.values())]
         if not parts or any(part.gear is None or part.table in OF_RATIOS for part in parts):
             return [*range(len(self.case.gears))]
         return sorted({part.gear for part in parts if part.gear is not None})

@@ -9,10 +9,11 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.simulation.record.asked import TABLES
-from vstatics.sweep.chunk import INVALID, STOPPED, Chunk, joined, rows_of
+from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.kept.asked import asked_rows
 from vstatics.sweep.motion_tables import MotionTables, along_time
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.variants.part_numbers import are_assembled
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import VariedScenario
 
@@ -69,5 +70,9 @@ def _row(
             motion = subject.run(paths, values[0].tolist(), asked)
     if motion is not None:
         status[0] = STOPPED if motion.stopped else 0
-    tables = MotionTables(None if status[0] else motion, subject.rows)
-    return rows_of(plan, number, values, status, tables, status > 0)
+    without = status > 0
+    if motion is not None and motion.case and not status[0]:
+        varied = {str(path.keys[1]) for path in paths if path.keys[0] == "elements"}
+        status[0] = 0 if are_assembled(motion.case, varied) else NOT_ASSEMBLED
+    tables = MotionTables(None if without[0] else motion, subject.rows)
+    return rows_of(plan, number, values, status, tables, without)

@@ -26,7 +26,15 @@ from vstatics.sweep.kept.expressions import (
     resolved_expression,
     terms_of,
 )
-from vstatics.sweep.kept.meanings import OF_RATIOS, OK, SPREAD, Selection, Tables, VariedNumber
+from vstatics.sweep.kept.meanings import (
+    OF_RATIOS,
+    OK,
+    PART_NUMBERS,
+    SPREAD,
+    Selection,
+    Tables,
+    VariedNumber,
+)
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 from vstatics.tables.names import NAME
@@ -220,7 +228,7 @@ def _headings(
     before = text if call else f"({text})"
     if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
         before = own or expression.table or node.table
-        if not own and node.table not in (SPREAD, OK):
+        if not own and node.table not in (SPREAD, OK, *PART_NUMBERS.values()):
             gears, rows = names.gears, names.written_rows(node.table)
             own_gear, own_row = node.gear, node.row
     for row in range(len(expression.rows or ("",))):

@@ -17,6 +17,12 @@ OK = "ok"
 """Whether the status of a row is that; only sweeps have it."""
 
 
+PART_NUMBERS = {"ratio": "ratios of parts", "efficiency": "efficiencies of parts"}
+"""Tables of what mechanisms have in a variant, by the quantity; an expression names a number."""
+OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
+"""Tables that have one value for all gears."""
+
+
 class Selection(NamedTuple):
     """A table of the results, or what is left of it."""
 
@@ -54,7 +60,7 @@ class GearRows(NamedTuple):
     def existing(self, name: str) -> Floats:
         """A table of shape (variants * gears, 1[, rows])."""
         table: Any = self.tables.existing(name)
-        if name == SPREAD:
+        if name in OF_A_VARIANT:
             table = np.repeat(table, self.gears, axis=1)
         variants, gears, *rows = table.shape
         whole: Floats = table.reshape(variants * gears, 1, *rows)

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from vstatics.errors import nearest, quoted, typed_number
 from vstatics.model.fields import gear_place, numbered_gear
+from vstatics.model.parts import Law
 from vstatics.model.transmission import Transmission
 from vstatics.readers.expressions.evaluation import FUNCTIONS
 from vstatics.readers.expressions.excerpt import Excerpt
@@ -15,10 +16,18 @@ from vstatics.readers.expressions.operands import Constant, DottedName, Subscrip
 from vstatics.statics.physical import known_units, lacking_load
 from vstatics.statics.result_arrays import Rows
 from vstatics.sweep.frequencies import OMEGA, mode_names
-from vstatics.sweep.kept.meanings import OF_RATIOS, OK, SPREAD, STEP, Selection, VariedNumber
+from vstatics.sweep.kept.meanings import (
+    OF_RATIOS,
+    OK,
+    PART_NUMBERS,
+    SPREAD,
+    STEP,
+    Selection,
+    VariedNumber,
+)
 from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
 from vstatics.sweep.variants.subject import number_of_case
-from vstatics.sweep.variants.targets import Target, Varied, own_number
+from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, own_number
 from vstatics.tables.names import (
     ROWS,
     nearest_quantity,
@@ -36,6 +45,11 @@ LANGUAGE = Language(
     example="ratio",
     instead="; rows and gears of a table go in [ ]",
 )
+
+
+def _changes_mechanisms(varied: Varied) -> bool:
+    """Whether a mechanism may have other numbers where a path varies."""
+    return isinstance(varied, CasePath) and bool(varied.part or varied.quantity in OF_MECHANISM)
 
 
 class SweepNames:
@@ -69,8 +83,11 @@ class SweepNames:
         self.gears = [] if by_gear else [gear.name for gear in case.gears]
         """None where a row is of a gear."""
 
-    def number(self, name: DottedName) -> VariedNumber | Applied | Constant:
-        """A number of the case: varied, or else its own; a compliance by a varied stiffness."""
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
+        """A number of the case: varied, or else its own; a compliance by a varied stiffness.
+
+        That of a mechanism may follow from what varies, such as the teeth of its element.
+        """
         found = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
             if varied.numbers == found.numbers:
@@ -83,7 +100,14 @@ class SweepNames:
                 return Constant(own_number_at(found, self.case))
             except ValueError as error:
                 raise self.source.error(str(error), name.at) from None
-        return Constant(own_number(self.case, found.owner, found.quantity))
+        own = own_number(self.case, found.owner, found.quantity)
+        if isinstance(own, Law):
+            message = f"{quoted(found.name)} follows what the mechanism does: it is no number"
+            raise self.source.error(message, name.at)
+        if found.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
+            table = PART_NUMBERS[found.quantity]
+            return Selection(table, 0, found.owner, len(self.case.mechanisms))
+        return Constant(own)
 
     @property
     def _units(self) -> set[str]:
@@ -140,7 +164,7 @@ class SweepNames:
 
     def rows(self, table: str) -> Sequence[str]:
         """The names of a table's rows in the case; none if it has one value per gear."""
-        if table in (*OF_RATIOS, OK):
+        if table in (*OF_RATIOS, OK, *PART_NUMBERS.values()):
             return []
         return self._modes if table == OMEGA else table_rows(table, self.case)
 

@@ -5,7 +5,7 @@ A variant is the case with such parts in place of its own, made and checked as a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any, NamedTuple, TypeAlias, get_args
@@ -193,7 +193,13 @@ def _put(part: Any, way: Way, number: float, link_names: Sequence[str]) -> Any:
 
 def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
     """Whether the elements to which numbers belong can be put together with their teeth."""
-    drawing = drawing_of(case)
+    elements = drawing.elements if (drawing := drawing_of(case)) else ()
     owners = {number.way[1] for number in numbers if number.way[0] == "elements"}
-    found = [one for n in owners if drawing for one in misfits(drawing.elements[int(n)])]
+    return are_assembled(case, {one.name for n, one in enumerate(elements) if n in owners})
+
+
+def are_assembled(case: Transmission, names: Collection[str]) -> bool:
+    """Whether the elements of such names can be put together with their teeth."""
+    elements = drawing.elements if (drawing := drawing_of(case)) else ()
+    found = [fault for one in elements if one.name in names for fault in misfits(one)]
     return all(one in case.untold for one in found)

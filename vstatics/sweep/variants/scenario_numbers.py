@@ -47,6 +47,8 @@ _OF_A_CASE = {
     "damping": ("springs", "shift_elements", "mechanisms", "elements"),
 }
 """Where what a sweep of a case calls `D1.ratio` may stand."""
+_PARTS = ("elements", "mechanisms", "shift_elements")
+"""Where other numbers of a part may stand, as `P1.teeth.sun`."""
 
 
 class NumberPath(NamedTuple):
@@ -88,7 +90,7 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
     text : str
         Keys, and numbers of items from 1, with points between; at its end perhaps `[rpm]`, the
         unit of the values. It is looked for in the scenario, then in the case. `D1.ratio`,
-        `shaft.stiffness` and `engine.inertia` are understood as in a sweep of a case.
+        `P1.teeth.sun` and `engine.inertia` are understood as in a sweep of a case.
     trees : Trees
     place : Place, optional
         Where the text begins, for messages.
@@ -147,12 +149,10 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
 
 def _spelled_of_a_case(keys: Keys) -> list[Keys]:
     """What `D1.ratio` may mean in a document."""
-    if len(keys) != 2:
-        return []
-    name, quantity = keys
-    if quantity == "inertia":
-        return [(owner, name) for owner in _HEAVY]
-    return [(owner, name, quantity) for owner in _OF_A_CASE.get(quantity, ())]
+    if len(keys) == 2 and keys[1] == "inertia":
+        return [(owner, keys[0]) for owner in _HEAVY]
+    of_quantity = _OF_A_CASE.get(keys[-1], _PARTS) if len(keys) == 2 else _PARTS
+    return [(owner, *keys) for owner in of_quantity if len(keys) > 1]
 
 
 def _leads(root: Node, keys: Keys) -> bool:
