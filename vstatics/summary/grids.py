@@ -237,7 +237,7 @@ def _duty(summary: Summary) -> Iterator[Grid]:
 
 def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     """Energies, and what links, members and clutches carry."""
-    unit, energy = ("W" if cycle.are_shares else "J"), cycle.energy
+    what, energy = ("mean power, W" if cycle.are_shares else "energy, J"), cycle.energy
     lost = [(word(f"lost: {name}"), one) for name, one in energy.lost.items() if one]
     rows = [
         (word("in"), energy.in_),
@@ -245,7 +245,7 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
         *lost,
         (word("efficiency"), cycle.efficiency),
     ]
-    yield grid_of("Duty cycle", ["", f"energy, {unit}"], rows, key="duty")
+    yield grid_of("Duty cycle", ["", what], rows, key="duty")
     members = [
         (
             *(
@@ -261,7 +261,7 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
         if one.torque.largest
     ]
     headings = (
-        *("member", "torque, N*m", "row", "speed, rpm", "row"),
+        *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
         *("turns" + " a second" * cycle.are_shares, "equivalent, N*m"),
     )
     yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
