@@ -21,6 +21,7 @@ from vstatics.report.html_page import (
     in_language,
     section_alone,
 )
+from vstatics.report.live import fields as page_fields
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
@@ -40,8 +41,8 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPTS = (_resource("patches.js"), _resource("serve.js"))
-_STYLE = joined(toolbar.STYLE, _resource("serve.css"))
+_OWN_SCRIPTS = (page_fields.SCRIPT, _resource("patches.js"), _resource("serve.js"))
+_STYLE = joined(toolbar.STYLE, page_fields.STYLE, _resource("serve.css"))
 
 
 def _hashed(script: Markup) -> str:

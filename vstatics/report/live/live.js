@@ -1,7 +1,7 @@
 // A page that calculates: fields and sliders in, numbers with marks out.
 "use strict";
 (() => {
-  const { calculate, steps, pictures } = globalThis.transmission;
+  const { calculate, steps, pictures } = globalThis.transmission, { typed } = globalThis;
   const c = JSON.parse(document.getElementById("lowered").textContent), numbers = { ...c.numbers };
   const [outside, why] = ["outside", "why-outside"].map((id) => document.getElementById(id)), given = JSON.stringify(numbers);
   const known = { ...c.results, step: { rows: [], of: "step", unit: "", decimals: 3 } };
@@ -79,16 +79,18 @@
   document.addEventListener("input", ({ target }) => {
     const { path } = target.dataset ?? {};
     if (!(path in numbers)) return;
-    numbers[path] = target.value === "" ? NaN : Number(target.value);
+    const number = typed.read(target);
+    if (Number.isNaN(number)) return;
+    numbers[path] = number;
     for (const other of document.querySelectorAll("input[data-path]")) {
-      if (other !== target && other.dataset.path === path) other.value = target.value;
+      if (other !== target && other.dataset.path === path) typed.write(other, number);
     }
     show();
   });
 
   document.getElementById("revert").addEventListener("click", () => {
     Object.assign(numbers, c.numbers);
-    for (const one of document.querySelectorAll("input[data-path]")) one.value = c.numbers[one.dataset.path];
+    for (const one of document.querySelectorAll("input[data-path]")) typed.restore(one, c.numbers[one.dataset.path]);
     show();
   });
 
