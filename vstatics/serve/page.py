@@ -23,6 +23,7 @@ from vstatics.report.html_page import (
 )
 from vstatics.report.live import fields as page_fields
 from vstatics.report.live.fields import PageField, case_fields, shown_fields
+from vstatics.report.live.page import OUTSIDE
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as run_scripts
@@ -189,7 +190,7 @@ def _panel(state: Mapping[str, Any]) -> Markup:
             role="alert",
             hidden=True,
         ),
-        tag("p", "outside: run the program", id="outside", hidden=True),
+        tag("p", tr(OUTSIDE), id="outside", hidden=True),
         tag("p", tr("vstatics serve has ended: nothing is saved any more."), class_="when-gone"),
         id="panel",
         class_=SCREEN,

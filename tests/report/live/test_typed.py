@@ -10,8 +10,8 @@ import pytest
 from tests.accessibility import serious_faults
 from vstatics import loads, solve
 from vstatics.report import gather
-from vstatics.report.live.page import live_page
-from vstatics.texts import speaking
+from vstatics.report.live.page import OUTSIDE, live_page
+from vstatics.texts import speaking, table
 
 SET = """\
 links: [sun, ring, carrier]
@@ -80,6 +80,14 @@ def test_what_is_no_number_is_told_at_its_field_and_changes_nothing(page: Any) -
     page.locator("#revert").click()
     assert page.input_value(FIELD) == "-4"
     assert page.locator(".unread").count() == 0
+
+
+def test_a_number_that_no_case_can_have_is_told_in_the_language(page: Any) -> None:
+    typed(page, "1,2", FIELD.replace("ratio", "efficiency"))
+    told = page.locator("#outside").inner_text(), page.locator("#why-outside").inner_text()
+    assert told[0] == table("de")[OUTSIDE]
+    assert told[1].startswith("P Wirkungsgrad = 1.2: erwartet eine Zahl über 0")
+    page.locator("#revert").click()
 
 
 def test_the_keys_up_and_down_change_a_field(page: Any) -> None:

@@ -17,6 +17,9 @@
     Object.assign(dataset, { result: c.texts[result], ...(row && { row: c.texts[row] }), gear: c.texts[gear], number });
   }
 
+  const called = [...document.querySelectorAll("input.slider")].map((one) => [one.dataset.path, one.getAttribute("aria-label")]);
+  c.called = Object.fromEntries(called);
+
   const cells = []; // of each number: its element, what it is, and how it was at first
   const seen = new Map(); // rows may have the same name
   const names = c.gears.map(({ name }) => name);
@@ -66,8 +69,10 @@
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
     why.hidden = !asked.length;
-    const reasons = [...new Set(asked.map((n) => told[n].outside))].map((one) => (
-      `${one} (${asked.filter((n) => told[n].outside === one).map((n) => names[n]).join(", ")})`));
+    const reasons = [...new Set(asked.map((n) => told[n].outside))].map((one) => {
+      const own = asked.filter((n) => told[n].outside === one);
+      return told[own[0]].isOfAll ? one : `${one} (${own.map((n) => names[n]).join(", ")})`;
+    });
     const pale = isMoved ? "" : "The pale numbers are those of the program, which do not follow.";
     why.textContent = `${reasons.join("; ")}. ${pale}`;
     document.getElementById("revert").hidden = !isMoved;

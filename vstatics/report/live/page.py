@@ -75,7 +75,7 @@ def live_page(material: Material) -> str:
         choice=choice(material),
         panel=joined(
             toolbar.toolbar(),
-            tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+            tag("p", tr(OUTSIDE), id="outside", class_=SCREEN, role="status", hidden=True),
             tag("p", id="why-outside", class_=SCREEN, hidden=True),
         ),
         scripts=[toolbar.SCRIPT, *(runs.SCRIPTS if moves else ())],
