@@ -64,6 +64,29 @@ def test_a_slider_and_its_field_are_one_number(window: Callable[[], Window]) -> 
     assert here.shows() == set()
 
 
+def test_a_decimal_comma_is_saved_as_a_point_and_what_is_no_number_not_at_all(
+    program: Program, window: Callable[[], Window]
+) -> None:
+    here = window()
+    here.type("P1.ratio", "-2,5")
+    here.has_ratio(3.5)
+    here.type("P1.efficiency", "0,9x")
+    assert here.page.locator(".unread").count() == 1
+    here.page.click("#save")
+    here.until("document.getElementById('save').hidden")
+    assert program.file.read_text("utf-8") == BOX.replace("-78/30", "-2.5")
+    assert here.field("P1.efficiency") == "0,9x"  # it is still to be mended, and told
+    assert here.page.locator(".unread").count() == 1
+    here.type("P1.ratio", "2,5,1")
+    here.page.click("#undo")
+    here.has_ratio(1 + 78 / 30)
+    here.page.click("#revert")
+    here.has_ratio(3.5)
+    assert float(here.field("P1.ratio")) == -2.5
+    assert float(here.field("P1.efficiency")) == 0.97
+    assert here.page.locator(".unread").count() == 0
+
+
 def test_a_wrong_number_is_told_with_its_place_and_the_good_page_stays(
     program: Program, window: Callable[[], Window]
 ) -> None:

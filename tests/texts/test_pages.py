@@ -14,7 +14,6 @@ import pytest
 
 from tests.commands import CASES, vstatics
 from tests.serve.windows import Program, Window
-from vstatics.report.live.page import OUTSIDE
 from vstatics.texts import table
 
 SYMBOLS = {
@@ -146,8 +145,7 @@ def test_a_page_that_calculates_has_no_english_words(
     page = window.evaluate(SAID)
     window.close()
     assert "Изменить" in page
-    said = words_of(page).replace(OUTSIDE, "")
-    assert left(said, of_case(document_of(page))) == set()
+    assert left(words_of(page), of_case(document_of(page))) == set()
 
 
 @pytest.mark.slow
@@ -172,7 +170,7 @@ def test_a_page_that_is_served_has_no_english_words(browser: Any, tmp_path: Path
     assert not here.errors
     here.context.close()
     assert running.end() == (0, "")
-    said = words_of(page).replace(OUTSIDE, "")
+    said = words_of(page)
     assert {"Сохранить", "Взять файл"} <= {*said.split("\n")}
     assert left(said, of_case(document_of(page))) == set()
 

@@ -14,7 +14,7 @@
   let [gone, conflict, saving, step] = [false, false, false, null];
   let errors = at("errors").textContent;
   const last = new Map(); // section -> what it was made of
-  const { learn, nodesOf, patch } = globalThis.patches;
+  const { patches: { learn, nodesOf, patch }, typed } = globalThis;
 
   async function ask(route, options) {
     try {
@@ -196,7 +196,7 @@
         if (value < Number(one.min)) one.min = value;
         if (value > Number(one.max)) one.max = value;
       }
-      if (one.value === "" || Number(one.value) !== value) one.value = value;
+      typed.write(one, value);
     }
   }
 
@@ -287,7 +287,7 @@
   let pause;
   addEventListener("input", ({ target }) => {
     if (!target.matches("input.field, input.slider")) return;
-    const { path } = target.dataset, value = target.valueAsNumber;
+    const { path } = target.dataset, value = typed.read(target);
     if (Number.isNaN(value) || value === now(path)) return;
     if (step !== path) steps.push(new Map([[path, now(path)]]));
     step = path;
@@ -296,10 +296,7 @@
     set(path, value, target);
     attempt();
   });
-  addEventListener("change", ({ target }) => {
-    step = null;
-    if (target.matches("input.field") && Number.isNaN(target.valueAsNumber)) target.value = now(target.dataset.path);
-  });
+  addEventListener("change", () => { step = null; });
 
   at("undo").addEventListener("click", () => {
     step = null;
@@ -311,6 +308,7 @@
     step = null;
     if (edits.size) steps.push(new Map(edits));
     for (const path of [...edits.keys()]) set(path, ofFile.get(path));
+    for (const one of fields()) typed.restore(one, ofFile.get(one.dataset.path));
   }
 
   at("revert").addEventListener("click", () => { drop(); attempt(); });

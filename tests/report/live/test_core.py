@@ -179,6 +179,32 @@ def test_what_is_shown_follows_a_slider_and_goes_back(page: Any) -> None:
 
 
 @pytest.mark.usefixtures("without_pictures")
+def test_numbers_that_no_case_can_have_are_told_by_their_name(page: Any) -> None:
+    """Those that the program refuses, too; nothing is told of teeth where there are none."""
+    links = {"sun": 1, "ring": 2, "carrier": 3}
+    sets = [
+        Element("P", "planetary", links, {"sun": 30, "ring": 75}),
+        Element("W", "worm", {"worm": 4, "wheel": 3}, {"worm": 2, "wheel": 41}, None, 0.8, 0.7),
+    ]
+    drawn = transmission(Drawing(4, sets), gears=[Gear([1])], shift_elements=[ShiftElement(2, 0)])
+    bare = Transmission(2, [], [Mechanism(1, 2, 0, -2.6, 0.97, name="D")], [Gear()])
+    wrong: list[tuple[Transmission, dict[str, list[float]]]] = [
+        (bare, {"D.ratio": [0], "D.efficiency": [0, 1.2, -0.5]}),
+        (drawn, {"P.teeth.sun": [-30, 0], "W.efficiency": [1.5], "W.back_efficiency": [-0.1, 2]}),
+    ]
+    for case, by_path in wrong:
+        opened(page, case)
+        for path, value in ((path, value) for path, found in by_path.items() for value in found):
+            assert program(case, lowered(case)["numbers"] | {path: value}) is None
+            page.fill(f'input.field[data-path="{path}"]', str(value))
+            assert page.locator("#outside").is_visible()
+            why = page.locator("#why-outside").inner_text()
+            assert why.startswith(f"{path} = {value}: expected a "), why
+            page.locator("#revert").click()
+            assert page.locator("#outside").is_hidden()
+
+
+@pytest.mark.usefixtures("without_pictures")
 def test_numbers_bear_the_paths_of_a_sweep_and_the_core_is_small(page: Any) -> None:
     for name in ("ford-10r80.yaml", "umdm.yaml", "power-split.yaml", "mzkt7922.dat"):
         case = load(CASES / name)

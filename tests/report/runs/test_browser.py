@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
@@ -67,6 +68,36 @@ def page(browser: Any, file: Path) -> Iterator[Any]:
     yield window
     window.close()
     assert not errors
+
+
+DRAWN = """() => {
+  globalThis.drawn = [];
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+    globalThis.drawn.push(text);
+    return fillText.call(this, text, ...place);
+  };
+}"""
+
+
+@pytest.mark.parametrize("locale", ["en", "de", "ru"])
+def test_axes_have_a_decimal_point_and_no_marks_for_thousands(
+    browser: Any, file: Path, table: dict[str, list[float]], locale: str
+) -> None:
+    """In a browser of any language, as the tables: 2,000 or 2.000 would be read as two."""
+    context = browser.new_context(locale=locale)
+    window = context.new_page()
+    window.add_init_script(f"({DRAWN})()")
+    window.goto(file.as_uri())
+    window.wait_for_selector(".run-moves", state="visible")
+    window.wait_for_function("drawn.length > 20")
+    texts = {one.replace("\u2212", "-") for one in window.evaluate("drawn")}
+    numbers = {float(one) for one in texts if re.fullmatch(r"-?[\d.,\s]+", one)}
+    assert texts >= {f"{one:g}" for one in numbers}
+    fastest = max(np.ptp(each) for head, each in table.items() if head.startswith("speeds")) * RPM
+    assert 1000 < max(numbers) < 2 * fastest
+    assert any(one % 1 for one in numbers)
+    context.close()
 
 
 def test_speeds_at_any_time_are_those_of_the_run(page: Any, answer: dict[str, Any]) -> None:

@@ -6,8 +6,10 @@ their event ``input`` knows what changes.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from importlib.resources import files
 from itertools import groupby
 from typing import NamedTuple
 
@@ -30,6 +32,13 @@ _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
 """Of numbers that a case keeps in units of their own."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
 """What a case has without saying it; nobody changes it here."""
+
+
+SCRIPT, STYLE = (
+    Markup((files(__package__) / f"fields.{kind}").read_text(encoding="utf-8"))
+    for kind in ("js", "css")
+)
+"""What reads the fields, and how they look."""
 
 
 class PageField(NamedTuple):
@@ -66,6 +75,18 @@ class PageField(NamedTuple):
         if _EFFICIENCY.search(self.path) and 0 <= self.value <= 1:
             return 0.0, 1.0
         return (1.0, max(reach, 1.0)) if self.whole and self.value > 0 else (-reach, reach)
+
+    @property
+    def step(self) -> float:
+        """By which the keys up and down change it: a power of 10, some hundredth of its slider.
+
+        >>> PageField("P1.teeth.sun", 30, whole=True).step, PageField("D1.ratio", -2.5).step
+        (1.0, 0.1)
+        >>> PageField("load.speed", 3000).step
+        100.0
+        """
+        low, high = self.limits
+        return 1.0 if self.whole else 10.0 ** math.floor(math.log10((high - low) / 100))
 
 
 def case_fields(case: Transmission) -> Iterator[PageField]:
@@ -169,15 +190,19 @@ def _word(key: str) -> str:
 
 def _row(field: PageField, *, fixed: bool) -> Markup:
     low, high = map(digits_of, field.limits)
-    value, step = digits_of(field.value), "1" if field.whole else "any"
+    value = digits_of(field.value)
     name = _name(field.path.removeprefix(f"{field.owner}.").split("."))
-    common = {"data_path": field.path, "step": step, "value": value, "disabled": fixed}
+    common = {"data_path": field.path, "value": value, "disabled": fixed}
     unit = f", {tr(field.unit)}" if field.unit else ""
     label = f"{field.path if spoken() == 'en' else f'{_owner(field.owner)} {name}'}{unit}"
+    typed = {"class_": "field", "autocomplete": "off", "data_step": digits_of(field.step)}
+    if field.limits[0] >= 0:  # some telephones have no minus beside such digits
+        typed["inputmode"] = "decimal"
+    moved = {"class_": "slider", "step": "1" if field.whole else "any", "min": low, "max": high}
     return tag(
         "div",
         tag("label", f"{name}{unit}", for_=f"field-{field.path}"),
-        tag("input", type="number", id=f"field-{field.path}", class_="field", **common),
-        tag("input", type="range", class_="slider", aria_label=label, min=low, max=high, **common),
+        tag("input", type="text", id=f"field-{field.path}", **typed, **common),
+        tag("input", type="range", aria_label=label, **moved, **common),
         class_="changed-by-hand",
     )

@@ -1,7 +1,7 @@
 // A page that calculates: fields and sliders in, numbers with marks out.
 "use strict";
 (() => {
-  const { calculate, steps, pictures } = globalThis.transmission;
+  const { calculate, steps, pictures } = globalThis.transmission, { typed } = globalThis;
   const c = JSON.parse(document.getElementById("lowered").textContent), numbers = { ...c.numbers };
   const [outside, why] = ["outside", "why-outside"].map((id) => document.getElementById(id)), given = JSON.stringify(numbers);
   const known = { ...c.results, step: { rows: [], of: "step", unit: "", decimals: 3 } };
@@ -16,6 +16,9 @@
     delete dataset.marks;
     Object.assign(dataset, { result: c.texts[result], ...(row && { row: c.texts[row] }), gear: c.texts[gear], number });
   }
+
+  const called = [...document.querySelectorAll("input.slider")].map((one) => [one.dataset.path, one.getAttribute("aria-label")]);
+  c.called = Object.fromEntries(called);
 
   const cells = []; // of each number: its element, what it is, and how it was at first
   const seen = new Map(); // rows may have the same name
@@ -66,8 +69,10 @@
     outside.dataset.gears = asked.map((n) => names[n]).join(", ");
     outside.title = asked.map((n) => `${names[n]}: ${told[n].outside}`).join("; ");
     why.hidden = !asked.length;
-    const reasons = [...new Set(asked.map((n) => told[n].outside))].map((one) => (
-      `${one} (${asked.filter((n) => told[n].outside === one).map((n) => names[n]).join(", ")})`));
+    const reasons = [...new Set(asked.map((n) => told[n].outside))].map((one) => {
+      const own = asked.filter((n) => told[n].outside === one);
+      return told[own[0]].isOfAll ? one : `${one} (${own.map((n) => names[n]).join(", ")})`;
+    });
     const pale = isMoved ? "" : "The pale numbers are those of the program, which do not follow.";
     why.textContent = `${reasons.join("; ")}. ${pale}`;
     document.getElementById("revert").hidden = !isMoved;
@@ -79,16 +84,18 @@
   document.addEventListener("input", ({ target }) => {
     const { path } = target.dataset ?? {};
     if (!(path in numbers)) return;
-    numbers[path] = target.value === "" ? NaN : Number(target.value);
+    const number = typed.read(target);
+    if (Number.isNaN(number)) return;
+    numbers[path] = number;
     for (const other of document.querySelectorAll("input[data-path]")) {
-      if (other !== target && other.dataset.path === path) other.value = target.value;
+      if (other !== target && other.dataset.path === path) typed.write(other, number);
     }
     show();
   });
 
   document.getElementById("revert").addEventListener("click", () => {
     Object.assign(numbers, c.numbers);
-    for (const one of document.querySelectorAll("input[data-path]")) one.value = c.numbers[one.dataset.path];
+    for (const one of document.querySelectorAll("input[data-path]")) typed.restore(one, c.numbers[one.dataset.path]);
     show();
   });
 

@@ -17,7 +17,7 @@ from typing import Any
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import Transmission
 from vstatics.report.html_page import PageFrame, about, choice, framed, in_language
-from vstatics.report.live.fields import PageField, case_fields, shown_fields
+from vstatics.report.live.fields import SCRIPT, STYLE, PageField, case_fields, shown_fields
 from vstatics.report.live.lowered import lowered
 from vstatics.report.live.packed import packed
 from vstatics.report.material import Material
@@ -75,16 +75,16 @@ def live_page(material: Material) -> str:
         choice=choice(material),
         panel=joined(
             toolbar.toolbar(),
-            tag("p", OUTSIDE, id="outside", class_=SCREEN, role="status", hidden=True),
+            tag("p", tr(OUTSIDE), id="outside", class_=SCREEN, role="status", hidden=True),
             tag("p", id="why-outside", class_=SCREEN, hidden=True),
         ),
         scripts=[toolbar.SCRIPT, *(runs.SCRIPTS if moves else ())],
         end=joined(
             tag("script", _data(known), type="application/json", id="lowered"),
             tag("script", in_language(_resource("core.js")), id="core"),
-            *(tag("script", in_language(_resource(name))) for name in _SCRIPTS),
+            *(tag("script", in_language(one)) for one in (SCRIPT, *map(_resource, _SCRIPTS))),
         ),
-        style=joined(toolbar.STYLE, _resource("live.css"), runs.STYLE if moves else ""),
+        style=joined(toolbar.STYLE, STYLE, _resource("live.css"), runs.STYLE if moves else ""),
     )
     title = material.naming.title(case.name, runs=material.run is not None)
     page = framed(title, about(material), parts, material.document, frame)

@@ -183,15 +183,22 @@
   // The results of each gear at some numbers, or `outside`: why the program is to be asked.
 
   const holds = { above: (x) => x > 0, not: (x) => x !== 0, is: (x) => Math.abs(x) < 1e-12 };
-  const isRight = (c, path, value) => { // a number of teeth, an efficiency, another one
-    if (c.counts.includes(path)) return Number.isInteger(value) && value > 0;
-    if (/\.diameters\./.test(path)) return value > 0;
-    if (/back_efficiency$/.test(path)) return value >= 0 && value <= 1;
-    if (/efficiency$|mesh_efficiency\.\w+$/.test(path)) return value > 0 && value <= 1;
-    return Number.isFinite(value);
+  const expected = (c, path, value) => { // what a number of teeth, an efficiency, another one is not
+    if (c.counts.includes(path)) return Number.isInteger(value) && value > 0 ? "" : "a whole number above 0";
+    if (/\.diameters\./.test(path)) return value > 0 ? "" : "a number above 0";
+    if (/back_efficiency$/.test(path)) return value >= 0 && value <= 1 ? "" : "a number from 0 to 1";
+    if (/efficiency$|mesh_efficiency\.\w+$/.test(path)) return value > 0 && value <= 1 ? "" : "a number above 0, up to 1";
+    const isRatio = c.mechanisms.some(({ ratio, kind }) => ratio === path && !kind);
+    if (isRatio && value === 0) return "a number other than 0";
+    return Number.isFinite(value) ? "" : "a number";
   };
-  const refused = (c, number) => c.conditions.some(([kind, formula]) => !holds[kind](number(formula)))
-    || Object.keys(c.numbers).some((path) => !isRight(c, path, number(path)));
+  const refused = (c, number) => { // why no case has these numbers, if none has
+    for (const path of Object.keys(c.numbers)) {
+      const given = number(path), wanted = expected(c, path, given), name = c.called?.[path] ?? path;
+      if (wanted) return `${name} = ${given}: expected ${wanted}`;
+    }
+    return c.conditions.every(([kind, formula]) => holds[kind](number(formula))) ? "" : "no such teeth";
+  };
 
   const ofGear = (c, gear, number) => {
     const own = new Map(gear.ratios), mechanisms = c.mechanisms.map((one, n) => {
@@ -219,10 +226,10 @@
 
   const calculate = (c, numbers) => {
     const number = (formula) => evaluate(formula, numbers);
-    const why = refused(c, number) ? "no such teeth" : "";
+    const why = refused(c, number);
     return c.gears.map((gear) => {
       try {
-        if (why) return { outside: why };
+        if (why) return { outside: why, isOfAll: true };
         if (c.depends) return { outside: "losses that depend on load", ...lossless(c, gear, number) };
         return ofGear(c, gear, number);
       } catch (error) {

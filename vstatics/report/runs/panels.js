@@ -15,6 +15,10 @@
     return /[1-9]/.test(text) ? text.replace("-", "\u2212") : text.replace("-", "");
   }
 
+  // Of axes: as tables have them, not with the marks for thousands of the language of the browser
+  const ticks = (plotted, places) => places.map((place) => (
+    place === null ? "" : String(Number(place.toPrecision(12))).replaceAll("-", "\u2212")));
+
   class Panels {
     constructor(run, closed) { // titles of those that are folded
       this.run = run;
@@ -138,7 +142,7 @@
     }
 
     plot(panel, data, series, y, axis, draw = () => {}) {
-      const line = { stroke: () => css("ink"), grid: { stroke: () => css("line"), width: 1 }, ticks: { stroke: () => css("line"), width: 1 }, font: "12px system-ui, sans-serif" };
+      const line = { stroke: () => css("ink"), grid: { stroke: () => css("line"), width: 1 }, ticks: { stroke: () => css("line"), width: 1 }, values: ticks, font: "12px system-ui, sans-serif" };
       const verticals = (plotted) => {
         const { ctx, bbox } = plotted;
         ctx.save();

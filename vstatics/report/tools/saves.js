@@ -65,7 +65,8 @@
     if (!("moved" in document.body.dataset)) return document.getElementById("result").textContent;
     const changed = {}, calculated = {}; // numbers of the page itself: the program did not see them
     for (const one of document.querySelectorAll("input.field[data-path]")) {
-      if (one.value !== one.defaultValue) changed[one.dataset.path] = one.valueAsNumber;
+      const number = globalThis.typed.numberOf(one);
+      if (number !== Number(one.defaultValue)) changed[one.dataset.path] = number;
     }
     for (const { dataset: { result, row, gear, number } } of document.querySelectorAll("main :is(td, span)[data-result]")) {
       const rows = (calculated[result] ??= {}), value = number === "" ? null : Number(number);
