@@ -20,8 +20,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+import click
 import pytest
 
+from vstatics.cli import main
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.pieces.found import prepare
 
@@ -33,6 +35,7 @@ FENCE = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 FILES_OF = re.compile(r"^<!-- files of: (\S+) -->$", re.MULTILINE)
+SPAN = re.compile(r"(?<!`)`(vstatics [^`\n]+)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 NOT_RUN = ("make", "pip ", "python benchmarks", ".venv/bin/", "git ", "cd ")
 """How commands start that need another machine than this folder."""
@@ -273,3 +276,24 @@ def test_readme_is_short_and_comes_to_the_point() -> None:
     head = b"\n".join(text.split(b"\n")[:60])
     for wanted in (b"make run", b"make test", b"vstatics new", b"--pretty"):
         assert wanted in head
+
+
+def options_of(words: list[str]) -> set[str]:
+    """The options of the command that words call."""
+    command: click.Command = main
+    while isinstance(command, click.Group) and words:
+        inner = command.get_command(click.Context(command), words.pop(0))
+        if inner is None:
+            break
+        command = inner
+    own = {name for one in command.params for name in (*one.opts, *one.secondary_opts)}
+    return own | {"--help", "--version"}
+
+
+@pytest.mark.parametrize("name", NAMES[:1] + NAMES[2:])
+def test_a_command_within_a_sentence_has_its_options(name: str) -> None:
+    """Those are not run; the list of changes tells of what was."""
+    for command in SPAN.findall((ROOT / name).read_text(encoding="utf-8")):
+        words = command.split()[1:]
+        asked = {word.split("=")[0] for word in words if re.match("--[a-z]", word)}
+        assert asked <= options_of(words), command
