@@ -9,6 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vstatics.model.shape import Measure
+from vstatics.readers.named.si_units import measured
 from vstatics.readers.named.units import LONGEST_UNIT, unit
 
 POUND = Fraction("0.45359237")
@@ -67,6 +69,22 @@ KNOWN = [
 @pytest.mark.parametrize(("quantity", "size", "text"), KNOWN, ids=[text for *_, text in KNOWN])
 def test_a_unit_has_its_exact_size_rounded_once(quantity: str, size: Fraction, text: str) -> None:
     assert unit(text) == (quantity, float(size))
+
+
+OF_SI: dict[str, tuple[Measure, float]] = {
+    "speed": ("si_speed", math.pi / 30),
+    "torque": ("si_torque", 1.0),
+}
+
+
+@pytest.mark.parametrize(
+    ("quantity", "size", "text"), [one for one in KNOWN if one[0] in OF_SI], ids=str
+)
+def test_units_of_loads_are_those_of_headings_and_sweeps(
+    quantity: str, size: Fraction, text: str
+) -> None:
+    measure, of_si = OF_SI[quantity]
+    assert measured(f"1 {text}", measure) == pytest.approx(float(size) * of_si, rel=1e-15)
 
 
 def test_printed_sizes() -> None:

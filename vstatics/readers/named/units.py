@@ -183,7 +183,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     number, behind = calculated(text) if _has_digits(text) else (0.0, "")
     found, size = unit(behind)
     if found != kind:
-        other = f"; this is a {found}" if found else _hint(behind, kind)
+        other = f"; this is a {found}" if found else usual(behind, kind)
         such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
         raise ValueError(f"{such}{or_else}{other}")
     value = number * size
@@ -196,10 +196,16 @@ def _has_digits(text: str) -> bool:
     return any(sign in "0123456789" for sign in text)
 
 
-def _hint(read: str, kind: Quantity) -> str:
-    """The usual unit, where another way to write it was read."""
+def usual(read: str, kind: Quantity | None) -> str:
+    """The usual unit, where another way to write it was read.
+
+    >>> usual("Hz", "speed"), usual(",5", None)
+    ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
+    """
     if "," in read:
         return " (with a decimal point)"
+    if kind is None:
+        return ""
     letters = _letters(read)
     alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
     meant = next(alike, _MEANT.get(letters))
