@@ -157,7 +157,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> Found:
         found = Found(Source(file, data.decode(encoding, "replace")))
         before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
-        message = f"{message} (byte {error.start + 1} of the file)"
+        message = f"{message} (byte {error.start + 1} of the file); save it in UTF-8"
         found.stop(message, len(before), len(before[-1]) + 1)
     found = Found(Source(file, text))
     if not text.strip():
