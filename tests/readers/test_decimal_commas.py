@@ -95,3 +95,12 @@ def test_semicolons_and_decimal_commas_say_the_same(read: Read, text: str, tmp_p
 def test_decimal_commas_between_commas_are_refused(read: Read, text: str, tmp_path: Path) -> None:
     with pytest.raises((ReadError, ValueError), match="semicolons have to separate the cells"):
         read(german(text, ","), tmp_path)
+
+
+def test_numbers_as_in_print_are_refused_with_what_is_meant() -> None:
+    trace = 'time [s],speed [km/h]\n0,\u22120\n10,"36,5"\n'
+    with pytest.raises(ReadError) as caught:
+        read_trace(trace.encode(), "t.csv")
+    minus, comma = map(str, caught.value.problems)
+    assert "t.csv:2:1: error: speed: read '\u22120', expected a finite number (with `-`" in minus
+    assert "t.csv:3:1: error: speed: read '36,5', expected a finite number (with a dec" in comma

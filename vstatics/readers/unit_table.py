@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -10,6 +9,7 @@ from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
 from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.readers.named.csv_rows import (
     cells_of,
+    decimal,
     expect_cells,
     has_cells,
     separator_of,
@@ -192,9 +192,6 @@ def _add(
             table.texts[column.name].append(cell)
             continue
         try:
-            number = float(with_points(cell, separator)) * unit if "_" not in cell else math.nan
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            raise ValueError(f"{column.name}: read {cell[:40]!r}, expected a number")
-        table.numbers[column.name].append(number)
+            table.numbers[column.name].append(decimal(with_points(cell, separator)) * unit)
+        except ValueError as error:
+            raise ValueError(f"{column.name}: read {cell[:40]!r}, {error}") from None

@@ -41,7 +41,9 @@ TORQUES = {
     Fraction(1, 10**7): "dyn*cm",
 }
 SPEEDS = {
-    Fraction(1): "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min**-1|rev/min|r/min|U/min"
+    Fraction(
+        1
+    ): "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min\u22121|min**-1|rev/min|r/min|U/min"
     "|u/min|Umdr/min|tr/min|об/мин|turn/minute|revolutions per minute|revs per min|rev*min^-1",
     Fraction(60): "rev/s|rps|turn/s|revolution/second|cycle/s|об/с",
     Fraction(1, 60): "rev/h|rev/hour",

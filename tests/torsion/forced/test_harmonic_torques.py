@@ -266,7 +266,7 @@ def test_a_table_of_torques() -> None:
         ),
         (
             b"order,amplitude\n2,x\n",
-            "engine.csv:2:1: error: amplitude: read 'x', expected a number",
+            "engine.csv:2:1: error: amplitude: read 'x', expected a finite number",
         ),
         (
             b"order,amplitude\n0,1\n",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ from contextvars import ContextVar
 from itertools import chain
 from pathlib import Path
 
+from vstatics.readers.named.arithmetic import slip
 from vstatics.readers.named.nodes import encoding_of
 
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
@@ -109,6 +111,29 @@ def cells_of(line: str, separator: str) -> list[str]:
         return [cell.strip() for cell in next(csv.reader([line], delimiter=separator), [])]
     except csv.Error as error:
         raise ValueError(f"no CSV: {error}") from None
+
+
+def decimal(cell: str) -> float:
+    """A finite decimal number.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> decimal("2,5")
+    Traceback (most recent call last):
+    ValueError: expected a finite number (with a decimal point)
+    """
+    try:
+        number = float(cell) if "_" not in cell else math.nan
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"expected a finite number{slip(cell)}")
+    return number
 
 
 def expect_cells(read: int, expected: int, separator: str) -> None:

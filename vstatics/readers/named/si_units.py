@@ -20,7 +20,7 @@ from vstatics.readers.named.units import (
     with_article,
 )
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, int, int, int, int]
@@ -88,7 +88,7 @@ _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torqu
 """As `units` knows them, with other ways to write their units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
-_SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
+_SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:

@@ -8,7 +8,7 @@ from typing import Literal, Self
 
 from vstatics.errors import nearest
 from vstatics.model.shape import UNITS
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected, slip
 
 Quantity = Literal["speed", "torque", "power"]
 
@@ -76,7 +76,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
 }
 """Kinds of factors -> what they are together, and by what they are divided."""
 
-_SIGNS = str.maketrans("·⋅×⁻¹", "***-1")
+_SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
 """Characters of a unit."""
@@ -136,7 +136,7 @@ def _factor(word: str) -> _Factor | None:
     return _WORDS_OF_UNITS.get(word.casefold())
 
 
-QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻¹]{{0,39}}$"
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
 """A number with a unit, as a pattern for ECMAScript."""
 
 EXAMPLES: dict[Quantity, str] = {
@@ -202,10 +202,9 @@ def usual(read: str, kind: Quantity | None) -> str:
     >>> usual("Hz", "speed"), usual(",5", None)
     ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
     """
-    if "," in read:
-        return " (with a decimal point)"
-    if kind is None:
-        return ""
+    told = slip(read)
+    if told or kind is None:
+        return told
     letters = _letters(read)
     alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
     meant = next(alike, _MEANT.get(letters))
