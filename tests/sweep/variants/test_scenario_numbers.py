@@ -158,6 +158,7 @@ def test_numbers_of_a_workbook_vary_as_those_of_yaml() -> None:
     of_book = VariedScenario(of_yaml.scenario, Document(write(loads(text.decode())), "set.xlsx"))
     for name, value in (
         ("elements.set.teeth.ring", 84.0),
+        ("set.teeth.sun", 26.0),
         ("shift_elements.brake.capacity", 75.0),
         ("ring.inertia", 0.9),
         ("torques.sun", 30.0),

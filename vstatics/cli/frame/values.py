@@ -256,7 +256,7 @@ def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, st
     >>> named_values('shaft=.03, "a, b"=.2')
     [('shaft', '.03'), ('a, b', '.2')]
     """
-    found = []
+    found: list[tuple[str, str]] = []
     at = 0
     while at <= len(text):
         item = re.compile(_ITEM).match(text, at)
