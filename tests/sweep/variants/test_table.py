@@ -155,6 +155,11 @@ def test_other_encodings_are_refused(data: bytes, place: tuple[int, int]) -> Non
     assert told[0] == (*place, "the file is not UTF-8; save the table as CSV in UTF-8")
 
 
+def test_a_workbook_is_no_table_and_not_shown() -> None:
+    told = refusal(b"PK\3\4\x14\0\6\0" + b"\xff" * 100)
+    assert told == [(1, 1, "a zero byte: this is no text; save the table as CSV in UTF-8")]
+
+
 def test_a_file_of_one_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tables, "_LONGEST", 1000)
     monkeypatch.setattr(tables, "_PIECE", 64)

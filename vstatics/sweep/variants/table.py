@@ -272,6 +272,9 @@ def _text(data: bytes, file: str, line: int) -> str:
     try:
         return data.decode()
     except UnicodeDecodeError as error:
+        if b"\0" in data[: error.start]:
+            message = "a zero byte: this is no text; save the table as CSV in UTF-8"
+            raise refusal(message, Place(file, line, 1)) from None
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))
         raise refusal("the file is not UTF-8; save the table as CSV in UTF-8", place) from None
