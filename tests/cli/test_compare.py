@@ -106,6 +106,7 @@ def test_tolerances_that_are_none_are_wrong_use() -> None:
         assert vstatics("summary", "neutral.yaml", "--reserve", number).status == 2
         with pytest.raises(ValueError, match="tolerance of compare"):
             library.compare(file, file, rtol=float(number))
+    assert "(with a decimal point)" in vstatics("summary", "neutral.yaml", "--reserve", "1,2").err
 
 
 def test_a_golden_result_of_python_is_that_of_the_command(tmp_path: Path) -> None:

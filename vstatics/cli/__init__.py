@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import sys
 from collections.abc import Iterator
 from typing import Any
@@ -104,7 +105,17 @@ def _safely_told() -> Iterator[None]:
         raise  # its message is the help, and shown as that
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
-        raise click.UsageError(message, error.ctx) from None
+        raise click.UsageError(message + _slip(message), error.ctx) from None
+
+
+def _slip(message: str) -> str:
+    """How a number is written, behind what click says of one as it stands in print."""
+    read = re.search(r"'([^']*)' is not a valid float", message)
+    if read is None:
+        return ""
+    from vstatics.readers.named.arithmetic import slip  # needless at the start of commands
+
+    return slip(read[1])
 
 
 def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> None:

@@ -120,6 +120,7 @@ def cycle(
     to = wanted.destination([case, trace])
     files.spare([case, trace], steps)
     arguments.check_streams([case, trace])
+    arguments.check_order(case, trace)
     from vstatics.summary.operation.trace import read_trace
 
     read = read_trace(*files.read_input(trace))

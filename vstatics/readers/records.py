@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -11,7 +10,7 @@ import numpy as np
 from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.csv_rows import numbered_rows
+from vstatics.readers.named.csv_rows import decimal, numbered_rows
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
@@ -92,9 +91,10 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     for line, row in rows:
         for name, (place, size) in places.items():
             cell = row[place].strip() if place < len(row) else ""
-            values[name].append(_number(cell) * size)
-            if math.isnan(values[name][-1]):
-                message = f"{name}: read {cell[:40]!r}, expected a finite number"
+            try:
+                values[name].append(decimal(cell) * size)
+            except ValueError as error:
+                message = f"{name}: read {cell[:40]!r}, {error}"
                 problems.append(Problem("E121", message, (), source.place(line)))
         if len(problems) >= MOST_PROBLEMS:
             break
@@ -119,12 +119,3 @@ def _named(
     except ValueError as error:
         message = f"{name.strip()}: read the unit {unit.removesuffix(']')[:40]!r}, {error}"
         raise ReadError([Problem("E121", message, (), source.place(line))]) from None
-
-
-def _number(cell: str) -> float:
-    """A finite number, else NaN."""
-    try:
-        number = float(cell) if "_" not in cell else math.nan
-    except ValueError:
-        return math.nan
-    return number if math.isfinite(number) else math.nan

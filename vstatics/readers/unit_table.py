@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-import csv
-import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
 from vstatics.model.shape import UNIT_OF, Measure
+from vstatics.readers.named.csv_rows import (
+    cells_of,
+    decimal,
+    expect_cells,
+    has_cells,
+    separator_of,
+    with_points,
+)
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
@@ -69,7 +75,8 @@ def read_unit_table(
     Parameters
     ----------
     data : bytes
-        A line of headings, then a line for each row.
+        A line of headings, then a line for each row, with commas, or with semicolons and
+        decimal commas.
     file : str
         Its name, for messages.
     what : str
@@ -93,13 +100,14 @@ def read_unit_table(
     (3.141593, ['1', 'R'])
     """
     source = decode(data, file, what).source
-    lines = [(number, line) for number, line in enumerate(source.lines, 1) if line.strip()]
+    lines = [(number, line) for number, line in enumerate(source.lines, 1) if has_cells(line)]
     if not lines:
         raise ReadError([Problem(id, f"read nothing, expected {what}", (), source.place(1))])
     problems: list[Problem] = []
     (first, headings), *rows = lines
+    separator = separator_of(headings)
     try:
-        found = _headings(_cells(headings), what, columns)
+        found = _headings(cells_of(headings, separator), what, columns)
     except ValueError as error:
         raise ReadError([Problem(id, str(error), (), source.place(first))]) from None
     if not rows:
@@ -116,7 +124,7 @@ def read_unit_table(
     )
     for number, line in rows:
         try:
-            _add(table, _cells(line), found)
+            _add(table, cells_of(line, separator), found, separator)
         except ValueError as error:
             problems.append(Problem(id, str(error), (), source.place(number)))
             if len(problems) >= MOST_PROBLEMS:
@@ -124,13 +132,6 @@ def read_unit_table(
     if problems:
         raise ReadError(problems)
     return table
-
-
-def _cells(line: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader([line]), [])]
-    except csv.Error as error:
-        raise ValueError(f"no CSV: {error}") from None
 
 
 def _headings(
@@ -179,19 +180,18 @@ def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
 
 
 def _add(
-    table: UnitTable, cells: Sequence[str], found: Sequence[tuple[TableColumn, float]]
+    table: UnitTable,
+    cells: Sequence[str],
+    found: Sequence[tuple[TableColumn, float]],
+    separator: str,
 ) -> None:
     """Add a row; a ValueError says what of it can't be read."""
-    if len(cells) != len(found):
-        raise ValueError(f"read {len(cells)} cells, expected {len(found)}, as the headings")
+    expect_cells(len(cells), len(found), separator)
     for cell, (column, unit) in zip(cells, found, strict=True):
         if column.is_text:
             table.texts[column.name].append(cell)
             continue
         try:
-            number = float(cell) * unit if "_" not in cell else math.nan
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            raise ValueError(f"{column.name}: read {cell[:40]!r}, expected a number")
-        table.numbers[column.name].append(number)
+            table.numbers[column.name].append(decimal(with_points(cell, separator)) * unit)
+        except ValueError as error:
+            raise ValueError(f"{column.name}: read {cell[:40]!r}, {error}") from None

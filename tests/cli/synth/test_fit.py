@@ -130,6 +130,7 @@ def test_a_ratio_of_any_size_is_shown() -> None:
     ("options", "message"),
     [
         (("--ratios", "4.70,3.13"), "expected GEAR=RATIO with commas between"),
+        (("--ratios", "1=4,70"), "with commas between (and with decimal points)"),
         (("--ratios", "1=4.70=3"), "expected GEAR=RATIO with commas between"),
         (("--ratios", "2=four"), "2: read `four`, expected a number or a calculation"),
         (("--ratios", "2=4,7"), "expected GEAR=RATIO"),

@@ -84,6 +84,8 @@ def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
     assert speeds("1000:600:3") == [1000.0, 800.0, peak, 600.0]
     assert speeds("600, 650.5,6e2") == [600.0, 650.5, 600.0]
     assert speeds("0:0:2") == [0.0, 0.0]
+    assert speeds("600 1/min:1000 1/min:3") == speeds("600:1000:3")
+    assert speeds("10 rev/s") == [600.0]
 
 
 def test_csv_is_one_table_with_a_line_for_each_value() -> None:
@@ -171,12 +173,15 @@ def test_where_nothing_has_a_value_text_says_so() -> None:
     ("table", "words"),
     [
         ("", "engine.csv:1:1: error: the file is empty, expected a table of orders"),
-        ("order,torque\n2,1\n", "engine.csv:1:1: error: read the headings order, torque"),
+        (
+            "order,torque\n2,1\n",
+            "engine.csv:1:1: error: read the heading 'torque', expected `order`, `amplitude",
+        ),
         ("order,amplitude\n2,1 kN*m\n", "engine.csv:2:1: error: amplitude: read '1 kN*m'"),
-        ("order,amplitude\n-2,1\n3,x\n", "engine.csv:2:1: error: order: read '-2'"),
+        ("order,amplitude\n-2,1\n3,5\n", "engine.csv:2:1: error: order: read -2, expected"),
         ("order,amplitude\n2,inf\n", "engine.csv:2:1: error: amplitude: read 'inf'"),
         ("order,amplitude\n2,1\n2,1\n", "engine.csv:3:1: error: order 2 is given twice"),
-        ("order,amplitude\n", "engine.csv:1:1: error: there is no order"),
+        ("order,amplitude\n", "engine.csv:1:1: error: there is no row below"),
     ],
 )
 def test_faults_of_a_table_are_told_at_their_lines(table: str, words: str) -> None:
@@ -222,7 +227,7 @@ ORDERS = ("", "0", "-2", "nan", "inf", "x", "2,", ",2", "2,,4", "2;4", "1:3:3")
 SPEEDS = (
     *("", "-1", "nan", "inf", "x", "600,", "600:1000", "600:1000:5:2", "::", "a:b:5"),
     *("-5:10:3", "1:nan:3", "1:inf:3", "1:2:0", "1:2:1", "1:2:-3", "1:2:2.5", "1:2:nan", "1:2:"),
-    *("1:2:999999999999", "1:2:1e3", "1:2:100001", "1:2:٣"),
+    *("1:2:999999999999", "1:2:1e3", "1:2:100001", "1:2:٣", "1 kg", "1 rpm,2 Hz"),
 )
 
 

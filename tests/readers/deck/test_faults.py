@@ -62,6 +62,7 @@ FAULTS = [
     ("number-of-other-digits", 9, 6, "IAB(2): read '٢'", "a number"),
     ("number-overflows", 9, 6, "IAB(2): read '1e999999999', which overflows"),
     ("number-word", 11, 5, "ETAI(2): read 'good'", "a number"),
+    ("decimal-comma-first", 8, 15, "IAB(1): read 0 values before", "write a decimal point"),
     ("decimal-comma", 9, 6, "IAB: read 4 values", "expected 2", "decimal point"),
     ("two-commas", 9, 6, "IAB(2): two commas with nothing between"),
     ("comma-first", 3, 18, "NZF(1,1): nothing before the comma"),

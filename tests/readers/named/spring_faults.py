@@ -96,6 +96,12 @@ FAULTS = [
     ),
     ("inertia-negative.yaml", 2, 26, "inertias.disc: read -0.02, expected an inertia of 0 or more"),
     (
+        "inertia-decimal-comma.yaml",
+        2,
+        34,
+        "inertias: read '02 kg*m^2' without a value; in a number, write a decimal point",
+    ),
+    (
         "inertia-nan.yaml",
         2,
         32,

@@ -74,6 +74,8 @@ def test_arithmetic_is_that_of_exact_fractions(text: str) -> None:
         ("1e308*10", "not so large"),
         ("1/(1e308*1e308)", "not so large"),
         ("(1,5)", "with a decimal point"),
+        ("\u22122.6", "with `-` in place of `\u2212`"),
+        ("\u20132.6 kg", "with `-` in place of `\u2013`"),
         ("(1 + 2", "and `)` behind it"),
         ("(3 Nm)", "and `)` behind it"),
         ("--5", "a number or a calculation"),

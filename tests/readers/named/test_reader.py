@@ -181,7 +181,7 @@ FAULTS = [
         "gears.2.speeds.2: read 'fast', expected a speed with its unit",
     ),
     ("speed-of-input.yaml", 9, 33, "gears.2.speeds.1: link 1 is the input"),
-    ("tab.yaml", 3, 1, "not YAML"),
+    ("tab.yaml", 3, 1, "not YAML: read a tab, expected blanks"),
     ("tag.yaml", 6, 46, "tag !!python/name:os.system is not taken"),
     ("two-documents.yaml", 10, 1, "a second document starts here"),
     ("unclosed.yaml", 8, 21, "not YAML"),

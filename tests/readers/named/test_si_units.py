@@ -14,6 +14,7 @@ from tests.readers.named.test_units import FOOT, GRAVITY, LBF_FT, POUND
 from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.readers.named.scalars import NUMBER
 from vstatics.readers.named.si_units import WITH_UNIT, measured
+from vstatics.readers.named.units import with_article
 
 INCH = FOOT / 12
 EXACT: dict[Measure, dict[Fraction, str]] = {
@@ -166,9 +167,9 @@ def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> 
 
 
 IN = {
-    measure: f"expected {'an' if measure in ('inertia', 'area', 'angle') else 'a'} {measure} in {unit}, bare or with its unit"
+    measure: f"expected {with_article(measure)} in {unit}, bare or with its unit"
     for measure, unit in UNIT_OF.items()
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(
@@ -196,6 +197,8 @@ IN = {
         (".inf", "length", ""),
         ("", "inertia", ""),
         ("3 furlong", "length", ""),
+        ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("3 nm", "si_torque", "; did you mean `N*m`?"),
         ("3 Nm/rad^", "stiffness", ""),
         ("3 kg*m^5", "inertia", ""),
         ("3 kg*m^2^2", "inertia", ""),

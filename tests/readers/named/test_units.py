@@ -9,6 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vstatics.model.shape import Measure
+from vstatics.readers.named.si_units import measured
 from vstatics.readers.named.units import LONGEST_UNIT, unit
 
 POUND = Fraction("0.45359237")
@@ -39,7 +41,9 @@ TORQUES = {
     Fraction(1, 10**7): "dyn*cm",
 }
 SPEEDS = {
-    Fraction(1): "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min**-1|rev/min|r/min|U/min"
+    Fraction(
+        1
+    ): "rpm|RPM|Rpm|1/min|1 / min|/min|min^-1|min-1|min⁻¹|min\u22121|min**-1|rev/min|r/min|U/min"
     "|u/min|Umdr/min|tr/min|об/мин|turn/minute|revolutions per minute|revs per min|rev*min^-1",
     Fraction(60): "rev/s|rps|turn/s|revolution/second|cycle/s|об/с",
     Fraction(1, 60): "rev/h|rev/hour",
@@ -67,6 +71,22 @@ KNOWN = [
 @pytest.mark.parametrize(("quantity", "size", "text"), KNOWN, ids=[text for *_, text in KNOWN])
 def test_a_unit_has_its_exact_size_rounded_once(quantity: str, size: Fraction, text: str) -> None:
     assert unit(text) == (quantity, float(size))
+
+
+OF_SI: dict[str, tuple[Measure, float]] = {
+    "speed": ("si_speed", math.pi / 30),
+    "torque": ("si_torque", 1.0),
+}
+
+
+@pytest.mark.parametrize(
+    ("quantity", "size", "text"), [one for one in KNOWN if one[0] in OF_SI], ids=str
+)
+def test_units_of_loads_are_those_of_headings_and_sweeps(
+    quantity: str, size: Fraction, text: str
+) -> None:
+    measure, of_si = OF_SI[quantity]
+    assert measured(f"1 {text}", measure) == pytest.approx(float(size) * of_si, rel=1e-15)
 
 
 def test_printed_sizes() -> None:

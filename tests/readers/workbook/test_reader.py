@@ -108,6 +108,14 @@ def test_a_list_stands_in_a_cell_and_items_in_brackets() -> None:
     assert read(with_cells(points)) == read(with_cells(items)) == expected
 
 
+@pytest.mark.parametrize("number", [int, float, str])
+def test_a_shift_table_of_ones_and_zeros_engages_the_ones(number: Callable[[Any], Any]) -> None:
+    table = {f"gears!{one}2": number(is_on) for one, is_on in zip("BCD", (1, 0, 1), strict=True)}
+    table |= {f"gears!{one}3": number(is_on) for one, is_on in zip("BCD", (1, 1, 0), strict=True)}
+    neutral = {"gears!A4": "neutral"} | {f"gears!{one}4": number(0) for one in "BCD"}
+    assert read(with_cells(table | neutral)) == library.loads(SAME + "  neutral: []\n")
+
+
 def test_other_sheets_and_empty_rows_do_not_matter() -> None:
     def more(book: Any) -> None:
         book.create_sheet("Notes").append(["=1/0", "whatever"])
@@ -133,7 +141,7 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
         ({"mechanisms!E3": "#DIV/0!"}, "mechanisms!E3: error: read #DIV/0!"),
         ({"mechanisms!E3": '"[1'}, "mechanisms!E3: error: not YAML"),
         ({"gears!C1": "C3"}, "gears!C1: error: unknown heading `C3`, expected a key or the name "),
-        ({"gears!D3": "y"}, "gears!D3: error: read `y`, expected `x` or nothing"),
+        ({"gears!D3": "y"}, "gears!D3: error: read `y`, expected `x` or 1, nothing or 0"),
         ({"gears!D3": "1" * 5000}, "gears!D3: error: read `111"),
         ({"links!A1": "name[" + "1" * 5000 + "]"}, "links!A1: error: "),
         ({"gears!E1": "load.torqe"}, "gears!E2: error: gears.low.load: unknown key `torqe`"),

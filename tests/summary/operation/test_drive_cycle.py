@@ -262,6 +262,13 @@ def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
     assert "the case has no `vehicle`" in ran.err
 
 
+def test_the_case_stands_first() -> None:
+    for command in (["cycle"], ["damage"]):
+        ran = vstatics(*command, "t.csv", "car.yaml")
+        assert ran.status == 2
+        assert "the case stands first, then the CSV file: car.yaml t.csv" in ran.err
+
+
 def test_the_engine_gives_what_statics_asks_for() -> None:
     """The torque of the engine that comes out gives the force at the wheels, solved forward."""
     case = CASE.replace(inertias={})

@@ -5,12 +5,15 @@ from __future__ import annotations
 import pytest
 
 from tests.sweep.scenarios import CASE, subject
+from vstatics import loads
 from vstatics.errors import ReadError
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Capacity
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.variants.subject import Document, VariedScenario
 from vstatics.sweep.variants.variation import read_variation
+from vstatics.writers.workbook import write
 
 
 @pytest.mark.parametrize(
@@ -138,6 +141,30 @@ def test_of_a_deck_no_numbers_vary() -> None:
     varied = subject(b"{case: x, duration: 1, start: {gear: '1'}}", data)
     varied = type(varied)(varied.scenario, varied.case._replace(file="mzkt.dat"))
     assert varied.trees.case is None
-    with pytest.raises(ReadError, match="numbers of a case vary where it is in YAML or JSON"):
+    with pytest.raises(
+        ReadError, match="has no key `D1`; numbers of a deck vary once `vstatics convert` has"
+    ):
         varied.target("D1.ratio")
     assert subject(case=CASE).trees.case is not None
+
+
+def test_numbers_of_a_workbook_vary_as_those_of_yaml() -> None:
+    text = CASE.split(b"mechanisms")[0] + (
+        b"elements: {set: {kind: planetary, sun: sun, ring: ring, carrier: carrier, "
+        b"teeth: {sun: 30, ring: 78}}}\nshift_elements: {brake: {links: [ring, housing], "
+        b"capacity: 90}, lock-up: [sun, ring]}\n" + CASE.splitlines()[-1]
+    )
+    of_yaml = subject(case=text)
+    of_book = VariedScenario(of_yaml.scenario, Document(write(loads(text.decode())), "set.xlsx"))
+    for name, value in (
+        ("elements.set.teeth.ring", 84.0),
+        ("set.teeth.sun", 26.0),
+        ("shift_elements.brake.capacity", 75.0),
+        ("ring.inertia", 0.9),
+        ("torques.sun", 30.0),
+    ):
+        one, other = (
+            varied.variant([varied.target(name)], [value]).scenario for varied in (of_yaml, of_book)
+        )
+        assert one == other
+        assert one != of_yaml.own.scenario

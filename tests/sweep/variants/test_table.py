@@ -114,10 +114,10 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
         ("12\n34\n", 1, 1, "expected a mechanism"),
         ("D1.ratio,1.ratio\n1,2\n3, x\n", 3, 4, "1.ratio: read `x`, expected a number"),
         ("D1.ratio,1.ratio\n1,\n", 2, 3, "1.ratio: read nothing, expected a number"),
-        ("D1.ratio,1.ratio\n1,2\n3\n", 3, 2, "read 1 number, expected 2 as in the first line"),
-        ("D1.ratio,1.ratio\n1,2,3\n", 2, 5, "read 3 numbers, expected 2 as in the first line"),
-        ("D1.ratio,1.ratio\n1,5,2,5\n", 2, 5, "semicolons have to separate the numbers"),
-        ("D1.ratio;1.ratio\n1;2;3\n", 2, 5, "read 3 numbers"),
+        ("D1.ratio,1.ratio\n1,2\n3\n", 3, 2, "read 1 cell, expected 2, as the headings"),
+        ("D1.ratio,1.ratio\n1,2,3\n", 2, 5, "read 3 cells, expected 2, as the headings"),
+        ("D1.ratio,1.ratio\n1,5,2,5\n", 2, 5, "semicolons have to separate the cells"),
+        ("D1.ratio;1.ratio\n1;2;3\n", 2, 5, "read 3 cells"),
         ("D1.ratio\n1\n1_0\n", 3, 1, "read `1_0`"),
         ("D1.ratio\n1\n1d0\n", 3, 1, "read `1d0`"),
         ("D1.ratio\n1\n1e999\n", 3, 1, "expected a number that is not so large"),
@@ -153,6 +153,11 @@ def test_all_that_is_wrong_is_told() -> None:
 def test_other_encodings_are_refused(data: bytes, place: tuple[int, int]) -> None:
     told = refusal(data)
     assert told[0] == (*place, "the file is not UTF-8; save the table as CSV in UTF-8")
+
+
+def test_a_workbook_is_no_table_and_not_shown() -> None:
+    told = refusal(b"PK\3\4\x14\0\6\0" + b"\xff" * 100)
+    assert told == [(1, 1, "a zero byte: this is no text; save the table as CSV in UTF-8")]
 
 
 def test_a_file_of_one_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None:

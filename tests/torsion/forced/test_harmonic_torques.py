@@ -259,15 +259,18 @@ def test_a_table_of_torques() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (b"order\n2\n", "engine.csv:1:1: error: read the headings order, expected `order`"),
-        (b"order,amplitude\n", "engine.csv:1:1: error: there is no order below the headings"),
+        (b"order\n2\n", "engine.csv:1:1: error: `amplitude [N*m]` is missing, expected a table"),
+        (
+            b"order,amplitude\n",
+            "engine.csv:1:1: error: there is no row below the headings, expected a table of",
+        ),
         (
             b"order,amplitude\n2,x\n",
-            "engine.csv:2:1: error: amplitude: read 'x', expected a number",
+            "engine.csv:2:1: error: amplitude: read 'x', expected a finite number",
         ),
         (
             b"order,amplitude\n0,1\n",
-            "engine.csv:2:1: error: order: read '0', expected a number above",
+            "engine.csv:2:1: error: order: read 0, expected a number above",
         ),
         (b"order,amplitude\n2,nan\n", "engine.csv:2:1: error: amplitude: read 'nan'"),
         (b"order,amplitude\n2,1\n2,3\n", "engine.csv:3:1: error: order 2 is given twice"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from vstatics.cli.frame import files
+from vstatics.cli.frame.cases import check_order
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase, of_case
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.strengths import expect_fatigue
@@ -30,6 +31,7 @@ def record(one: OneCase, recorded: str) -> int:
     Exit status: 0 done; 1 the case or the record is in error; 2 wrong use.
     """
     to = one.destination(recorded)
+    check_order(one.case, recorded)
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.damage.devices import DamageAnswer

@@ -25,6 +25,7 @@ from vstatics.model.transmission import IdleConvention, Transmission
 from vstatics.readers.reading import Reading
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
+from vstatics.tables.suffixes import suffix_of
 from vstatics.texts import Language
 
 if TYPE_CHECKING:
@@ -251,6 +252,12 @@ def check_streams(cases: Sequence[str]) -> None:
     """Standard input can be one case only."""
     if cases.count(files.STDIN) > 1:
         raise click.UsageError("standard input (-) can be read once")
+
+
+def check_order(case: str, table: str) -> None:
+    """A case stands before the table in CSV that belongs to it."""
+    if suffix_of(case) == ".csv" != suffix_of(table):
+        raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
 
 
 def calculate_one(

@@ -158,13 +158,15 @@ def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
     >>> pair("-4:-1.5"), pair("-2")
     ((-4.0, -1.5), (-2.0, -2.0))
     """
-    from vstatics.readers.named.scalars import number  # needless at the start of most commands
+    from vstatics.readers.named.arithmetic import slip  # needless at the start of most commands
+    from vstatics.readers.named.scalars import number
 
     low, colon, high = text.partition(":")
     try:
         return number(low), number(high if colon else low)
     except ValueError:
-        raise ValueError(f"expected LOW:HIGH, such as {example}, or one number") from None
+        expected = f"expected LOW:HIGH, such as {example}, or one number{slip(text)}"
+        raise ValueError(expected) from None
 
 
 def named(
@@ -254,12 +256,14 @@ def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, st
     >>> named_values('shaft=.03, "a, b"=.2')
     [('shaft', '.03'), ('a, b', '.2')]
     """
-    found = []
+    found: list[tuple[str, str]] = []
     at = 0
     while at <= len(text):
         item = re.compile(_ITEM).match(text, at)
         if item is None or text[item.end() : item.end() + 1] not in ("", ","):
             message = f"read {text[at : at + 40]!r}, expected {expected} with commas between"
+            if found and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
+                raise ValueError(f"{message} (and with decimal points)")
             raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=.2'")
         name = _unquoted(item["quoted"]) or item["name"].strip()
         found.append((name, item["value"].strip()))

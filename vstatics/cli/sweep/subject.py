@@ -14,9 +14,9 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.documents import case_of, is_a
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import Problem, ReadError
+from vstatics.readers.documents import case_document
 from vstatics.readers.named.node_paths import child
-from vstatics.readers.named.nodes import Mapping, Node, Scalar, decode
-from vstatics.readers.named.reader import case_tree, read_case_tree
+from vstatics.readers.named.nodes import Mapping, Node, Scalar
 from vstatics.readers.reading import Reading
 from vstatics.sweep.options import PlacedFile, SweepOptions
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
@@ -71,13 +71,14 @@ def _with_load(
             with open(options.variants, encoding="utf-8", errors="replace") as table:  # noqa: PTH123
                 varied.append(table.readline(_LONGEST))
         halves = sorted({half for text in varied for half in _LOAD.findall(text)})
-        root = case_tree(*case, input_format)
-        if halves and isinstance(root, Mapping) and not child(root, "load"):
+        document = case_document(*case, input_format) if halves else None
+        root = document and document.root
+        if document and isinstance(root, Mapping) and not child(root, "load"):
             told: list[tuple[Scalar, Node]] = [
                 (Scalar(half, 1, 1), Scalar(_STAND_INS[half], 1, 1)) for half in halves
             ]
             load = Scalar("load", 1, 1), Mapping(told, 1, 1)
-            return read_case_tree(root._replace(entries=[*root.entries, load]), decode(*case))
+            return document.reading(root._replace(entries=[*root.entries, load]))
     return None
 
 

@@ -11,7 +11,7 @@ import click
 from vstatics.cli.frame import files
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase
 from vstatics.cli.frame.options import gathered
-from vstatics.cli.frame.values import numbers, value
+from vstatics.cli.frame.values import numbers, told, value
 from vstatics.cli.torsion.case import (
     CASE_OPTIONS,
     WorkingAsked,
@@ -43,6 +43,15 @@ def speeds_of(text: str) -> Floats:
     if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
         raise ValueError(f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}")
     return Steps(first, last, int(count))[np.arange(int(count))]
+
+
+def _rpm(text: str) -> Floats:
+    """The same, perhaps with a unit behind each speed."""
+    from vstatics.readers.named.units import quantity
+    from vstatics.sweep.variants.scenario_numbers import common_unit
+
+    bare, unit = common_unit(text)
+    return speeds_of(bare) * (told(lambda one: quantity(f"1 {one}", "speed"))(unit) if unit else 1)
 
 
 class Exciting(NamedTuple):
@@ -87,8 +96,8 @@ class Exciting(NamedTuple):
         "--speed",
         required=True,
         metavar="A:B:N",
-        callback=value(speeds_of, "--speed"),
-        help="Speeds of LINK in rpm: N of them from A to B, or a list with commas.",
+        callback=value(_rpm, "--speed"),
+        help="Speeds of LINK in rpm, or with their unit: N of them from A to B, or a list.",
     ),
     click.option(
         "--torque",

@@ -303,7 +303,8 @@ class _Taker(Generic[Number]):
         if self.surplus is None:
             label = self.wanted.label(self.total)
             end = self.ending(self.end[0] + 1)
-            self.found.error(f"{label}: {read} before {end}, {expected}", *self.end)
+            hint = self._hint(self.end[0] + 1)
+            self.found.error(f"{label}: {read} before {end}, {expected}{hint}", *self.end)
         else:
             hint = self._hint(self.surplus.line)
             self.found.error(f"{self.wanted.name}: {read}, {expected}{hint}", *self.surplus.spot)

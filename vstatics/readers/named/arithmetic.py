@@ -18,6 +18,8 @@ _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
 """For a JSON Schema, which cannot count brackets."""
 
+_DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
+"""The sign for minus, and what word processors make of a hyphen."""
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
@@ -65,8 +67,19 @@ def expected(text: str) -> str:
     >>> expected("1,5")
     'expected a number or a calculation such as -96/39 (with a decimal point)'
     """
-    comma = " (with a decimal point)" if "," in text else ""
-    return f"expected a number or a calculation such as -96/39{comma}"
+    return f"expected a number or a calculation such as -96/39{slip(text)}"
+
+
+def slip(text: str) -> str:
+    """How a number is written, where one was read as texts in print have it.
+
+    >>> slip("1,5"), slip("\u22122.6"), slip("x")
+    (' (with a decimal point)', ' (with `-` in place of `\u2212`)', '')
+    """
+    if "," in text:
+        return " (with a decimal point)"
+    dash = next((sign for sign in text if sign in _DASHES), None)
+    return f" (with `-` in place of `{dash}`)" if dash else ""
 
 
 class _Calculation:

@@ -20,6 +20,7 @@ from vstatics.readers.named.nodes import (
 )
 
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
+NO_COMMA = "write a decimal point, not a decimal comma"
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
@@ -54,12 +55,17 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
             hint = spots.found.hint(key.text, known)
             expected = hint or f", expected {spoken(map(quoted, known))}"
             if key.text.isdigit():
-                expected = "; write a decimal point, not a decimal comma"
+                expected = f"; {NO_COMMA}"
             spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, "E190")
             meant.update((name, value) for name in known if f"`{name}`" in hint)
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
     return meant | given
+
+
+def is_behind_comma(key: Scalar, value: Node) -> bool:
+    """Whether a key is what stood behind a decimal comma, as in `{a: 0,2 kg*m^2, b: 5}`."""
+    return is_null(value) and key.text.partition(" ")[0].isdigit()
 
 
 def is_merge(key: Scalar) -> bool:

@@ -154,10 +154,13 @@ def decode(data: bytes, file: str, expected: str = "a case") -> Found:
     try:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:
+        if b"\0" in data[: error.start] and encoding == "utf-8":
+            message = f"a zero byte: this is no text, expected {expected}"
+            Found(Source(file, "")).stop(message, 1, 1)
         found = Found(Source(file, data.decode(encoding, "replace")))
         before = Source(file, data[: error.start].decode(encoding, "ignore")).lines
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
-        message = f"{message} (byte {error.start + 1} of the file)"
+        message = f"{message} (byte {error.start + 1} of the file); save it in UTF-8"
         found.stop(message, len(before), len(before[-1]) + 1)
     found = Found(Source(file, text))
     if not text.strip():

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected, slip
 
 NUMBER = rf"^{ARITHMETIC}$"
 """A number, or a calculation of numbers, as a pattern for ECMAScript."""
@@ -77,7 +77,7 @@ def share(text: str) -> float:
     except ValueError:
         value = -1.0
     if value < 0:
-        raise ValueError("expected a share of 0 or more")
+        raise ValueError(f"expected a share of 0 or more{slip(text)}")
     return value
 
 

@@ -11,9 +11,16 @@ from typing import NamedTuple
 from vstatics.errors import spoken
 from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
-from vstatics.readers.named.units import LONGEST_UNIT, factors, with_article
+from vstatics.readers.named.units import (
+    LONGEST_UNIT,
+    Quantity,
+    factors,
+    unit,
+    usual,
+    with_article,
+)
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻¹]{{0,39}}$"
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
 """A number with its unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, int, int, int, int]
@@ -77,9 +84,11 @@ _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 """Units of force to `units`, of mass here where that gives what is asked for."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
 """Metre by second to `units`, a time here where that gives what is asked for."""
+_QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
+"""As `units` knows them, with other ways to write their units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
-_SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
+_SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:
@@ -96,6 +105,8 @@ def measured(text: str, measure: Measure) -> float:
     (0.00084, 0.015)
     >>> measured("1 N*m/deg", "stiffness"), measured("2 rad/(kN*m)", "compliance")
     (57.2957..., 0.002)
+    >>> measured("30 1/min", "si_speed") == measured("30 rpm", "si_speed")
+    True
     """
     in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
     if not any(sign in "0123456789" for sign in text):
@@ -111,10 +122,9 @@ def measured(text: str, measure: Measure) -> float:
                 raise ValueError(f"expected {with_article(measure)} that is not so large")
             return value
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
-    told = (
-        f"; this is {with_article(other)}" if other else " (with a decimal point)" * ("," in behind)
-    )
-    raise ValueError(in_unit + told)
+    if other:
+        raise ValueError(f"{in_unit}; this is {with_article(other)}")
+    raise ValueError(in_unit + usual(behind, _QUANTITIES.get(measure)))
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
@@ -191,6 +201,8 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
                 above, below = above * up ** abs(times), below * down ** abs(times)
     except (ValueError, OverflowError, ZeroDivisionError):
         return _NOTHING, 1.0, 1.0
+    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # turns: 1/min is rpm, as there
+        return _unit("rpm", of_words=of_words)
     return (total[0], total[1], total[2], total[3], total[4]), above, below
 
 

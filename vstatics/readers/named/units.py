@@ -8,7 +8,7 @@ from typing import Literal, Self
 
 from vstatics.errors import nearest
 from vstatics.model.shape import UNITS
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected, slip
 
 Quantity = Literal["speed", "torque", "power"]
 
@@ -76,7 +76,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
 }
 """Kinds of factors -> what they are together, and by what they are divided."""
 
-_SIGNS = str.maketrans("·⋅×⁻¹", "***-1")
+_SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
 """Characters of a unit."""
@@ -136,7 +136,7 @@ def _factor(word: str) -> _Factor | None:
     return _WORDS_OF_UNITS.get(word.casefold())
 
 
-QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻¹]{{0,39}}$"
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
 """A number with a unit, as a pattern for ECMAScript."""
 
 EXAMPLES: dict[Quantity, str] = {
@@ -183,7 +183,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     number, behind = calculated(text) if _has_digits(text) else (0.0, "")
     found, size = unit(behind)
     if found != kind:
-        other = f"; this is a {found}" if found else _hint(behind, kind)
+        other = f"; this is a {found}" if found else usual(behind, kind)
         such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
         raise ValueError(f"{such}{or_else}{other}")
     value = number * size
@@ -196,10 +196,15 @@ def _has_digits(text: str) -> bool:
     return any(sign in "0123456789" for sign in text)
 
 
-def _hint(read: str, kind: Quantity) -> str:
-    """The usual unit, where another way to write it was read."""
-    if "," in read:
-        return " (with a decimal point)"
+def usual(read: str, kind: Quantity | None) -> str:
+    """The usual unit, where another way to write it was read.
+
+    >>> usual("Hz", "speed"), usual(",5", None)
+    ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
+    """
+    told = slip(read)
+    if told or kind is None:
+        return told
     letters = _letters(read)
     alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
     meant = next(alike, _MEANT.get(letters))

@@ -36,7 +36,14 @@ from vstatics.model.shape import (
     Shares,
 )
 from vstatics.readers.named import compounds, laws, scalars
-from vstatics.readers.named.compounds import NO_MERGE, entries, is_merge, known_entries
+from vstatics.readers.named.compounds import (
+    NO_COMMA,
+    NO_MERGE,
+    entries,
+    is_behind_comma,
+    is_merge,
+    known_entries,
+)
 from vstatics.readers.named.leaves import LEAVES, either_way, parsed, stand_in, values_before
 from vstatics.readers.named.nodes import (
     Listing,
@@ -203,6 +210,11 @@ class Walk:
             refer, nobody = partial(self.references.other, shape.by), NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in entries(self.spots, spot):
+            if is_behind_comma(key, value):
+                self.spots.complain(
+                    spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key
+                )
+                continue
             try:
                 place = refer(key.text)
             except ValueError as error:
@@ -225,6 +237,11 @@ class Walk:
             return self.refuse(spot, shape, "expected a share for each gear")
         shares: dict[str, float] = {}
         for key, value in spot.node.entries:
+            if is_behind_comma(key, value):
+                self.spots.complain(
+                    spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key
+                )
+                continue
             gear = spot._replace(
                 path=(*spot.path, key.text), label=f"gear {shown(key.text)}", node=value
             )

@@ -102,6 +102,8 @@ class _Builder:
             told = ", ".join(part for part in (error.context, error.problem) if part)
             if mark and mark.index and _TEXT_WITH_BRACKETS.match(self.found.text, mark.index - 1):
                 told += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
+            if mark and self.found.text[mark.index : mark.index + 1] == "\t":
+                told = "read a tab, expected blanks: no tab indents a line"
             self.found.stop(f"not YAML: {told}", *place)
         except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
             self.found.stop(f"not YAML: {error}", *self.last)

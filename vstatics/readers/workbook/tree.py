@@ -201,15 +201,21 @@ class TreeOfSheets:
     def _engage(
         self, part: GrownNode, cells: Sequence[ReadCell], engaged: Mapping[int, str]
     ) -> None:
-        """The engaged shift elements of a gear, in the order of columns or of their numbers."""
+        """The engaged shift elements of a gear, in the order of columns or of their numbers.
+
+        A shift table of 1 and 0 is one, too: orders count from 1, and 0 is not engaged.
+        """
         found = []
         for cell in cells:
-            is_number = cell.text.isdecimal() and len(cell.text) <= LONGEST_NUMBER
+            number = cell.text.removesuffix(".0")  # as programs write a column with gaps
+            is_number = number.isdecimal() and len(number) <= LONGEST_NUMBER
             if cell.text.casefold() != ENGAGED and not is_number:
-                message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or nothing"
+                message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
                 self._refuse(cell, message)
                 continue
-            order = int(cell.text) if is_number else 0
+            order = int(number) if is_number else 0
+            if is_number and not order:
+                continue
             found.append((order, Scalar(engaged[cell.column], *self._at(cell), plain=False)))
         if found:
             found.sort(key=lambda one: one[0])

@@ -17,6 +17,7 @@ from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.readers.named.si_units import measured
+from vstatics.readers.named.units import quantity
 from vstatics.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
 from vstatics.sweep.variants.part_numbers import PartNumber, own_part_number, part_numbers
 from vstatics.sweep.variants.targets import OF_MECHANISM
@@ -24,8 +25,6 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
 EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
-WATTS = {"W": 1.0, "kW": 1e3, "MW": 1e6, "Вт": 1.0, "кВт": 1e3}
-"""Units of power."""
 
 
 _ROOTS = ("load", "gears", "drag", "mesh_efficiency")
@@ -106,11 +105,9 @@ class CasePath(NamedTuple):
 
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
     """A unit in SI; a ValueError says what was expected."""
-    if measure != "power":
-        return measured(f"1 {unit}", measure)
-    if unit not in WATTS:
-        raise ValueError(f"read a power in {unit}, expected one in {', '.join(WATTS)}")
-    return WATTS[unit]
+    if measure == "power":
+        return quantity(f"1 {unit}", measure) * 1000
+    return measured(f"1 {unit}", measure)
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:

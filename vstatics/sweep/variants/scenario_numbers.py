@@ -72,7 +72,7 @@ class NumberPath(NamedTuple):
 
 
 class Trees(NamedTuple):
-    """The documents as trees of nodes; a case of another format has none."""
+    """The documents as trees of nodes; a deck has none."""
 
     scenario: Node
     case: Node | None
@@ -143,7 +143,7 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
     message = f"neither the scenario nor its case has a key {quoted(keys[0])}"
     if trees.case is None:
         known, message = own, f"the scenario has no key {quoted(keys[0])}"
-        message += "; numbers of a case vary where it is in YAML or JSON"
+        message += "; numbers of a deck vary once `vstatics convert` has made a YAML of it"
     raise NoValueError(message + nearest(keys[0], known), parts[0].at)
 
 

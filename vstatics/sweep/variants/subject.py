@@ -30,6 +30,7 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusa
 
 if TYPE_CHECKING:
     from vstatics.readers import Format
+    from vstatics.readers.documents import CaseDocument
     from vstatics.readers.reading import Reading
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.record.rows import Kind
@@ -56,7 +57,7 @@ class VariedScenario:
     scenario : Document
         In YAML or JSON.
     case : Document
-        In any format; its numbers vary where that is YAML or JSON.
+        In any format; its numbers vary where that is no deck.
     rtol : float
         Accuracy of the runs, as of `simulate`. [-]
     limit : float, optional
@@ -83,10 +84,16 @@ class VariedScenario:
         ------
         ReadError
         """
-        from vstatics.readers.named.reader import case_tree
         from vstatics.simulation.scenario.file import read_scenario
 
-        return Trees(read_scenario(*self.scenario).root, case_tree(*self.case, self.case_format))
+        case = self._document
+        return Trees(read_scenario(*self.scenario).root, case.root if case else None)
+
+    @cached_property
+    def _document(self) -> CaseDocument | None:
+        from vstatics.readers.documents import case_document
+
+        return case_document(*self.case, self.case_format)
 
     @cached_property
     def own(self) -> ScenarioFile:
@@ -113,12 +120,10 @@ class VariedScenario:
         ReadError
             If it can't be read with them.
         """
-        from vstatics.readers.named.reader import read_case_tree
-
         trees = with_numbers(self.trees, paths, values)
         reading = self._own_case
-        if trees.case is not None and trees.case is not self.trees.case:
-            reading = read_case_tree(trees.case, decode(*self.case))
+        if self._document and trees.case and trees.case is not self.trees.case:
+            reading = self._document.reading(trees.case)
         return self._read(trees.scenario, reading)
 
     def run(

@@ -15,6 +15,7 @@ import numpy as np
 from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
+from vstatics.readers.named.csv_rows import expect_cells, has_cells, separator_of, with_points
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -144,7 +145,7 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
     line = _text(head, file, 1)
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
-    separator = ";" if line.count(";") > line.count(",") else ","
+    separator = separator_of(line)
     names: list[str] = []
     targets: list[Varied] = []
     chosen: list[int] = []
@@ -223,7 +224,7 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
     for number, data in enumerate(piece.split(b"\n"), line):
         try:
             text = _text(data, columns.file, number)
-            if text.strip():
+            if has_cells(text):
                 rows.append(_row(text, Place(columns.file, number, 1, text), columns))
         except ReadError as error:
             problems += error.problems
@@ -237,21 +238,18 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
 def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     cells = _cells(text, columns.separator)
     expected = len(columns.names)
-    if len(cells) != expected:
+    try:
+        expect_cells(len(cells), expected, columns.separator)
+    except ValueError as error:
         column = cells[expected][1] if len(cells) > expected else len(text) + 1
-        count = "1 number" if len(cells) == 1 else f"{len(cells)} numbers"
-        message = f"read {count}, expected {expected} as in the first line"
-        if columns.separator == "," and len(cells) > expected:
-            message += "; with decimal commas, semicolons have to separate the numbers"
-        raise refusal(message, place._replace(column=column))
+        raise refusal(str(error), place._replace(column=column)) from None
     row = []
     problems = []
     for index in columns.chosen:
         cell, column = cells[index]
         plain = unguarded(cell)
-        number = plain.replace(",", ".") if columns.separator == ";" else plain
         try:
-            row.append(_finite(number))
+            row.append(_finite(with_points(plain, columns.separator)))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
             problems.append(Problem("E718", message, place=place._replace(column=column)))
@@ -274,6 +272,9 @@ def _text(data: bytes, file: str, line: int) -> str:
     try:
         return data.decode()
     except UnicodeDecodeError as error:
+        if b"\0" in data[: error.start]:
+            message = "a zero byte: this is no text; save the table as CSV in UTF-8"
+            raise refusal(message, Place(file, line, 1)) from None
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))
         raise refusal("the file is not UTF-8; save the table as CSV in UTF-8", place) from None

@@ -368,6 +368,7 @@ Options = tuple[object, ...]
         (("--bounds", "2"), "--bounds: read 2:2, expected two numbers above 1"),
         (("--bounds", "1.4"), "--bounds: read 1.4:1.4"),
         (("--bounds", "a:b"), "--bounds: read `a:b`, expected LOW:HIGH, such as 1.4:5"),
+        (("--bounds", "1,6:4"), "or one number (with a decimal point)"),
         (("--bounds", "2:3,4:5"), "--bounds: read `2:3,4:5`, expected LOW:HIGH"),
         (("--tolerance", "nan"), "--tolerance: read `nan`, expected a number"),
         (("--tolerance", ".7"), "--tolerance: read `.7`, expected a number above 0, up to 0.5"),

@@ -1,0 +1,106 @@
+"""CSV of German and Russian spreadsheets says the same as that with commas and decimal points."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from vstatics.errors import ReadError
+from vstatics.model.transmission import Gear, Mechanism, Transmission
+from vstatics.readers.named.point_files import points_of
+from vstatics.readers.records import read_record
+from vstatics.simulation.scenario.table_files import table_of
+from vstatics.summary.duty_file import read_duty_table
+from vstatics.summary.operation.fuel_map import read_fuel_map
+from vstatics.summary.operation.trace import read_trace
+from vstatics.sweep.variants.table import read_table
+from vstatics.torsion.forced.torque_table import read_torque_table
+
+CASE = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+
+
+def _drag(data: bytes, folder: Path) -> object:
+    (folder / "drag.csv").write_bytes(data)
+    return points_of(str(folder / "drag.csv"))
+
+
+def _pedal(data: bytes, folder: Path) -> object:
+    (folder / "pedal.csv").write_bytes(data)
+    return table_of(str(folder / "scenario.yaml"), "pedal.csv")
+
+
+def _record(data: bytes, _: Path) -> object:
+    read = read_record(data, "r.csv", {"time": "time", "torques[shaft]": "si_torque"})
+    return {name: column.tolist() for name, column in read.columns.items()}
+
+
+def _fuel(data: bytes, _: Path) -> object:
+    return read_fuel_map(data, "f.csv").fuel.tolist()
+
+
+def _trace(data: bytes, _: Path) -> object:
+    read = read_trace(data, "t.csv")
+    return read.duration.tolist(), read.speed.tolist(), read.slope.tolist(), read.gears
+
+
+def _duty(data: bytes, _: Path) -> object:
+    read = read_duty_table(data, "d.csv", 3.0).table
+    return read.numbers, read.texts
+
+
+def _orders(data: bytes, _: Path) -> object:
+    return read_torque_table(data, "o.csv")
+
+
+def _variants(data: bytes, _: Path) -> object:
+    table = read_table(io.BytesIO(data), "v.csv", CASE)
+    return [target.name for target in table.targets], table.block(0, 2).tolist()
+
+
+Read = Callable[[bytes, Path], object]
+FILES: list[tuple[Read, str]] = [
+    (_drag, "speed [1/min],torque [N*m]\n0,.5\n1500,2.25\n"),
+    (_pedal, "speed [rpm],.2,1\n0,10.5,50\n3000,-2e1,90.25\n"),
+    (_record, "time,torques[shaft] [kN*m]\n0,1.5\n.1,-2\n"),
+    (_fuel, "speed [rad/s],torque [N*m],fuel [g/h]\n100.5,0,360\n100.5,50,720.75\n"),
+    (_trace, 'time [s],speed [km/h],gear,slope\n0,0,"1,5",0\n2.5,36.5,R,-.05\n'),
+    (_duty, "time [s],gear,speed [1/min],torque [N*m]\n.5,1,2000,100.25\n"),
+    (_orders, "order,amplitude,phase [deg]\n.5,80.25,90\n4.5,20,0\n"),
+    (_variants, "D1.efficiency,D1.ratio\n.96,-2.5\n.97,-97.5/39\n"),
+]
+
+
+def german(text: str, separator: str = ";") -> bytes:
+    """As a spreadsheet saves it where a comma is the decimal sign, an empty row at its end."""
+    rows = [
+        [re.sub(r"\.(?=\d)", ",", cell) for cell in row] for row in csv.reader(text.splitlines())
+    ]
+    return "".join(f"{separator.join(row)}\r\n" for row in [*rows, [""] * len(rows[0])]).encode()
+
+
+@pytest.mark.parametrize(("read", "text"), FILES)
+def test_semicolons_and_decimal_commas_say_the_same(read: Read, text: str, tmp_path: Path) -> None:
+    with_points = read(text.encode(), tmp_path)
+    assert read(german(text), tmp_path) == with_points
+    assert read(codecs.BOM_UTF8 + german(text), tmp_path) == with_points
+
+
+@pytest.mark.parametrize(("read", "text"), [one for one in FILES if one[0] is not _pedal])
+def test_decimal_commas_between_commas_are_refused(read: Read, text: str, tmp_path: Path) -> None:
+    with pytest.raises((ReadError, ValueError), match="semicolons have to separate the cells"):
+        read(german(text, ","), tmp_path)
+
+
+def test_numbers_as_in_print_are_refused_with_what_is_meant() -> None:
+    trace = 'time [s],speed [km/h]\n0,\u22120\n10,"36,5"\n'
+    with pytest.raises(ReadError) as caught:
+        read_trace(trace.encode(), "t.csv")
+    minus, comma = map(str, caught.value.problems)
+    assert "t.csv:2:1: error: speed: read '\u22120', expected a finite number (with `-`" in minus
+    assert "t.csv:3:1: error: speed: read '36,5', expected a finite number (with a dec" in comma
