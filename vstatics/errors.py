@@ -148,6 +148,7 @@ DOUBTS = {
     "N202": "mechanisms look as if they shared planets: losses may not be exact",
     "N203": "a mechanism of three links has the ratio 1",
     "N204": "a mechanism of ratio -1 has no planet ratio, as bevel differentials",
+    "N205": "a number is larger than such a part has, as if its unit were left out",
     "N301": "several wheels share planets: losses of the reduced form are not exact",
     "N302": "two wheels turn alike, by a ratio of 1",
     "N303": "elements have a wheel and the carrier in common, as halves of one set",

@@ -11,6 +11,7 @@ from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
 from vstatics import solve as solved
 from vstatics.model.checks import doubts
 from vstatics.model.vehicle import Vehicle
+from vstatics.readers import from_dict
 
 
 def test_there_may_be_no_more_than_eight() -> None:
@@ -86,3 +87,26 @@ def test_nor_among_those_of_what_is_geared_to_the_output(link: int) -> None:
             assert text.startswith(
                 f"{link} has {part * mass:.4g} kg*m^2 by the speed of the output"
             )
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"radius": 300}, ["read 300 m, more than a wheel has"]),
+        ({"radius": "300 mm"}, []),
+        ({"radius": 1.8}, []),
+        ({"engine": [[1000, 100], [6000, 120]]}, ["read 6000 rad/s, more than an engine has"]),
+        ({"engine": [["1000 rpm", 100], ["20000 rpm", 120]]}, []),
+    ],
+)
+def test_a_number_without_its_unit_is_told_where_no_part_is_as_large(
+    given: dict[str, object], told: list[str]
+) -> None:
+    """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm."""
+    vehicle = {"mass": 1200, "radius": 0.3, **given}
+    pair = {"first": 1, "second": 2, "ratio": 3}
+    case = from_dict(
+        {"links": 2, "mechanisms": {"pair": pair}, "gears": {"1": []}, "vehicle": vehicle}
+    )
+    said = [one.message for one in doubts(case) if one.id == "N205"]
+    assert [one.split(":")[0] for one in said] == told

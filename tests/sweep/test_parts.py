@@ -6,7 +6,7 @@ import csv
 import json
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -266,7 +266,7 @@ def test_teeth_and_a_number_of_a_mechanism_vary_together(case: vstatics.Transmis
 
 @pytest.mark.parametrize("by", [None, "gear"])
 def test_a_column_has_the_ratio_that_the_teeth_of_its_row_give(
-    case: vstatics.Transmission, by: str | None
+    case: vstatics.Transmission, by: Literal["gear"] | None
 ) -> None:
     """-R/S of a set; a condition sees it, too. Friction gives the efficiency of a mesh."""
     vary = ["P1.teeth.sun=25:40:16", "P1.teeth.ring=74,75"]

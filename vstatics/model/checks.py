@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from vstatics.errors import Problem, spoken, why_not_allowed
+from vstatics.errors import Path, Problem, spoken, why_not_allowed
 from vstatics.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.model.part_checks import (
     called,
@@ -97,6 +97,30 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
         yield from doubtful(mechanism, ("mechanisms", number))
     if case.vehicle is not None:
         yield from _mass_twice(case, case.vehicle)
+        yield from _units_forgotten(case.vehicle)
+    for name, one in case.fatigue.items():
+        if one.diameter and one.diameter > THICKEST_SHAFT:
+            yield _no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
+
+
+LARGEST_WHEEL, THICKEST_SHAFT = 2.5, 1.0
+"""Radius of the largest tyres of dumpers with a margin; a diameter. [m]"""
+FASTEST_ENGINE = 3000.0
+"""No engine or motor of a vehicle turns as fast, 28,600 rpm. [rad/s]"""
+
+
+def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
+    """Numbers in mm or rpm that were written without their unit."""
+    if vehicle.radius > LARGEST_WHEEL:
+        yield _no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
+    fastest = max((speed for speed, _ in vehicle.engine), default=0.0)
+    if fastest > FASTEST_ENGINE:
+        yield _no_unit(fastest, "rad/s", "an engine", ("vehicle", "engine"))
+
+
+def _no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
+    message = f"read {value:g} {unit}, more than {what} has: a bare number is in {unit}"
+    return Problem("N205", message, path)
 
 
 MASS_AGAIN = 0.5
