@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from vstatics.arguments import naming, refusing
+from vstatics.arguments import naming, refusing, type_and_value
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -90,6 +90,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         If a text can't be read, with the place of what is wrong.
     CaseError
         If there can be no such sweep, or a package is missing.
+    TypeError
+        If `vary` is a table, such as one of pandas.
     ValueError
         If arguments exclude one another.
 
@@ -112,6 +114,11 @@ def sweep(  # noqa: PLR0913 (as on the command line)
 
     if jobs < 1:
         raise ValueError(f"jobs is {jobs}, expected 1 or more")
+    if not isinstance(vary, str | Mapping):
+        vary, given = [*vary], vary
+        if hasattr(given, "keys") or not all(isinstance(one, str) for one in vary):
+            expected = "expected a mapping or texts; a table of variants is `variants`"
+            raise TypeError(f"sweep: `vary` is {type_and_value(given)}, {expected}")
     said = {"variants": variants is not None, "vary": bool(vary), "zip": zip, "sample": sample}
     for message in conflicts(said):
         raise ValueError(message)
