@@ -41,6 +41,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     variants: Mapping[str, ArrayLike] | None = None,
     out: str | Sequence[str] = "ratio,efficiency",
     where: str | None = None,
+    min: str | Sequence[str] = (),  # noqa: A002
+    max: str | Sequence[str] = (),  # noqa: A002
+    best: int | None = None,
     by: Literal["gear"] | None = None,
     coast: bool | None = None,
     idle: IdleConvention | None = None,
@@ -71,6 +74,10 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         The columns, as in ``--out`` of the command line.
     where : str, optional
         Which variants get a row.
+    min, max : str or sequence of str
+        What is to be small, and large: only the best variants get a row, in one chunk.
+    best : int, optional
+        So many of them; by one objective 20 where it is not given.
     by : {"gear"}, optional
         A row for each gear of a variant; `Chunk.of_gear` tells which.
     coast, idle : optional
@@ -112,14 +119,16 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     from vstatics.sweep.options import SweepOptions, conflicts
     from vstatics.sweep.swept import Sweep
 
-    if jobs < 1:
-        raise ValueError(f"jobs is {jobs}, expected 1 or more")
+    for name, count in (("jobs", jobs), ("best", best)):
+        if count is not None and count < 1:
+            raise ValueError(f"{name} is {count}, expected 1 or more")
     if not isinstance(vary, str | Mapping):
         vary, given = [*vary], vary
         if hasattr(given, "keys") or not all(isinstance(one, str) for one in vary):
             expected = "expected a mapping or texts; a table of variants is `variants`"
             raise TypeError(f"sweep: `vary` is {type_and_value(given)}, {expected}")
     said = {"variants": variants is not None, "vary": bool(vary), "zip": zip, "sample": sample}
+    said |= {"min": min, "max": max, "best": best}
     for message in conflicts(said):
         raise ValueError(message)
     if sample is not None and method != "random":
@@ -134,6 +143,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         seed=seed,
         out=out,
         where=where,
+        min=(min,) if isinstance(min, str) else min,
+        max=(max,) if isinstance(max, str) else max,
+        best=best,
         by=by,
         coast=coast,
         idle=idle,
