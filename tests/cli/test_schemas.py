@@ -52,9 +52,9 @@ def test_the_page_of_results_leads_to_every_schema() -> None:
 def test_what_changed_between_results_fits(tmp_path: Path) -> None:
     """A number, a gear that is gone, a case that is new, one that can't be read."""
     case = (CASES / "simpson.yaml").read_text(encoding="utf-8")
-    for folder, text in (("old", case), ("new", case.replace("-73/35", "-75/35", 1))):
+    for folder, own in (("old", case), ("new", case.replace("-73/35", "-75/35", 1))):
         (tmp_path / folder).mkdir()
-        (tmp_path / f"{folder}.yaml").write_text(text, encoding="utf-8")
+        (tmp_path / f"{folder}.yaml").write_text(own, encoding="utf-8")
         vstatics("run", tmp_path / f"{folder}.yaml", "-o", tmp_path / folder / "box.json")
     (tmp_path / "new/other.json").write_bytes((tmp_path / "new/box.json").read_bytes())
     (tmp_path / "new/broken.json").write_text("{", encoding="utf-8")
