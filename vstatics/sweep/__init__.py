@@ -59,7 +59,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
         elastic or heavy: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
-        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2].
+        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques
+        and powers are in rad/s, N*m and W, of a scenario too; of ``"load.speed [rpm]"`` in rpm.
     zip : bool
         Take the values in parallel, in place of a grid.
     sample : int, optional
@@ -83,7 +84,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     coast, idle : optional
         As in `vstatics.solve`.
     jobs : int
-        Processes that calculate.
+        Processes that calculate. More than one import the script anew, so that what it does has to
+        stand behind ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -127,7 +129,12 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         if hasattr(given, "keys") or not all(isinstance(one, str) for one in vary):
             expected = "expected a mapping or texts; a table of variants is `variants`"
             raise TypeError(f"sweep: `vary` is {type_and_value(given)}, {expected}")
-    said = {"variants": variants is not None, "vary": bool(vary), "zip": zip, "sample": sample}
+    said: dict[str, object] = {
+        "variants": variants is not None,
+        "vary": bool(vary),
+        "zip": zip,
+        "sample": sample,
+    }
     said |= {"min": min, "max": max, "best": best}
     for message in conflicts(said):
         raise ValueError(message)
