@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 import vstatics
 from tests import commands
 from tests.commands import CASES, ROOT
+from vstatics.examples import ScenarioName
 from vstatics.simulation import load_scenario
 
 
@@ -24,6 +26,11 @@ def test_an_example_is_what_its_file_holds() -> None:
     assert vstatics.example("zf-8hp70") == vstatics.load(CASES / "zf-8hp70.yaml")
     scenario = vstatics.example("scenarios/tarasik-box")
     assert scenario == load_scenario(CASES / "scenarios/tarasik-box.yaml")
+
+
+def test_a_checker_of_types_is_told_which_names_are_those_of_scenarios() -> None:
+    names = [one for one in vstatics.example() if one.startswith("scenarios/")]
+    assert list(get_args(ScenarioName)) == names
 
 
 def test_another_name_is_told_with_the_nearest() -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import vstatics
@@ -97,6 +98,53 @@ def test_a_fault_in_a_text_has_its_line() -> None:
 def test_what_is_given_in_place_of_something_else_is_told(call: Any, said: str) -> None:
     with pytest.raises(TypeError, match=re.escape(said)):
         call()
+
+
+LOADED = vstatics.load(BOX).replace(load=Load(2000, 300))
+TORQUES = pd.DataFrame({"load.torque": [100.0, 300.0]})
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "said"),
+    [
+        (
+            lambda: vstatics.sweep(LOADED, {"load.torque": ["100 lbf*ft"]}),
+            vstatics.CaseError,
+            "load.torque: read `['100 lbf*ft']`, expected a list of numbers; with a unit",
+        ),
+        (
+            lambda: vstatics.solve(LOADED, vary={"load.torque": ["100 lbf*ft"]}),
+            vstatics.CaseError,
+            "load.torque: read `['100 lbf*ft']`, expected a list of numbers [E701]",
+        ),
+        (
+            lambda: anything.solve(LOADED, ratios=[["-2.5 %", -2]]),
+            vstatics.CaseError,
+            "ratios: read",
+        ),
+        (
+            lambda: vstatics.solve(LOADED, vary={"load.torque": [1, 2, 3], "load.speed": [4, 5]}),
+            ValueError,
+            "one length, read load.torque (3,), load.speed (2,)",
+        ),
+        (
+            lambda: anything.sweep(LOADED, TORQUES),
+            TypeError,
+            "expected a mapping or texts; a table of variants is `variants`",
+        ),
+        (lambda: anything.sweep(LOADED, np.array([1, 2])), TypeError, "sweep: `vary` is ndarray"),
+        (lambda: vstatics.save(LOADED, "nowhere/x.yaml"), FileNotFoundError, "tory: 'nowhere'"),
+    ],
+)
+def test_what_is_given_in_place_of_numbers_is_told(call: Any, kind: Any, said: str) -> None:
+    with pytest.raises(kind, match=re.escape(said)):
+        call()
+
+
+def test_a_table_of_pandas_is_one_of_variants() -> None:
+    [chunk] = anything.sweep(LOADED, variants=TORQUES, out="lossy_output_torque_Nm[1]")
+    varied = anything.solve(LOADED, vary=TORQUES)
+    assert (chunk.columns[:, 0] == varied["lossy_output_torque_Nm", "1"]).all()
 
 
 # A case with other parameters

@@ -41,52 +41,74 @@ from vstatics.sweep import sweep
 if TYPE_CHECKING:
     from vstatics.checking import check
     from vstatics.comparison.compare import compare
-    from vstatics.damage.devices import damages
-    from vstatics.damage.rayleigh import rayleigh_life
-    from vstatics.damage.resize import resized, resized_by_ratio
+    from vstatics.comparison.verdicts import Verdict
+    from vstatics.damage.devices import DeviceDamage, damages
+    from vstatics.damage.rayleigh import RayleighLife, rayleigh_life
+    from vstatics.damage.resize import ResizedShaft, resized, resized_by_ratio
     from vstatics.elements.drawing import Drawing
     from vstatics.elements.element import Element, PlanetMass
     from vstatics.examples import example
     from vstatics.explain.exercise import exercise
-    from vstatics.explain.explanation import explain_gear
+    from vstatics.explain.explanation import Explanation, explain_gear
+    from vstatics.explain.worksheet import GearExercise
     from vstatics.flow.power import flows
+    from vstatics.flow.power_flow import GearFlow, PowerFlow
     from vstatics.model.clutch_dump import ClutchDump
     from vstatics.model.fatigue import Fatigue
     from vstatics.model.vehicle import Vehicle
-    from vstatics.pictures.plotting import plot
+    from vstatics.pictures.plotting import Picture, plot
     from vstatics.report import write_report
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.parts import Scenario
-    from vstatics.summary import summarize
+    from vstatics.summary import Summary, summarize
     from vstatics.summary.operation.cycles import cycle
-    from vstatics.sweep.variants.subject import load_varied
+    from vstatics.summary.operation.drive_cycle import DriveCycle
+    from vstatics.summary.operation.trace import Trace
+    from vstatics.sweep.chunk import Chunk
+    from vstatics.sweep.swept import Sweep
+    from vstatics.sweep.variants.subject import VariedScenario, load_varied
     from vstatics.writers.saving import save
 
 __all__ = [
     "CaseError",
+    "Chunk",
     "ClutchDump",
     "Damping",
+    "DeviceDamage",
     "Drawing",
+    "DriveCycle",
     "Element",
+    "Explanation",
     "Fatigue",
     "Gear",
+    "GearExercise",
+    "GearFlow",
     "GearState",
     "Load",
     "Mechanism",
     "Message",
     "Motion",
+    "Picture",
     "Place",
     "PlanetMass",
+    "PowerFlow",
     "Problem",
+    "RayleighLife",
     "ReadError",
+    "ResizedShaft",
     "Results",
     "Scenario",
     "ShiftElement",
     "Spring",
+    "Summary",
+    "Sweep",
+    "Trace",
     "Transmission",
+    "VariedScenario",
     "Vehicle",
+    "Verdict",
     "VstaticsError",
     "__version__",
     "check",
@@ -115,14 +137,29 @@ __all__ = [
 ]
 
 _LATER = {
+    "Chunk": "vstatics.sweep.chunk",
     "ClutchDump": "vstatics.model.clutch_dump",
+    "DeviceDamage": "vstatics.damage.devices",
     "Drawing": "vstatics.elements.drawing",
+    "DriveCycle": "vstatics.summary.operation.drive_cycle",
     "Element": "vstatics.elements.element",
+    "Explanation": "vstatics.explain.explanation",
     "Fatigue": "vstatics.model.fatigue",
+    "GearExercise": "vstatics.explain.worksheet",
+    "GearFlow": "vstatics.flow.power_flow",
     "Motion": "vstatics.simulation.record.motion",
+    "Picture": "vstatics.pictures.plotting",
     "PlanetMass": "vstatics.elements.element",
+    "PowerFlow": "vstatics.flow.power_flow",
+    "RayleighLife": "vstatics.damage.rayleigh",
+    "ResizedShaft": "vstatics.damage.resize",
     "Scenario": "vstatics.simulation.scenario.parts",
+    "Summary": "vstatics.summary",
+    "Sweep": "vstatics.sweep.swept",
+    "Trace": "vstatics.summary.operation.trace",
+    "VariedScenario": "vstatics.sweep.variants.subject",
     "Vehicle": "vstatics.model.vehicle",
+    "Verdict": "vstatics.comparison.verdicts",
     "check": "vstatics.checking",
     "compare": "vstatics.comparison.compare",
     "cycle": "vstatics.summary.operation.cycles",

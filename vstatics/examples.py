@@ -14,12 +14,30 @@ from __future__ import annotations
 
 import os
 from functools import cache
-from typing import Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, overload
 
 from vstatics import readers
 from vstatics.arguments import refusing
 from vstatics.errors import CaseError, nearest, quoted
 from vstatics.model.transmission import Transmission
+
+if TYPE_CHECKING:
+    from vstatics.simulation.scenario.parts import Scenario
+
+ScenarioName: TypeAlias = Literal[
+    "scenarios/8hp70-downshift",
+    "scenarios/8hp70-shifts",
+    "scenarios/8hp70-upshift",
+    "scenarios/8l90-shifts",
+    "scenarios/gf4a-upshifts",
+    "scenarios/moskvich-samples",
+    "scenarios/moskvich-start",
+    "scenarios/tarasik-box",
+    "scenarios/tarasik-set-lock",
+    "scenarios/tarasik-set-upshift",
+    "scenarios/tarasik-truck",
+]
+"""Those of the scenarios, for checkers of types: only by its name one can tell what it is."""
 
 
 class ExampleFile(NamedTuple):
@@ -40,11 +58,15 @@ def example() -> list[str]: ...
 
 
 @overload
+def example(name: ScenarioName) -> Scenario: ...
+
+
+@overload
 def example(name: str) -> Transmission | Any: ...
 
 
 @refusing()
-def example(name: str | None = None) -> list[str] | Transmission | Any:
+def example(name: str | None = None) -> list[str] | Transmission | Scenario | Any:
     """A case or a scenario that comes with the program, or the names of all of them.
 
     Parameters

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,30 @@ def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
     Draft202012Validator.check_schema(made)
     file = SCHEMAS / f"{name}.schema.json"
     assert file.read_text(encoding="utf-8") == text(made), "write them: make schema"
+
+
+def test_the_page_of_results_leads_to_every_schema() -> None:
+    page = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+    rows = "".join(line for line in page.splitlines() if line.startswith("| "))
+    linked = re.findall(r"\(\.\./schemas/([a-z]+)\.schema\.json\)", rows)
+    assert sorted(linked) == sorted(schemas())
+
+
+def test_what_changed_between_results_fits(tmp_path: Path) -> None:
+    """A number, a gear that is gone, a case that is new, one that can't be read."""
+    case = (CASES / "simpson.yaml").read_text(encoding="utf-8")
+    for folder, own in (("old", case), ("new", case.replace("-73/35", "-75/35", 1))):
+        (tmp_path / folder).mkdir()
+        (tmp_path / f"{folder}.yaml").write_text(own, encoding="utf-8")
+        vstatics("run", tmp_path / f"{folder}.yaml", "-o", tmp_path / folder / "box.json")
+    (tmp_path / "new/other.json").write_bytes((tmp_path / "new/box.json").read_bytes())
+    (tmp_path / "new/broken.json").write_text("{", encoding="utf-8")
+    (tmp_path / "old/broken.json").write_text("{", encoding="utf-8")
+    written = json.loads(vstatics("compare", tmp_path / "new", tmp_path / "old", "-f", "json").out)
+    assert {one["state"] for one in written["cases"]} == {"changed", "added", "unreadable"}
+    assert [*validator("compare").iter_errors(written)] == []
+    written["cases"][0]["state"] = "other"
+    assert [*validator("compare").iter_errors(written)] != []
 
 
 def test_no_schema_is_left_over() -> None:

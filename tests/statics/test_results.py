@@ -15,7 +15,7 @@ from tests.statics.batches import (
     same,
 )
 from tests.statics.differential import train
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 
 
 def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
@@ -38,6 +38,18 @@ def test_results_that_are_kept_do_not_change() -> None:
         for name in ARRAYS:
             assert same(getattr(results, name), getattr(copied, name))
             assert same(getattr(results, name), getattr(pickled, name))
+
+
+def test_results_are_equal_where_case_numbers_and_loads_are() -> None:
+    """A neutral has NaN, which is no difference; two loads differ by what is in N*m alone."""
+    case = train([(2, 0)], Gear([1])).replace(
+        gears=[Gear([1]), Gear(name="N")], load=Load(2000, 300)
+    )
+    assert solve(case) == solve(case) == pickle.loads(pickle.dumps(solve(case)))  # noqa: S301
+    assert solve(case) != solve(case.replace(load=Load(2000, 200)))
+    varied = [solve(case, vary={"load.torque": [100, second]}) for second in (200, 200, 300)]
+    assert varied[0] == varied[1] != varied[2]
+    assert solve(case) not in [*varied, solve(case, ratios=[[-2.5]]), None, case]
 
 
 def test_a_gear_is_one_of_a_single_case() -> None:

@@ -39,6 +39,26 @@ def test_cells_of_a_grid_are_cases_written_and_read_alone() -> None:
         np.testing.assert_allclose(found, expected, rtol=1e-11)
 
 
+def test_the_best_of_several_pieces_are_those_of_the_closed_form() -> None:
+    """Of 1 - u the least is where u is nearest to 0; none is better in ratio and efficiency."""
+    varied = {"D.ratio": "-4:-2:400", "D.efficiency": ".9:.99:200"}
+    out = "ratio[low],efficiency[low]"
+    least = sweep(DIFFERENTIAL, varied, out=out, min="ratio[low]", best=200).to_dataframe()
+    assert set(least["D.ratio"]) == {-2.0}
+    assert (least["ratio[low]"] == 3).all()
+    [front] = sweep(DIFFERENTIAL, varied, out=out, min="ratio[low]", max=["efficiency[low]"])
+    u, eta = front.values.T
+    efficiency = (1 - u * 0.99) / (1 - u)
+    assert eta.tolist() == [0.99]  # at the least ratio it is the largest, too
+    np.testing.assert_allclose(front.columns, np.column_stack([1 - u, efficiency]), rtol=1e-12)
+    opposed = sweep(DIFFERENTIAL, varied, min="-ratio[low]", max="efficiency[low]", jobs=2)
+    found = opposed.to_dataframe()
+    np.testing.assert_allclose(sorted(found["D.ratio"]), np.linspace(-4, -2, 400), rtol=1e-12)
+    assert set(found["D.efficiency"]) == {0.99}
+    with pytest.raises(ValueError, match="best needs min or max"):
+        sweep(DIFFERENTIAL, varied, best=3)
+
+
 def test_a_random_grid_has_the_closed_form_of_a_differential_and_holes() -> None:
     """Ratio 1 - u, efficiency (1 - u eta)/(1 - u) with the ring held, where it is above 3."""
     chance = generator(33)

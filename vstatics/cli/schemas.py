@@ -13,6 +13,7 @@ from vstatics.cli.synth.box.command import BoxSearchEstimate
 from vstatics.cli.synth.combinations_output import CombinationEstimate
 from vstatics.cli.synth.structures import StructureCount, StructureEstimate
 from vstatics.cli.torsion import dump
+from vstatics.comparison.verdicts import Verdict
 from vstatics.damage.devices import DamageAnswer
 from vstatics.damage.rayleigh import RayleighLife
 from vstatics.damage.resize import ResizedShaft
@@ -94,6 +95,7 @@ OTHERS = {
     "rayleigh": ("Life under random stresses, of vstatics damage rayleigh", RayleighLife),
     "resize": ("A shaft of equal life, of vstatics damage resize", ResizedShaft),
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
+    "compare": ("What changed between results, of vstatics compare", Verdict),
 }
 """Of a file that is one of these."""
 SCENARIO_MEASURES: tuple[Measure, ...] = (

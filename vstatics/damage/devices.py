@@ -16,7 +16,7 @@ from vstatics.arguments import refusing
 from vstatics.damage.rainflow import LoadCycle, rainflow
 from vstatics.model.fatigue import Fatigue
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, as_floats
 from vstatics.tables.answer import document
 
 if TYPE_CHECKING:
@@ -92,8 +92,10 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
 
     Raises
     ------
+    CaseError
+        If a record is none of numbers.
     ValueError
-        If a record is no series of numbers.
+        If it is no series of them.
 
     Examples
     --------
@@ -108,7 +110,7 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     (100, [300.0, 500.0, 800.0])
     """
     return {
-        name: device_damage(fatigue, np.asarray(torques[name], dtype=np.float64))
+        name: device_damage(fatigue, as_floats(name, torques[name]))
         for name, fatigue in case.fatigue.items()
         if name in torques
     }

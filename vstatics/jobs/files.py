@@ -175,8 +175,13 @@ def _beside(path: str, mark: str) -> tuple[str, int]:
     front = f"{PREFIX}{mark}-{os.getpid()}-" if mark else f"{PREFIX}{os.getpid()}-"
     for number in itertools.count():
         temporary = os.path.join(os.path.dirname(path), f"{front}{number}")  # noqa: PTH118, PTH120
-        with contextlib.suppress(FileExistsError):  # left by a process that was killed
+        try:
             return temporary, os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+        except FileExistsError:  # left by a process that was killed
+            continue
+        except OSError as error:
+            error.filename = os.path.dirname(path) or os.curdir  # noqa: PTH120 - not our own file
+            raise
     raise AssertionError
 
 

@@ -7,12 +7,36 @@ from typing import Any
 
 import numpy as np
 
+from vstatics.errors import CaseError, quoted
 from vstatics.numerics.tolerances import LAST_BITS
 
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 Complex = np.ndarray[Any, np.dtype[np.complex128]]
 Integers = np.ndarray[Any, np.dtype[np.integer[Any]]]
 Booleans = np.ndarray[Any, np.dtype[np.bool_]]
+
+
+def as_floats(name: str, given: object, hint: str = "") -> Floats:
+    """An array of numbers that somebody gives, by a name.
+
+    Raises
+    ------
+    CaseError
+        If it is none, with the name.
+
+    Examples
+    --------
+    >>> as_floats("load.torque", [100, 200])
+    array([100., 200.])
+    >>> as_floats("load.torque", ["100 N*m"])
+    Traceback (most recent call last):
+    vstatics.errors.CaseError: load.torque: read `['100 N*m']`, expected a list of numbers [E701]
+    """
+    try:
+        return np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        message = f"{name}: read {quoted(str(given))}, expected a list of numbers{hint}"
+        raise CaseError("E701", message) from None
 
 
 def first_largest(sizes: Floats) -> Integers:

@@ -27,7 +27,7 @@ import numpy as np
 from vstatics.arguments import refusing
 from vstatics.model.parts import OfLoad
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.numerics.elimination import RIGHT, Coefficient, Equation
 from vstatics.numerics.traced import Number, is_exact
 from vstatics.statics.efficiency import Efficiency, efficiencies_by_direction
@@ -191,10 +191,12 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
     Raises
     ------
+    CaseError
+        If it is none of numbers; it is called `name`.
     ValueError
-        If it has another; it is called `name`.
+        If it has another.
     """
-    array = np.asarray(given, dtype=np.float64)
+    array = as_floats(name, given)
     if array.ndim == 0 or array.shape[-1] != mechanisms:
         raise ValueError(f"{name} of shape {array.shape}: expected a last axis of {mechanisms}")
     return array

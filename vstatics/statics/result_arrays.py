@@ -2,15 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from vstatics.errors import Severity, severity
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+
+if TYPE_CHECKING:
+    from typing import Self, dataclass_transform
+
+    @dataclass_transform(frozen_default=True)
+    class _NamedFields:
+        """A named tuple, but for its subscripts: those of results are names.
+
+        A checker of types takes every subscript of a tuple for the number of an item.
+        """
+
+        _fields: ClassVar[tuple[str, ...]]
+
+        def _replace(self, **changes: Any) -> Self: ...
+        def __iter__(self) -> Iterator[Any]: ...
+
+else:
+    _NamedFields = NamedTuple
 
 
 class Message(NamedTuple):
@@ -62,7 +80,7 @@ class OperatingPoints(NamedTuple):
     """Laws that were asked outside their points."""
 
 
-class ResultFields(NamedTuple):
+class ResultFields(_NamedFields):
     """The fields of `Results`.
 
     The order of axes is the same everywhere: variants first (none for one case), then
@@ -171,6 +189,34 @@ them; `mechanisms` those that the solver knows; `torques` shift elements, mechan
 members of drawn elements, springs, and the output; `meshes` those of a case that is drawn, with
 planets as links; `one`: a value of the gear itself.
 """
+
+
+GearTable: TypeAlias = Literal[
+    "ratio",
+    "efficiency",
+    "power_balance",
+    "consistent",
+    "locked",
+    "dragged",
+    "drag_losses",
+    "drag_losses_kW",
+    "input_power_kW",
+    "output_power_kW",
+    "output_torque",
+    "lossy_output_torque",
+    "output_torque_Nm",
+    "lossy_output_torque_Nm",
+    "undecided",
+    "choices",
+    "tied_up",
+    "conflict",
+    "exact",
+    "balanced",
+    "missing",
+    "excess",
+]
+"""Tables of one value for each gear: for checkers of types, to whom a table and a gear are a
+number there, else a table and a row an array."""
 
 
 class GearArray(NamedTuple):

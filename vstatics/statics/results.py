@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -16,14 +16,13 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.freewheels import find_state
 from vstatics.statics.losses import no_solution
 from vstatics.statics.physical import PhysicalResults
+from vstatics.statics.result_arrays import ARRAYS, GearTable
 from vstatics.statics.state import GearState
 from vstatics.statics.status import OK, Status, statuses
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-
-"""Of the headings of a listing and of a deck."""
 
 
 class Results(PhysicalResults):
@@ -42,9 +41,38 @@ class Results(PhysicalResults):
 
     __slots__ = ()
 
+    @overload
+    def __getitem__(self, key: str) -> Floats: ...
+    @overload
+    def __getitem__(self, key: tuple[GearTable, str | int]) -> float: ...
+    @overload
+    def __getitem__(self, key: tuple[str, str | int, str | int]) -> float: ...
+    @overload
+    def __getitem__(self, key: tuple[str, Any] | tuple[str, Any, Any]) -> Any: ...
     def __getitem__(self, key: Any) -> Any:
-        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``."""
+        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``.
+
+        A number, too, is an array where there are variants; to checkers of types it is a float.
+        """
         return higher("by_name")(self, key)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether these are the same numbers, to the last bit, of the same case."""
+        if not isinstance(other, Results):
+            return NotImplemented
+        points, others = self.points, other.points
+        return (
+            self.case == other.case
+            and self.messages == other.messages
+            and _same(_own_arrays(self), _own_arrays(other))
+            and _same(points.scales if points else {}, others.scales if others else {})
+        )
+
+    def __ne__(self, other: object) -> bool:
+        """As `==` says, where a tuple would compare its items."""
+        return not self == other
+
+    __hash__ = None  # type: ignore[assignment] # what compares by its numbers, and has arrays
 
     def _repr_html_(self) -> str:
         """The table of the gears, for a notebook."""
@@ -264,6 +292,18 @@ class Results(PhysicalResults):
     def failed(self) -> bool:
         """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
         return bool(self.tied_up.any() or self.conflict.any())
+
+
+def _own_arrays(results: Results) -> dict[str, Any]:
+    """As they were calculated, by name."""
+    return {name: results.in_own_unit(name) for name in ARRAYS}
+
+
+def _same(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
+    """Whether arrays by names are equal; NaN is equal to NaN."""
+    return some.keys() == others.keys() and all(
+        np.array_equal(array, others[name], equal_nan=True) for name, array in some.items()
+    )
 
 
 def expect_one_case(given: Results, function: str) -> None:

@@ -60,7 +60,8 @@ def solve(  # noqa: PLR0913
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none, or a converter has no speed ratio.
+        If a ratio or an efficiency in the arrays is none, there is a text among the numbers, or
+        a converter has no speed ratio.
     TypeError
         If `case` is no transmission, such as the name of a file.
     ValueError

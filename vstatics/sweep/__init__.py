@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from vstatics.arguments import naming, refusing
+from vstatics.arguments import naming, refusing, type_and_value
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -41,6 +41,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     variants: Mapping[str, ArrayLike] | None = None,
     out: str | Sequence[str] = "ratio,efficiency",
     where: str | None = None,
+    min: str | Sequence[str] = (),  # noqa: A002
+    max: str | Sequence[str] = (),  # noqa: A002
+    best: int | None = None,
     by: Literal["gear"] | None = None,
     coast: bool | None = None,
     idle: IdleConvention | None = None,
@@ -56,7 +59,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
         elastic or heavy: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
-        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2].
+        ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques
+        and powers are in rad/s, N*m and W, of a scenario too; of ``"load.speed [rpm]"`` in rpm.
     zip : bool
         Take the values in parallel, in place of a grid.
     sample : int, optional
@@ -71,12 +75,17 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         The columns, as in ``--out`` of the command line.
     where : str, optional
         Which variants get a row.
+    min, max : str or sequence of str
+        What is to be small, and large: only the best variants get a row, in one chunk.
+    best : int, optional
+        So many of them; by one objective 20 where it is not given.
     by : {"gear"}, optional
         A row for each gear of a variant; `Chunk.of_gear` tells which.
     coast, idle : optional
         As in `vstatics.solve`.
     jobs : int
-        Processes that calculate.
+        Processes that calculate. More than one import the script anew, so that what it does has to
+        stand behind ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -90,6 +99,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         If a text can't be read, with the place of what is wrong.
     CaseError
         If there can be no such sweep, or a package is missing.
+    TypeError
+        If `vary` is a table, such as one of pandas.
     ValueError
         If arguments exclude one another.
 
@@ -110,9 +121,21 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     from vstatics.sweep.options import SweepOptions, conflicts
     from vstatics.sweep.swept import Sweep
 
-    if jobs < 1:
-        raise ValueError(f"jobs is {jobs}, expected 1 or more")
-    said = {"variants": variants is not None, "vary": bool(vary), "zip": zip, "sample": sample}
+    for name, count in (("jobs", jobs), ("best", best)):
+        if count is not None and count < 1:
+            raise ValueError(f"{name} is {count}, expected 1 or more")
+    if not isinstance(vary, str | Mapping):
+        vary, given = [*vary], vary
+        if hasattr(given, "keys") or not all(isinstance(one, str) for one in vary):
+            expected = "expected a mapping or texts; a table of variants is `variants`"
+            raise TypeError(f"sweep: `vary` is {type_and_value(given)}, {expected}")
+    said: dict[str, object] = {
+        "variants": variants is not None,
+        "vary": bool(vary),
+        "zip": zip,
+        "sample": sample,
+    }
+    said |= {"min": min, "max": max, "best": best}
     for message in conflicts(said):
         raise ValueError(message)
     if sample is not None and method != "random":
@@ -127,6 +150,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         seed=seed,
         out=out,
         where=where,
+        min=(min,) if isinstance(min, str) else min,
+        max=(max,) if isinstance(max, str) else max,
+        best=best,
         by=by,
         coast=coast,
         idle=idle,

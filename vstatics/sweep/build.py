@@ -13,7 +13,7 @@ from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Place, Problem, ReadError, of_file
 from vstatics.extras import require
 from vstatics.model.transmission import IdleConvention, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Floats, as_floats
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.statics.solve import solve
 from vstatics.sweep.blocks import possible_numbers
@@ -206,7 +206,8 @@ def _check_slopes(made: SweepPlan) -> None:
 
 
 def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    array = np.asarray(values, dtype=np.float64)
+    hint = "; with a unit they are one text, such as '100 N*m,200 N*m'"
+    array = as_floats(name, values, hint)
     if array.ndim != 1:
         raise CaseError("E701", f"{name}: read {array.ndim} axes, expected a list of numbers")
     return array

@@ -13,6 +13,7 @@ from vstatics.errors import CaseError, listed
 from vstatics.extras import AnyPicture, higher, require
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.sweep.chunk import STATUS, Chunk, joined
+from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan, rounded
 from vstatics.sweep.tasks import SweepTask, calculate
 from vstatics.sweep.units import units_of
@@ -63,8 +64,14 @@ class Sweep(Iterator[Chunk]):
     def _chunks(self) -> Generator[Chunk]:
         task = SweepTask(self.plan, "csv")
         with task.workers(self.jobs) as called:
+            kept: list[Chunk] = []
             for _, chunk in called.each(calculate, range(self.plan.pieces), ordered=True):
-                yield chunk
+                if self.plan.objectives:
+                    kept = [best.within(self.plan, joined([*kept, chunk]))]
+                else:
+                    yield chunk
+            if kept:
+                yield from best.among(self.plan, lambda: kept)
 
     @property
     def _shape(self) -> list[int]:
@@ -215,8 +222,8 @@ class Sweep(Iterator[Chunk]):
         return columns, status
 
     def _rows(self, what: str) -> Chunk:
-        """All rows as one chunk; how many a condition leaves is not known before."""
-        if self.plan.where is None:
+        """All rows as one chunk; how many a condition or several objectives leave shows later."""
+        if self.plan.where is None and not self.plan.objectives:
             self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])
 

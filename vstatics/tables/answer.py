@@ -76,6 +76,7 @@ _SIMPLE: Mapping[Any, Schema] = {
     },
     Message: TEXT,
     NoneType: NULL,
+    Any: {},
 }
 _FORMS: dict[Any, str] = {}
 _TOLD: dict[Any, Mapping[str, str]] = {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from vstatics.arguments import type_and_value
 from vstatics.errors import Place, ReadError, listed, nearest, quoted, typed_number
@@ -255,7 +255,7 @@ def by_name(results: Results, key: Any) -> Any:
     """
     name, *chosen = key if isinstance(key, tuple) else (key,)
     if isinstance(key, int | slice):
-        return tuple.__getitem__(results, key)
+        return tuple.__getitem__(cast("tuple[Any, ...]", results), key)
     if not isinstance(name, str):
         expected = "expected the name of a table, then perhaps of a row and of a gear"
         raise TypeError(f"results of {type_and_value(name)}: {expected}")

@@ -85,6 +85,28 @@ torques: {m: 1}
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    "varied",
+    [
+        ("D.ratio=-4:-2:100", "D.efficiency=.9:1:100"),
+        ("D.ratio=-4:-2:50000",),
+        ("D.efficiency=.9:1:3", "D.ratio=-4:-2:20000"),
+    ],
+)
+def test_a_dry_run_tells_the_size_of_what_is_packed(varied: tuple[str, ...]) -> None:
+    """Repeated numbers take 0 to 2 bytes in Parquet, others 8 or more.
+
+    It is told by a block: what is repeated farther apart makes the file smaller than that.
+    """
+    asked = ["sweep", "box.yaml", *(word for one in varied for word in ("--vary", one))]
+    asked += ["-o", "out.parquet"]
+    told = re.search(r"size +about ([\d.]+) (kB|MB)", vstatics(*asked, "--dry-run").out)
+    assert told is not None
+    assert vstatics(*asked).status == 0
+    size = Path("out.parquet").stat().st_size
+    assert 0.9 * size < float(told[1]) * {"kB": 1e3, "MB": 1e6}[told[2]] < 1.6 * size
+
+
 def test_a_dry_run_of_runs_without_end_is_done_soon() -> None:
     """A mass on a spring swings 1.6 times a second: ten years are 3e8 periods, a run of hours."""
     case = "links: [m]\ninput: m\noutput: m\ninertias: {m: 1}\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import time
 from contextlib import suppress
@@ -13,7 +14,9 @@ from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import blocks
+from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import Format
+from vstatics.sweep.formats.tables import write_parquet
 from vstatics.sweep.kept.best import BEST
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.tasks import data_of
@@ -66,6 +69,13 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
     return length / sum(len(part.places) for part in parts)
 
 
+def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
+    """The length of a block as a file of Parquet, which is packed about as well as the whole."""
+    file = io.BytesIO()
+    write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
+    return file.tell()
+
+
 def most_rows(plan: SweepPlan) -> int:
     """The rows that there may be."""
     count = plan.count
@@ -94,7 +104,10 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
         expected = f"the best, at most {min(count, most_rows(plan))}"
     else:
         expected = str(count) if plan.where is None else f"about {count}"
-    length = sum(memoryview(one).nbytes for one in data) / max(len(rows.places), 1)
+    whole = sum(memoryview(one).nbytes for one in data)
+    if form == "parquet":
+        whole = _packed_bytes(plan, rows)
+    length = whole / max(len(rows.places), 1)
     size = "small" if plan.objectives else f"about {size_text(length * count)}"
     said = {
         "variants": str(variants),

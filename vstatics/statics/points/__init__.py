@@ -43,6 +43,7 @@ SAID = frozenset({"W418", "W420", "W423", "W424"})
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Every gear of a case at many points; see `vstatics.solve`."""
+    vary = dict(vary)  # a table of pandas has keys, too
     arrays, variants = together(vary)
     known = case.part_numbers() if vary.keys() - numbers_of(case).keys() else {}
     parts = {path: arrays.pop(path) for path in vary if path in known}

@@ -13,7 +13,7 @@ import numpy as np
 from vstatics.errors import CaseError, Problem, nearest, quoted
 from vstatics.model.shape import Measure
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.statics import matrix
 from vstatics.statics.variants import OF_MECHANISMS, OfGear, OfMechanism
 
@@ -44,6 +44,8 @@ def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
 
     Raises
     ------
+    CaseError
+        If one is no array of numbers.
     ValueError
         If the arrays do not go together, on one axis.
 
@@ -52,11 +54,14 @@ def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
     >>> together({"load.torque": [100.0, 200.0], "load.speed": 50})
     ({'load.torque': array([100., 200.]), 'load.speed': array([50., 50.])}, 2)
     """
-    arrays = {path: np.asarray(numbers, dtype=np.float64) for path, numbers in vary.items()}
-    shape = np.broadcast_shapes((1,), *(array.shape for array in arrays.values()))
-    if len(shape) > 1:
+    arrays = {path: as_floats(path, numbers) for path, numbers in vary.items()}
+    try:
+        shape = np.broadcast_shapes((1,), *(array.shape for array in arrays.values()))
+    except ValueError:
+        shape = ()
+    if len(shape) != 1:
         shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
-        raise ValueError(f"vary: expected arrays of one axis, read {shapes}")
+        raise ValueError(f"vary: expected arrays of one axis and one length, read {shapes}")
     return {path: np.broadcast_to(array, shape) for path, array in arrays.items()}, shape[0]
 
 
