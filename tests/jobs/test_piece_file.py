@@ -9,11 +9,22 @@ from pathlib import Path
 import pytest
 
 from vstatics.jobs import piece_file
-from vstatics.jobs.piece_file import Account, Copy, copy, piece_bytes, read_account, write_piece
+from vstatics.jobs.piece_file import (
+    Account,
+    Copy,
+    Noticed,
+    copy,
+    piece_bytes,
+    read_account,
+    write_piece,
+)
 
 
 def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
-    account, buffers = piece_bytes(3, 2, {"ok": 2}, [b"columns", b"and more"])
+    noticed = (Noticed("N605", "the control is cut", 7, 2),)
+    account, buffers = piece_bytes(
+        3, 2, {"ok": 2}, [b"columns", b"and more"], (1, 0), ("drag of C",), noticed
+    )
     write_piece(str(tmp_path), 3, buffers)
     assert read_account(str(tmp_path), 3) == account
     assert (account.variants, account.length) == (2, 15)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 from vstatics.sweep import build
 from vstatics.sweep.blocks import calculate
-from vstatics.sweep.chunk import STATUS, Chunk
+from vstatics.sweep.chunk import STATUS, Chunk, joined
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.runs import piece_of_runs
 from vstatics.sweep.tasks import SweepTask
@@ -89,6 +90,19 @@ def test_a_variant_is_the_run_of_its_scenario() -> None:
     for values, columns in zip(made.values, made.columns, strict=True):
         motion = simulate(varied.variant(paths, values.tolist()).scenario)
         assert columns.tolist() == [motion.energy.heat["brake"], motion.energy.work]
+
+
+def test_a_control_above_the_capacity_is_told_once_for_all_runs_that_have_it() -> None:
+    """Of 100, 115, 130 and 145 N*m three are above 110, however the runs are put together."""
+    capacity = CASE.replace(b"brake: [ring, housing]", b"brake: {links: [ring, housing], C}")
+    held = subject(case=capacity.replace(b"C}", b"capacity: 110 N*m}"))
+    plan = build.plan(held, SweepOptions.of(vary=["controls.brake.1.2=100:145:4"], out="heat"))
+    for ends in ((0, 4), (0, 2, 4), (0, 1, 2, 3, 4)):
+        parts = [calculate(plan, *two) for two in pairwise(ends)]
+        [note] = joined(parts[::-1]).noticed
+        assert (note.id, note.first, note.count) == ("N605", 1, 3)
+        assert "brake is above the capacity in the case, 110:" in note.text
+    assert calculate(plan, 0, 1).noticed == ()
 
 
 def test_what_cannot_be_is_invalid_and_has_no_numbers() -> None:

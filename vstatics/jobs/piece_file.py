@@ -32,6 +32,18 @@ class Segment(NamedTuple):
     crc: int
 
 
+class Noticed(NamedTuple):
+    """A message that variants have alike, but for numbers in its text."""
+
+    id: str
+    text: str
+    """That of the first variant."""
+    first: int
+    """The number of that variant."""
+    count: int
+    """How many variants have it."""
+
+
 class Account(NamedTuple):
     """What a finished piece holds."""
 
@@ -44,6 +56,8 @@ class Account(NamedTuple):
     """How many of those that are left each part of a condition removed."""
     outside: tuple[str, ...] = ()
     """What was asked outside its points."""
+    noticed: tuple[Noticed, ...] = ()
+    """Messages of the variants."""
 
     @property
     def variants(self) -> int:
@@ -72,6 +86,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     data: Sequence[Any],
     removed: tuple[int, ...] = (),
     outside: tuple[str, ...] = (),
+    noticed: tuple[Noticed, ...] = (),
 ) -> tuple[Account, list[Any]]:
     """A finished piece as buffers to write one behind the other.
 
@@ -82,11 +97,11 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
         See `Account`.
     data : sequence of bytes-like
         A segment each.
-    removed, outside : tuple
+    removed, outside, noticed : tuple
         See `Account`.
     """
     segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
-    account = Account(piece, rows, counts, segments, removed, outside)
+    account = Account(piece, rows, counts, segments, removed, outside, noticed)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), _MAGIC)]
 
@@ -116,6 +131,7 @@ def read_account(directory: str, piece: int) -> Account | None:
             fields = json.loads(file.read(length))
             segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
             fields |= {name: tuple(fields[name]) for name in ("removed", "outside")}
+            fields["noticed"] = tuple(Noticed(*one) for one in fields["noticed"])
             account = Account(segments=segments, **fields)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)

@@ -6,6 +6,7 @@ same build gives the same numbers for any number of jobs.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,7 +22,7 @@ from vstatics.tables.written_results import GEAR
 if TYPE_CHECKING:
     import pandas as pd
 
-    from vstatics.jobs.piece_file import Account
+    from vstatics.jobs.piece_file import Account, Noticed
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
@@ -39,6 +40,8 @@ DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STO
 )
 
 
+_NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
+"""In a message; the digits of a name such as C1 are none."""
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
 """The fields of a chunk that have a row for each of its variants."""
 
@@ -70,6 +73,8 @@ class Chunk(NamedTuple):
     """Names of the gears of a variant, where each has a row."""
     outside: tuple[str, ...] = ()
     """Laws that were asked outside their points."""
+    noticed: tuple[Noticed, ...] = ()
+    """Messages of runs, each once for all of the part that have it."""
 
     @property
     def variants(self) -> Integers:
@@ -179,7 +184,8 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
     rows: dict[str, Any] = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in OF_ROWS
     }
-    rows |= {"counts": counted(parts), "removed": removed_in(parts), "outside": outside_in(parts)}
+    rows |= {"counts": counted(parts), "removed": removed_in(parts)}
+    rows |= {"outside": outside_in(parts), "noticed": noticed_in(parts)}
     return parts[0]._replace(**rows)
 
 
@@ -199,6 +205,17 @@ def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
     """Laws that were asked outside their points in any of several parts."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
+
+
+def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
+    """Messages of several parts, each once where it differs in numbers alone."""
+    found: dict[tuple[str, str], Noticed] = {}
+    for one in (one for part in parts for one in part.noticed):
+        alike = one.id, _NUMBER.sub("0", one.text)
+        known = found.get(alike)
+        earlier = one if known is None else min(known, one, key=lambda each: each.first)
+        found[alike] = earlier._replace(count=one.count + (known.count if known else 0))
+    return tuple(found.values())
 
 
 def _existing(columns: Floats, unknown: Booleans) -> Floats:

@@ -12,7 +12,7 @@ from vstatics.extras import build
 from vstatics.jobs import piece_file
 from vstatics.jobs.alone import Alone, Workers
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.piece_file import Account, Copy
+from vstatics.jobs.piece_file import Account, Copy, Noticed
 from vstatics.sweep import chunk, tasks
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text
@@ -35,6 +35,8 @@ class SweepReport(NamedTuple):
     """How many of those that are left each part of the condition removed."""
     outside: tuple[str, ...] = ()
     """Laws that were asked outside their points."""
+    noticed: tuple[Noticed, ...] = ()
+    """Messages of runs."""
 
     @property
     def variants(self) -> int:
@@ -128,7 +130,12 @@ class Output:
         """
         plan = self.task.plan
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        told = chunk.counted(accounts), chunk.removed_in(accounts), chunk.outside_in(accounts)
+        told = (
+            chunk.counted(accounts),
+            chunk.removed_in(accounts),
+            chunk.outside_in(accounts),
+            chunk.noticed_in(accounts),
+        )
         if plan.objectives:
             accounts = list(self._select(accounts))
         try:
@@ -228,14 +235,17 @@ def stream(
             rows += len(selected.variants)
             put(text.rows(form, selected))
         put()
-        return SweepReport(rows, dict(counts), kept[0].removed, kept[0].outside)
+        [whole] = kept
+        return SweepReport(rows, dict(counts), whole.removed, whole.outside, whole.noticed)
     removed: Counter[int] = Counter()
     outside: dict[str, None] = {}
+    noticed: tuple[Noticed, ...] = ()
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         counts.update(account.counts)
         removed.update(dict(enumerate(account.removed)))
         outside |= dict.fromkeys(account.outside)
+        noticed = chunk.noticed_in([account._replace(noticed=noticed), account])
         rows += account.rows
         put(data)
         advance(account.variants)
-    return SweepReport(rows, dict(counts), tuple(removed.values()), tuple(outside))
+    return SweepReport(rows, dict(counts), tuple(removed.values()), tuple(outside), noticed)

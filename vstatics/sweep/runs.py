@@ -8,6 +8,7 @@ from contextlib import suppress
 import numpy as np
 
 from vstatics.errors import CaseError, Problem, ReadError
+from vstatics.jobs.piece_file import Noticed
 from vstatics.simulation.record.asked import TABLES
 from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.kept.asked import asked_rows
@@ -75,4 +76,6 @@ def _row(
         varied = {str(path.keys[1]) for path in paths if path.keys[0] == "elements"}
         status[0] = 0 if are_assembled(motion.case, varied) else NOT_ASSEMBLED
     tables = MotionTables(None if without[0] else motion, subject.rows)
-    return rows_of(plan, number, values, status, tables, without)
+    row = rows_of(plan, number, values, status, tables, without)
+    told = motion.messages if motion else ()
+    return row._replace(noticed=tuple(Noticed(one.id, one.text, number, 1) for one in told))

@@ -80,7 +80,7 @@ def _number(item: Any) -> Any:
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """An account of a piece, and its rows as text."""
     rows = calculate(task, item)
-    told = rows.removed, rows.outside
+    told = rows.removed, rows.outside, rows.noticed
     account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *told)
     return account, text.rows(task.form, rows)
 
@@ -90,7 +90,7 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    told = rows.removed, rows.outside
+    told = rows.removed, rows.outside, rows.noticed
     return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *told)
 
 

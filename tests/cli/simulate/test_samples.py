@@ -140,3 +140,45 @@ def test_a_case_that_is_not_there_is_told_where_it_is_named() -> None:
     shown = vstatics("sweep", "lock.yaml", "--vary", "duration=1,2")
     assert shown.status == 1
     assert "lock.yaml:1:7: error: set.yaml can't be read" in shown.err
+
+
+def test_messages_of_runs_are_told_once_with_their_number() -> None:
+    """Above 110 N*m are 120 and 140; what is written and what goes to a stream say it alike."""
+    text = CASE.replace(
+        b"brake: [ring, housing]", b"brake: {links: [ring, housing], capacity: 110 N*m}"
+    )
+    Path("set.yaml").write_bytes(text)
+    swept = ("sweep", "lock.yaml", "--vary", "controls.brake.1.2=100:140:3", "--strict")
+    for more in ((), ("-o", "runs.npz"), ("--max", "work", "--best", 1)):
+        said = vstatics(*swept, *more)
+        assert said.status == 0, said.err  # a note is no warning
+        [note] = [line for line in said.err.splitlines() if "above the capacity" in line]
+        assert note.startswith("lock.yaml: note: in 2 of 3 variants, the first is 1: at 0 s the")
+    assert "capacity" not in vstatics(*swept, "--allow", "N605").err
+    shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
+    assert "lock.yaml: note: in all 3 variants: at 0 s the control of brake" in shown.err
+
+
+LIGHT = b"""\
+links: [a, b, c]
+inertias: {a: 1, c: 1}
+springs: {ab: {links: [a, b], stiffness: 100}, bc: {links: [b, c], stiffness: 100}}
+"""
+JUMP = b"""\
+case: light.yaml
+duration: 0.2
+start: {speeds: {a: 0}}
+torques: {b: [[0, 0], [0.1, 0], [0.1, 10]]}
+"""
+
+
+def test_a_warning_of_a_run_makes_a_strict_sweep_fail() -> None:
+    """A link without inertia, on which a torque jumps; by 0 N*m it does not."""
+    Path("light.yaml").write_bytes(LIGHT)
+    Path("jump.yaml").write_bytes(JUMP)
+    swept = ("sweep", "jump.yaml", "--vary", "torques.b.3.2=0,10,20", "--out", "work")
+    said = vstatics(*swept, "--strict")
+    assert "jump.yaml: warning: in 2 of 3 variants, the first is 1: link b has no" in said.err
+    assert (said.status, len(said.out.splitlines())) == (1, 4)
+    assert vstatics(*swept).status == 0
+    assert "1 warning (W602), which --strict makes fail" in vstatics(*swept, "--strict", "-q").err

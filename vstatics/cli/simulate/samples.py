@@ -15,7 +15,7 @@ from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.one_case import CaseAnswer, show
 from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.cli.simulate.options import SimulateOptions
-from vstatics.cli.sweep.run import SweepRun, carry_out, tell_reason
+from vstatics.cli.sweep.run import SweepRun, carry_out, tell_noticed, tell_reason
 from vstatics.cli.sweep.subject import read_scenario_subject, spare
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import is_stream
@@ -46,7 +46,7 @@ def run_samples(asked: SimulateOptions) -> int:
     sampling.sharing.check(wanted.output)
     form = _format(wanted)
     scenario = Document(*files.read_input(asked.scenario))
-    subject, warnings = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
+    subject, problems = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
     varied = replace(cast("VariedScenario", subject), rtol=asked.rtol, limit=asked.limit)
     spare(varied, wanted.output)
     out = sampling.out
@@ -63,7 +63,8 @@ def run_samples(asked: SimulateOptions) -> int:
             wanted.output,
             sampling.sharing,
             wanted.style.raw,
-            telling.quiet,
+            telling,
+            problems,
         )
         found = _written(run) if form else _collected(run)
     except CaseError as error:
@@ -74,7 +75,7 @@ def run_samples(asked: SimulateOptions) -> int:
     to = Destination("text", None, wanted.style) if form else wanted.destination([])
     shown = CaseAnswer(lambda: statistics_grids(answer), answer)
     show(scenario.file, to, varied.own.name or varied.own.scenario.case.name, shown)
-    return FAILED if telling.fails(warnings) else DONE
+    return FAILED if telling.fails(problems) else DONE
 
 
 def _format(wanted: OutputOptions) -> Format | None:
@@ -119,6 +120,7 @@ def _collected(run: SweepRun) -> Mapping[str, Floats] | int:
     reasons = [f"{number} {status}" for status, number in made.counts.items() if status != "ok"]
     if reasons:
         files.say(f"{count} runs, of which {' and '.join(reasons)}")
+    tell_noticed(run, made.noticed)
     if not made.counts.get("ok"):
         files.say("no run has a result")
         tell_reason(plan)

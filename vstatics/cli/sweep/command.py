@@ -134,7 +134,7 @@ def sweep(
     .xlsx. While it runs, finished pieces lie in OUTPUT.parts; --resume takes
     them up after an interruption.
     Exit status: 0 done; 1 not finished, or no variant has a solution, with
-    --strict also if there is a warning on the case;
+    --strict also if there is a warning on the case or a run;
     2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or
     SIGTERM.
     """
@@ -154,7 +154,7 @@ def sweep(
 
     try:
         build.check_packages(options, form, sharing.scheduler)
-        subject, warnings = read_subject(options, input_format, telling)
+        subject, problems = read_subject(options, input_format, telling)
         spare(subject, options.output)
         check_options(subject, coast=options.coast, idle=options.idle)
         subject = limited(subject, effort.limit)
@@ -166,10 +166,10 @@ def sweep(
             files.write_output(estimate(plan, form, sharing.processes), None)
             status = DONE
         else:
-            quiet, fails = telling.quiet, effort.fail_empty
-            run = SweepRun(plan, form, options.output, sharing, raw, quiet, fails)
+            fails = effort.fail_empty
+            run = SweepRun(plan, form, options.output, sharing, raw, telling, problems, fails)
             status = carry_out(run)
-        return status or (FAILED if telling.fails(warnings) else DONE)
+        return status or (FAILED if telling.fails(problems) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
 

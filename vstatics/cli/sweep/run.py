@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.cli.frame import files
-from vstatics.cli.frame.cases import outside_notes
+from vstatics.cli.frame.cases import outside_notes, show_problems
 from vstatics.cli.frame.exit_status import DONE, EMPTY, FAILED, stopped_by
+from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.sweep.estimate import check_room
+from vstatics.errors import Problem, not_allowed, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.finished_pieces import FinishedPieces
+from vstatics.jobs.piece_file import Noticed
 from vstatics.jobs.stopping import StoppedError
 from vstatics.model.transmission import Transmission
 from vstatics.sweep import blocks, chunk
@@ -36,10 +40,16 @@ class SweepRun(NamedTuple):
     output: str | None
     sharing: Sharing
     raw: bool
-    quiet: bool
-    """Whether it is said only what is not well."""
+    telling: Telling
+    problems: list[Problem]
+    """What is doubtful of the case; messages of runs come behind it."""
     fail_empty: bool = False
     """Whether a sweep without rows fails."""
+
+    @property
+    def quiet(self) -> bool:
+        """Whether it is said only what is not well."""
+        return self.telling.quiet
 
     @property
     def task(self) -> SweepTask:
@@ -136,6 +146,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
+    tell_noticed(run, report.noticed)
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say(f"no variant has a solution{_where_solved(run.plan)}")
@@ -146,6 +157,25 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
     if run.plan.where is not None:
         _tell_removed(run.plan.where, report)
     return EMPTY if run.fail_empty else DONE
+
+
+def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> None:
+    """Tell the messages of runs, each once for all variants."""
+    plan, telling = run.plan, run.telling._replace(notes=True)  # as `simulate` tells them
+    if isinstance(plan.subject, Transmission):
+        return
+    file, count = plan.subject.scenario.file, plan.variants.count
+    told = [
+        of_file(
+            one.id,
+            file,
+            f"in {'all' if one.count == count else f'{one.count} of'} {count} variants"
+            f"{'' if one.count == count else f', the first is {one.first}'}: {one.text}",
+        )
+        for one in not_allowed(noticed, telling.allow)
+    ]
+    show_problems(told, telling, file)
+    run.problems.extend(told)
 
 
 def _counted(plan: SweepPlan) -> str:
