@@ -100,7 +100,7 @@ def test_a_control_above_the_capacity_is_told_once_for_all_runs_that_have_it() -
     for ends in ((0, 4), (0, 2, 4), (0, 1, 2, 3, 4)):
         parts = [calculate(plan, *two) for two in pairwise(ends)]
         [note] = joined(parts[::-1]).noticed
-        assert (note.id, note.first, note.count) == ("N605", 1, 3)
+        assert (note.id, note.first, note.variants) == ("N605", 1, 3)
         assert "brake is above the capacity in the case, 110:" in note.text
     assert calculate(plan, 0, 1).noticed == ()
 

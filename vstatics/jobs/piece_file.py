@@ -40,8 +40,8 @@ class Noticed(NamedTuple):
     """That of the first variant."""
     first: int
     """The number of that variant."""
-    count: int
-    """How many variants have it."""
+    variants: int
+    """How many have it."""
 
 
 class Account(NamedTuple):

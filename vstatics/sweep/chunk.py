@@ -214,7 +214,7 @@ def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
         alike = one.id, _NUMBER.sub("0", one.text)
         known = found.get(alike)
         earlier = one if known is None else min(known, one, key=lambda each: each.first)
-        found[alike] = earlier._replace(count=one.count + (known.count if known else 0))
+        found[alike] = earlier._replace(variants=one.variants + (known.variants if known else 0))
     return tuple(found.values())
 
 

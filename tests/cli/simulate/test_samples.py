@@ -155,6 +155,7 @@ def test_messages_of_runs_are_told_once_with_their_number() -> None:
         [note] = [line for line in said.err.splitlines() if "above the capacity" in line]
         assert note.startswith("lock.yaml: note: in 2 of 3 variants, the first is 1: at 0 s the")
     assert "capacity" not in vstatics(*swept, "--allow", "N605").err
+    Path("lock.yaml").write_bytes(SCENARIO.replace(b"[1, 0.05]", b"[1, 0]"))
     shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
     assert "lock.yaml: note: in all 3 variants: at 0 s the control of brake" in shown.err
 

@@ -138,6 +138,9 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
+    turned = read_shifts("2-1: 6 m/s/3.6 m/s")
+    with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
+        drive(case, text, GearChoice(shifts=turned))
 
 
 @pytest.mark.parametrize("number", range(5))

@@ -169,8 +169,8 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> None:
         of_file(
             one.id,
             file,
-            f"in {'all' if one.count == count else f'{one.count} of'} {count} variants"
-            f"{'' if one.count == count else f', the first is {one.first}'}: {one.text}",
+            f"in {'all' if one.variants == count else f'{one.variants} of'} {count} variants"
+            f"{'' if one.variants == count else f', the first is {one.first}'}: {one.text}",
         )
         for one in not_allowed(noticed, telling.allow)
     ]

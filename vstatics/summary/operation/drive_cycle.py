@@ -216,7 +216,7 @@ class _CycleSteps(NamedTuple):
             ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = wheels[:, None] * ratios[own, inputs]
-        gears = _gears(case, vehicle, trace, choice, engine, np.sign(1 / still.ratio))
+        gears = _gears(case, vehicle, trace, choice, engine, still.ratio)
         lacking = np.flatnonzero(~np.isfinite(still.ratio[gears]) & (trace.speed > 0))
         if lacking.size:
             name = case.gears[gears[lacking[0]]].name
@@ -369,22 +369,23 @@ def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
     trace: Trace,
     choice: GearChoice,
     engine: Floats,
-    ways: Floats,
+    ratios: Floats,
 ) -> Integers:
     """The gear of each step: of the trace, by shift speeds, or the highest that fits.
 
     Raises
     ------
     CaseError
-        If one is none of the case, or nothing tells it.
+        If one is none of the case, nothing tells it, or shifts up go to a lower gear.
     """
     names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
     if choice.least_speed is not None:
+        ways = np.sign(1 / ratios)
         ahead = [n for n, way in enumerate(ways) if way == np.sign(np.nansum(np.sign(ways)) or 1)]
         return by_least_speed(engine, choice.least_speed, may, ahead)
     if choice.shifts:
         try:
-            told_gears = by_shift_speeds(case, choice.shifts, trace.speed, may)
+            told_gears = by_shift_speeds(case, choice.shifts, trace.speed, may, ratios)
         except ValueError as error:
             raise CaseError("E426", f"--shift: {error}") from None
     elif trace.gears:

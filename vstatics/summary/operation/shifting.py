@@ -6,6 +6,7 @@ No rule takes a gear in which the engine would turn faster than it may, if anoth
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -73,7 +74,11 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
 
 
 def by_shift_speeds(
-    case: Transmission, shifts: Sequence[ShiftSpeed], speeds: Floats, may: Booleans
+    case: Transmission,
+    shifts: Sequence[ShiftSpeed],
+    speeds: Floats,
+    may: Booleans,
+    ratios: Floats,
 ) -> list[str]:
     """The gears of mean speeds [m/s], from the first gear on.
 
@@ -87,18 +92,20 @@ def by_shift_speeds(
         Of the vehicle. [m/s]
     may : ndarray, shape (rows, gears)
         Whether the engine may turn as fast as it would.
+    ratios : ndarray, shape (gears,)
+        Of the case. [-]
 
     Raises
     ------
     ValueError
-        If there is no such gear.
+        If there is no such gear, or a shift up goes to one of a larger ratio.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
     >>> speeds, may = np.array([3.0, 5.0, 4.5, 3.9]), np.ones((4, 2), bool)
-    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, may)
+    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, may, np.array([2.0, 2.0]))
     ['1', '2', '2', '1']
     """
     names = [gear.name for gear in case.gears]
@@ -106,6 +113,12 @@ def by_shift_speeds(
     for name in ladder:
         if name not in names:
             raise ValueError(f"there is no gear {quoted(name)} in the case")
+    size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
+    for low, high in pairwise(ladder):
+        if size[low] < size[high]:
+            told = " and ".join(f"{quoted(one)} {size[one]:.6g}" for one in (low, high))
+            message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"
+            raise ValueError(f"{message} ({told}), expected the lower gear first: {high}-{low}")
     holds = may[:, [names.index(name) for name in ladder]]
     place, found = 0, []
     for speed, held in zip(speeds.tolist(), holds.tolist(), strict=True):
