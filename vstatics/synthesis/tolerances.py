@@ -44,6 +44,8 @@ DEPENDENT_RATIOS = 1e-9
 # teeth
 MET_ERROR = 1e-9
 """Limits of teeth that miss a ratio by no more are not told of."""
+TOLD_ERROR = 1e-3
+"""Ranges of teeth that let no ratios come nearer to all wishes together are told of."""
 NARROW_WINDOW = 1e-4
 """Parts of which no ratio lies farther apart, in logarithms, are narrow enough."""
 FIRST_ERROR_LIMIT = 1e-5

@@ -192,3 +192,21 @@ def test_what_is_found_leaves_nothing_to_check(name: str) -> None:
         assert drawing is not None
         assert [one.message for one in doubts(drawing) if one.severity != "note"] == []
         assert solve(made).ratio.tolist() == pytest.approx([*solution.gears.values()])
+
+
+def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
+    """Gear 2 is 1 + q, gear 1 (1 + p)(1 + q): met they need p = 1.5, sets have 93/59 at least.
+
+    The largest |ln| is least where both gears share the factor; with more teeth in the
+    sun of P there is nothing to tell.
+    """
+    sets = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 5, -2.5, name="Q")]
+    elements = [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2)]
+    gears = [Gear([1, 2], name="1"), Gear([2, 3], name="2")]
+    case, wish = Transmission(5, elements, sets, gears), {"1": 2.5 * 3.6, "2": 3.6}
+    [told] = find_teeth(case, wish).doubts
+    shared = math.log((1 + 93 / 59) / 2.5) / 2
+    assert f"error is {shared:.3g} at least; at its end is P (-7.118 to -1.576)" in told
+    wider = TeethLimits({"P.sun": (60, 100), "P.ring": (90, 150)})
+    found = find_teeth(case, wish, wider)
+    assert (found.doubts, found.solutions[0].error < shared / 50) == ([], True)

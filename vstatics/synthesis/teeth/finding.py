@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.arguments import refusing
-from vstatics.errors import CaseError, Problem
+from vstatics.errors import CaseError, Problem, listed
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.synthesis.ratios.problem import Advance, reach_text, sign_fault, untold
@@ -33,7 +33,13 @@ from vstatics.synthesis.teeth.search import (
 from vstatics.synthesis.teeth.solutions import TeethSolution, teeth_solutions
 from vstatics.synthesis.teeth.table import TeethTable, teeth_table
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget, least_errors
-from vstatics.synthesis.tolerances import FIRST_ERROR_LIMIT, MET_ERROR, NARROW_WINDOW, ROUNDED_ERROR
+from vstatics.synthesis.tolerances import (
+    FIRST_ERROR_LIMIT,
+    MET_ERROR,
+    NARROW_WINDOW,
+    ROUNDED_ERROR,
+    TOLD_ERROR,
+)
 
 
 def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
@@ -82,10 +88,49 @@ def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
             yield f"{name} can't have {target.wanted:g}: {reach_text(*ends)}"
 
 
+def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
+    """What the ranges of teeth stand in the way of, in words: of one wish, else of all together.
+
+    A ratio is at its end where none that differs has so small an error.
+
+    Examples
+    --------
+    With gear 2 met gear 1 needs a ratio of P of -1.5, which the default ranges don't come to:
+
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.synthesis.teeth.finding import find_teeth
+    >>> sets = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 5, -2.5, name="Q")]
+    >>> gears = [Gear([1, 2], name="1"), Gear([2, 3], name="2")]
+    >>> case = Transmission(5, [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2)], sets, gears)
+    >>> [told] = find_teeth(case, {"1": 2.5 * 3.6, "2": 3.6}).doubts
+    >>> told.partition("; ")[2]
+    'at its end is P (-7.118 to -1.576): wider ranges may help'
+    """
+    alone = [*reach_doubts(problem, low, high)]
+    yield from alone
+    if alone or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
+        return
+    ends = narrowed(problem.targets, low, high, least * (1 + NARROW_WINDOW) + NARROW_WINDOW)
+    if ends is None:
+        return
+    names = [ratio.name for layout in problem.layouts for ratio in layout.ratios]
+    at_end = [
+        f"{name} ({first:.4g} to {last:.4g})"
+        for name, first, last, own in zip(names, low, high, zip(*ends, strict=True), strict=True)
+        if (first == own[0]) != (last == own[1])
+    ]
+    if at_end:
+        yield (
+            "within the bounds no ratios come to all that is wanted, the error is "
+            f"{least:.3g} at least; at {'its end is' if len(at_end) == 1 else 'their ends are'} "
+            f"{listed(at_end)}: wider ranges may help"
+        )
+
+
 def doubts_before(problem: TeethProblem) -> Iterator[str]:
     """The same by the ranges alone, before any teeth are looked for."""
     rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
-    yield from reach_doubts(problem, *reach(rows, [None] * len(rows)))
+    yield from range_doubts(problem, *reach(rows, [None] * len(rows)))
 
 
 MOST_WINDOWS = 4096
@@ -252,7 +297,7 @@ def find_teeth(
     solutions = [*teeth_solutions(problem, full, best)]
     last = solutions[-1].error if solutions else math.inf
     is_proven = best.bound >= last * (1 - ROUNDED_ERROR) - ROUNDED_ERROR
-    doubts = [*reach_doubts(problem, *ends)]
+    doubts = [*range_doubts(problem, *ends)]
     return FoundTeeth(solutions, problem, full, best.bound, is_proven, doubts)
 
 
