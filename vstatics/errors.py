@@ -179,6 +179,7 @@ DOUBTS = {
     "N606": "what breaks away is open: others could in place of those whose slip is shown",
     "N610": "energies of the published method close",
     "N611": "a formula sets a state beyond its limits",
+    "N630": "a response has no bound near resonances that nothing damps",
     "N801": "elements that no wanted ratio needs stay as they are",
 }
 """Of each warning and note its id, and what it says: these can be allowed."""

@@ -145,6 +145,21 @@ def test_resonances_within_the_speeds_and_that_there_are_none() -> None:
     assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
 
 
+def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
+    """Nearer and nearer the speed the amplitude grows without end, with any damping not."""
+    call = ("response", "--at", "mass", "--orders", "1", "--speed")
+    damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
+    near = [f"{HIT * (1 + 10.0**-n)!r}" for n in (2, 4, 6)]
+    told = said(*call, f"100,{','.join(near)}", text=MASS).err
+    assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
+    for text, grows in ((MASS, True), (damped, False)):
+        [gear] = document(*call, f"100,{','.join(near)}", text=text)["gears"]
+        sizes = dict(zip(gear["speeds"], gear["orders"][0]["amplitudes"]["mass"], strict=True))
+        first, *_, last = (sizes[float(one)] for one in near)
+        assert (last > 1e3 * first) == grows == (not gear["resonances"][0]["damped"])
+    assert said(*call, "100:400:4", text=damped).err == ""
+
+
 def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
     call = ("response", "--at", "mass", "--orders", "1", "--speed", f"{HIT!r},100", "--sum")
     [gear] = document(*call, text=MASS)["gears"]
@@ -161,7 +176,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
 def test_where_nothing_has_a_value_text_says_so() -> None:
     call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT))
     answer = said(*call, text=MASS)
-    assert (answer.status, answer.err) == (0, "")
+    assert answer.status == 0
     assert "mass        -           -\n" in answer.out
     assert (
         "Resonances\ngear  order  mode  speed [rpm]  participation\n1         1     1        382.0          1.000\n"

@@ -152,7 +152,7 @@ def test_a_loss_factor_is_left_out_with_a_warning() -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--links", "5"), "read 5 natural frequencies to remain, expected 1 to 4"),
+        (("--links", "5"), "read 5 natural frequencies to remain (--links), expected 1 to 4"),
         (("--links", "2", "--remove", ""), "read `` to remove, expected a link of the scheme"),
         (("--links", "2", "--remove", "disc,"), "read `` to remove"),
         (("--links", "2", "--remove", "dsic"), "did you mean `disc`?"),

@@ -92,7 +92,7 @@ def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
         if 300 <= omega / order / RAD_PER_RPM <= 4000
     ]
     assert len(expected) > 2
-    assert [tuple(one) for one in gear.resonances] == [pytest.approx(one) for one in expected]
+    assert [one[:4] for one in gear.resonances] == [pytest.approx(one) for one in expected]
 
 
 def symmetric() -> Transmission:

@@ -192,8 +192,16 @@ def test_partial_is_for_chains() -> None:
 @pytest.mark.parametrize(
     ("count", "remove", "message"),
     [
-        (0, [], "read 0 natural frequencies to remain, expected 1 to 5"),
-        (6, [], "read 6 natural frequencies to remain, expected 1 to 5"),
+        (
+            0,
+            [],
+            "read 0 natural frequencies to remain (--links), expected 1 to 5: the scheme has 5",
+        ),
+        (
+            6,
+            [],
+            "read 6 natural frequencies to remain (--links), expected 1 to 5: the scheme has 5",
+        ),
         (
             4,
             ["2", "3"],
@@ -212,7 +220,7 @@ def test_what_is_asked_for_must_be_possible(count: int, remove: list[str], messa
 def test_a_scheme_without_vibrations() -> None:
     with pytest.raises(CaseError) as error:
         simplify(TorsionScheme(("a",), (1.0,), ()), 1)
-    assert said(error) == ["read 1 natural frequency to remain, but the scheme has none"]
+    assert said(error) == ["read 1 natural frequency to remain (--links), but the scheme has none"]
 
 
 def test_a_mass_that_no_device_acts_on_is_not_removed() -> None:

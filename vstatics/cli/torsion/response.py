@@ -20,11 +20,12 @@ from vstatics.cli.torsion.case import (
     working_options,
     working_slope_notes,
 )
+from vstatics.errors import listed, plural
 from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats
-    from vstatics.torsion.forced.harmonic_torques import Harmonic
+    from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic
 
 MOST_SPEEDS = 100_000
 
@@ -77,6 +78,18 @@ class Exciting(NamedTuple):
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
         return [by_order[order] for order in dict.fromkeys(self.orders)]
+
+
+def _unbounded(gear: GearResponse) -> str:
+    """That resonances without damping have no largest value, if there are any."""
+    speeds = [f"{one.speed:.6g}" for one in gear.resonances if not one.damped]
+    if not speeds:
+        return ""
+    names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
+    return (
+        f"nothing damps the {names}: there is no bound near, and the largest values are those of "
+        "the speeds that are asked for"
+    )
 
 
 @click.command()
@@ -158,11 +171,12 @@ def response(
             found = [gear.with_sum() for gear in found]
         notes = working_slope_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in found), "N630")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(
             lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],
             ResponseAnswer(case.name, link, found),
-            [*faults, *notes],
+            [*faults, *notes, *unbounded],
             failed=bool(faults),
         )
 

@@ -81,7 +81,8 @@ class Reducing(NamedTuple):
     type=click.IntRange(1),
     required=True,
     metavar="N",
-    help="How many natural frequencies remain.",
+    help="How many natural frequencies remain: in a chain as many as elastic links, one less than "
+    "masses.",
 )
 @gathered(
     "way",

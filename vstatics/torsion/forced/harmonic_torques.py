@@ -86,6 +86,8 @@ class Resonance(NamedTuple):
     """[rpm]"""
     participation: float
     """Amplitude of the link that is excited, by the largest of the mode. [-]"""
+    damped: bool = True
+    """Whether anything takes energy from the mode; if not, there is no bound at this speed."""
 
 
 class SummedResponse(NamedTuple):
@@ -196,8 +198,11 @@ def _gear_response(
     undamped = _are_undamped(system, natural)
     largest = np.abs(natural.shapes[: system.own]).max(axis=0)
     parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
-    resonances = _resonances(natural.omegas, parts, harmonics, speeds)
-    speeds = _with_peaks(speeds, [one.speed for one in resonances if not undamped[one.mode - 1]])
+    resonances = [
+        one._replace(damped=not undamped[one.mode - 1])
+        for one in _resonances(natural.omegas, parts, harmonics, speeds)
+    ]
+    speeds = _with_peaks(speeds, [one.speed for one in resonances if one.damped])
     found = []
     for one in harmonics:
         with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value

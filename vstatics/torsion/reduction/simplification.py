@@ -212,9 +212,11 @@ def _problems(
     """What is wrong with what is asked for."""
     most = frequencies + steps
     if not 1 <= frequencies <= most:
-        expected = f"expected 1 to {most}" if most else "but the scheme has none"
+        to = f" to {most}" if most > 1 else ""
+        expected = f"expected 1{to}: the scheme has {most}" if most else "but the scheme has none"
         noun = "frequency" if frequencies == 1 else "frequencies"
-        yield Problem("E509", f"read {frequencies} natural {noun} to remain, {expected}")
+        message = f"read {frequencies} natural {noun} to remain (--links), {expected}"
+        yield Problem("E509", message)
     elif len(remove) > steps:
         yield Problem(
             "E510",
