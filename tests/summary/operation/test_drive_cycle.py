@@ -119,6 +119,15 @@ def test_elements_that_carry_too_much_are_told_with_their_steps() -> None:
         assert said == [("W430", text)] * told
 
 
+def test_from_rest_to_rest_inertias_take_what_goes_at_shifts() -> None:
+    """Of the input and what turns with the open gear, by its ratio: J (w^2 - w'^2)/2 at each."""
+    rows = (0, 0, "1"), (3, 8, "2"), (7, 14, "2"), (9, 5, "1"), (12, 0, "1")
+    made = drive(CASE, trace(*rows), GearChoice())
+    wheel = 4.1 / 0.3
+    change = 0.15 * ((3.5 * wheel) ** 2 - (1.5 * wheel) ** 2) / 2  # link 3 turns as ever
+    assert made.energy.inertias == pytest.approx(change * (8**2 - 5**2), rel=1e-12)
+
+
 def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
     case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
     for name in ("tied", "none"):

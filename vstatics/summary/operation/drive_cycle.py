@@ -39,6 +39,7 @@ class CycleEnergy(NamedTuple):
     wheels: float
     """Of road and mass."""
     inertias: float
+    """With what goes, or comes, where shifts change a speed at once."""
     brakes: float
     lost: Mapping[str, float]
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
