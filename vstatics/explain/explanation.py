@@ -13,6 +13,7 @@ from vstatics.errors import CaseError
 from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
 from vstatics.explain.equations import speed_system, torque_system
 from vstatics.explain.formula import RatioFormula, formula, symbols_of
+from vstatics.explain.machines import MachineBalance, machine_balance
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
 from vstatics.explain.signs import PowerSign, signs_of
@@ -27,7 +28,7 @@ from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, TIED_UP
-from vstatics.tables.answer import Known, Words, schema
+from vstatics.tables.answer import Known, Sometimes, Words, schema
 from vstatics.tables.html import shown
 
 
@@ -82,6 +83,8 @@ class Explanation(NamedTuple):
     """[-]"""
     messages: Sequence[str]
     """What was noticed in this gear."""
+    balance: Sometimes[MachineBalance] = None
+    """Of machines and a battery, where the gear has one."""
 
     def __repr__(self) -> str:
         """Of which gear, its ratio; not all its equations."""
@@ -174,6 +177,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
             for message in results.messages
             if message.gear == actual.name
         ],
+        balance=machine_balance(results, number),
     )
 
 

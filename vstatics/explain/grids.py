@@ -25,11 +25,16 @@ def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
     for one in explained:
-        for grid in (matrix(one), _equations(one), _solution(one), _signs(one), _ratio(one)):
+        for grid in _grids(one):
             if grid.rows:
                 gear = tr("Gear {gear}", gear=one.gear)
                 title = tr("Gear {gear}: {what}", gear=one.gear, what=tr(grid.title))
                 yield grid._replace(title=title, group=gear)
+
+
+def _grids(one: Explanation) -> Iterator[Grid]:
+    yield from (matrix(one), _equations(one), _solution(one), _signs(one), _machines(one))
+    yield _ratio(one)
 
 
 def matrix(one: Explanation) -> Grid:
@@ -74,6 +79,16 @@ def _signs(one: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
     rows = [(*sign[:4], whole(sign.sign), *sign[5:-1], sign.told) for sign in one.signs]
     return grid_of("power signs", ["mechanism", *headings, "why"], rows)
+
+
+def _machines(one: Explanation) -> Grid:
+    """What each machine gives the battery, and what that is to get."""
+    rows: list[Values] = []
+    if one.balance is not None:
+        rows = [tuple(share) for share in one.balance.shares]
+        rows.append((word("battery"), None, None, one.balance.battery_kW))
+    headings = "link", "to its machine, kW", "efficiency", "to the battery, kW"
+    return grid_of("machines and battery", headings, rows)
 
 
 def _ratio(one: Explanation) -> Grid:

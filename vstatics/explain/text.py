@@ -88,6 +88,7 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
             f"{tr('Torques with losses')}{unit}: {tr(LOSSES)}{drags}",
             _losses(one, digits),
         ),
+        ("balance", tr(MACHINES), _machines(one, digits)),
         ("together", tr("Turning together, whatever the ratios are"), _together(one)),
         ("ratio", tr("Ratio" if is_ratio else "Output speed"), _ratio(one, digits)),
     )
@@ -103,6 +104,11 @@ MATRIX = (
 LOSSES = (
     "u eta^x in place of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
+)
+
+MACHINES = (
+    "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
+    "the battery gets P eta, or gives P/eta where P is below 0"
 )
 
 
@@ -214,6 +220,29 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     with_loss = f"{ratio} {'x' if sign.sign > 0 else '/'} {efficiency} = " if sign.sign else ""
     exponent = f"{sign.sign:+.0f}" if sign.sign else "0"
     yield f"{INDENT * 3}x = {exponent}, u eta^x = {with_loss}{short(sign.lossy_ratio, digits)}"
+
+
+def _machines(one: Explanation, digits: int | None) -> Iterator[str]:
+    """What each machine gives the battery, or takes, and the torque that balances them."""
+    if one.balance is None:
+        return
+    column = max(len(share.link) for share in one.balance.shares)
+    parts: list[str] = []
+    for share in one.balance.shares:
+        power, efficiency, given = (short(each, digits) for each in share[1:])
+        sign = "x" if share.power_kW > 0 else "/"
+        label = f"{INDENT}{share.link:{column}}"
+        yield f"{label}  P = {power} kW, {power} {sign} {efficiency} = {given} kW"
+        size = short(abs(share.battery_kW), digits)
+        parts += ["-" if share.battery_kW < 0 else "+", size]
+    total = short(one.balance.battery_kW, digits)
+    yield f"{INDENT}{tr('the battery gets')} {' '.join(parts).removeprefix('+ ')} = {total} kW"
+    unit = "" if one.input_torque else " N*m"
+    torque = f"{one.balance.link}: {short(one.balance.torque, digits)}{unit}"
+    yield from _wrapped(tr("found by that, with losses: the torque on {torque}", torque=torque))
+    yield from _wrapped(
+        tr("the torques without losses take it as it is, so they do not balance the machines")
+    )
 
 
 def _together(one: Explanation) -> Iterator[str]:

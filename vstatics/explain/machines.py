@@ -1,0 +1,66 @@
+"""The balance of the machines of a gear with their battery, written out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.statics.results import Results
+from vstatics.tables.answer import Known
+
+
+class MachineShare(NamedTuple):
+    """What a machine has of its link, and gives the battery."""
+
+    link: str
+    power_kW: Known  # noqa: N815 - as `port_powers_kW`
+    """What the link gives its machine, with losses."""
+    efficiency: Known
+    battery_kW: Known  # noqa: N815
+    """What the battery gets of it, above 0, or gives for it."""
+
+
+class MachineBalance(NamedTuple):
+    """Machines and their battery, and the torque that balances them."""
+
+    link: str
+    """Whose torque is found."""
+    torque: Known
+    """On this link; torques without losses take it, too. [-], [N*m] where the input has none"""
+    shares: Sequence[MachineShare]
+    battery_kW: Known  # noqa: N815
+    """What the battery is to get."""
+
+
+def machine_balance(results: Results, number: int) -> MachineBalance | None:
+    """The balance of a gear, by its index; None where it has none, or no torque does it.
+
+    Examples
+    --------
+    What the generator gives at .9 the motor takes at .8: 1 kW of link 1, -.72 kW of link 2.
+
+    >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
+    >>> from vstatics.model.parts import BatteryBalance
+    >>> gear = Gear(speeds={3: 2.0}, balance=BatteryBalance(((3, 0.9), (4, 0.8)), 0.0))
+    >>> sets = [Mechanism(3, 2, 1, -2.0), Mechanism(4, 2, 0, 3.0)]
+    >>> case = Transmission(4, [], sets, [gear], load=Load(1000.0, 100.0), input=1, output=2)
+    >>> found = machine_balance(solve(case), 0)
+    >>> round(sum(one.battery_kW for one in found.shares), 9), found.link
+    (0.0, '4')
+    """
+    case = results.case
+    gear = case.gears[number]
+    if gear.balance is None:
+        return None
+    powers = -results.port_powers_kW[number]
+    shares = []
+    for link, efficiency in gear.balance.efficiencies:
+        power = float(powers[link - 1])
+        given = power * efficiency if power > 0 else power / efficiency
+        shares.append(MachineShare(case.link_name(link), power, efficiency, given))
+    if any(math.isnan(one.power_kW) for one in shares):
+        return None
+    [open_link] = gear.open_links([case.gear_input(gear), case.gear_output(gear)])
+    torque = float(results.holding_torques[number, open_link - 1])
+    return MachineBalance(case.link_name(open_link), torque, shares, gear.balance.battery)
