@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import click
 import pytest
 
 from tests.commands import CASES, MZKT, Said, vstatics
+from vstatics.cli import COMMANDS, WITH_LANGUAGES, main
 
 COMMANDS = ["run", "check", "convert", "compare"]
 REFERENCE = json.loads(
@@ -122,6 +124,21 @@ FORMATS = ("deck", "yaml", "json")
 @pytest.mark.parametrize("form", FORMATS)
 def test_the_reader_asked_for_is_the_one_that_speaks(form: str) -> None:
     assert format_of(vstatics("check", "-", "--from", form, stdin=b"{x y")) == form
+
+
+def test_a_command_in_one_language_names_those_in_several() -> None:
+    """As their own options say it."""
+    context = click.Context(main)
+    commands = [main.get_command(context, name) for name in COMMANDS]
+    spoken = [
+        one.name
+        for one in commands
+        if one and any("--lang" in option.opts for option in one.params)
+    ]
+    assert spoken == list(WITH_LANGUAGES)
+    for line in ("cycle car.yaml trace.csv", "torsion modes box.yaml", "simulate run.yaml"):
+        said = vstatics(*line.split(), "--lang", "de")
+        assert (said.status, f"{spoken[-2]} and {spoken[-1]} have it." in said.err) == (2, True)
 
 
 @pytest.mark.parametrize(("typed", "meant"), [("rnu", "run"), ("sumary", "summary")])

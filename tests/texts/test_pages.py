@@ -189,20 +189,29 @@ def test_a_page_says_the_same_with_other_words(lang: str) -> None:
     assert both == set()
 
 
-@pytest.mark.parametrize("command", ["run", "summary", "explain"])
+@pytest.mark.parametrize("command", ["run", "summary", "explain", "flow"])
 @pytest.mark.parametrize("form", [(), ("-f", "markdown"), ("-f", "latex")])
 def test_a_command_has_no_english_words(command: str, form: tuple[str, ...]) -> None:
     known = of_case(json.loads(vstatics("run", SHOWN[0], "-f", "json").out))
     known |= {"NAME", "ABCDE", "begin", "end", "tabular", "hline", "noindent", "textbf", "par"}
     known |= {"medskip", "textasciicircum", "bullet", "cdot", "footnotesize", "setlength"}
-    known |= {"tabcolsep", "linewidth", "raggedright", "shortstack", "frac", "mathrm", "mbox"}
+    known |= {
+        "tabcolsep",
+        "linewidth",
+        "raggedright",
+        "shortstack",
+        "frac",
+        "mathrm",
+        "mbox",
+        "textasciitilde",
+    }
     known |= {"scriptsize", "left", "right"}
     text = vstatics(command, SHOWN[0], "--lang", "ru", *form).out
     text = re.sub(r"(?m)^.*(\(I|\([A-Z]+\(|[A-Z]+= |[A-Z]+\(J\)).*$|\\begin\{tabular\}.*", "", text)
     assert left(text, known) == set()
 
 
-@pytest.mark.parametrize("command", ["run", "summary", "explain"])
+@pytest.mark.parametrize("command", ["run", "summary", "explain", "flow"])
 @pytest.mark.parametrize("form", ["json", "csv"])
 def test_what_programs_read_is_the_same_in_every_language(command: str, form: str) -> None:
     plain = vstatics(command, SHOWN[0], "-f", form).out

@@ -58,6 +58,10 @@ COMMANDS = {
 """Module and summary of each command; a module is imported when its command is called."""
 
 
+WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
+"""Commands that have words in other languages, by --lang."""
+
+
 class Commands(LazyGroup):
     """The commands, and the exit status of each."""
 
@@ -105,6 +109,8 @@ def _safely_told() -> Iterator[None]:
         raise  # its message is the help, and shown as that
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
+        if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
+            message += f" {', '.join(WITH_LANGUAGES[:-1])} and {WITH_LANGUAGES[-1]} have it."
         raise click.UsageError(message + _slip(message), error.ctx) from None
 
 

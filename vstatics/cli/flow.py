@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 @arguments.some_gears
 @formats.options(*formats.TABLES)
 @arguments.settings
+@arguments.language("the words, but not of names and messages")
 def flow(
     cases: tuple[str, ...], gears: tuple[str, ...], wanted: OutputOptions, settings: CaseOptions
 ) -> int:

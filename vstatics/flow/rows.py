@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power_flow import GearFlow
-from vstatics.tables.grid import Grid, Row, grid_of, text
+from vstatics.tables.grid import Cell, Grid, Row, grid_of, text, word
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 
@@ -45,17 +45,21 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
     rows: list[Row] = []
     for gear, grid in by_gear:
         headings = [one.heading for one in grid.columns[1:]]
-        section = node = ""
+        section, node = Cell(""), Cell("")
         for (first, *cells), level in zip(grid.cells, grid.levels, strict=True):
             if level == 1:
-                section = first.text
+                section = first
                 continue
-            node = first.text if level == 2 else node
-            part = {2: "", 3: first.text}.get(level, f"teeth {first.text}")
+            node = first if level == 2 else node
+            part = {2: Cell(""), 3: first}.get(level, _mesh(first.text))
             known = dict(zip(headings, cells, strict=True))
             rows.append([gear, section, node, part, *(known.get(one, "") for one in columns)])
     front = [text(one) for one in ("gear", "kind", "power through", "part")]
     return Grid("Power", [*front, *columns.values()], rows)
+
+
+def _mesh(name: str) -> Cell:
+    return word(f"teeth {name}")._replace(said_as=f"teeth: {name}")
 
 
 def _balance(flows: Sequence[GearFlow]) -> Grid:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
+from operator import attrgetter
 
 from vstatics.flow.grids import power_grid, remarks
 from vstatics.flow.power_flow import GearFlow
@@ -12,6 +13,7 @@ from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
 from vstatics.tables.quantities import UNITS
 from vstatics.tables.text import lines
+from vstatics.texts import tr
 
 FLOW_TEXT_WIDTH = 79
 NAME, NUMBER, SHARE = 27, 8, 6
@@ -59,9 +61,11 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
 
 def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
     if flow.ideal is None:
-        yield f"gear {flow.gear}: {flow.note}, so there is no power to show"
+        why = tr("{Why}, so there is no power to show", Why=tr(flow.note))
+        yield f"{tr('gear {gear}', gear=flow.gear)}: {why}"
         return
-    grid = _narrow(power_grid(flow), f"gear {flow.gear}", digits)
+    spoken = power_grid(flow).changed(attrgetter("spoken"))
+    grid = _narrow(spoken, tr("gear {gear}", gear=flow.gear), digits)
     wider = max(digits or 0, 4) - 4
     widths = [NAME, *[NUMBER + wider] * (len(grid.columns) - 2), SHARE + wider]
     yield from lines(grid, widths=widths, gap=" ")
