@@ -9,7 +9,7 @@ import click
 import pytest
 
 from tests.commands import CASES, MZKT, Said, vstatics
-from vstatics.cli import COMMANDS, WITH_LANGUAGES, main
+from vstatics.cli import WITH_LANGUAGES, main
 
 COMMANDS = ["run", "check", "convert", "compare"]
 REFERENCE = json.loads(
@@ -129,16 +129,16 @@ def test_the_reader_asked_for_is_the_one_that_speaks(form: str) -> None:
 def test_a_command_in_one_language_names_those_in_several() -> None:
     """As their own options say it."""
     context = click.Context(main)
-    commands = [main.get_command(context, name) for name in COMMANDS]
+    commands = [main.get_command(context, name) for name in main.list_commands(context)]
     spoken = [
         one.name
         for one in commands
         if one and any("--lang" in option.opts for option in one.params)
     ]
-    assert spoken == list(WITH_LANGUAGES)
+    assert sorted(filter(None, spoken)) == sorted(WITH_LANGUAGES)
     for line in ("cycle car.yaml trace.csv", "torsion modes box.yaml", "simulate run.yaml"):
         said = vstatics(*line.split(), "--lang", "de")
-        assert (said.status, f"{spoken[-2]} and {spoken[-1]} have it." in said.err) == (2, True)
+        assert (said.status, "report and serve have it." in said.err) == (2, True)
 
 
 @pytest.mark.parametrize(("typed", "meant"), [("rnu", "run"), ("sumary", "summary")])

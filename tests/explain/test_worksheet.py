@@ -168,7 +168,10 @@ def test_elements_of_a_drawn_box_have_the_margins_of_the_given_one(given: Load |
 
 def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     case = SHOWN[0]
-    assert vstatics("explain", case, "--worksheet").status == 2
+    said = vstatics("explain", str(CASES / "simpson.yaml"), "--worksheet")
+    assert (said.status, "of one gear, expected one of 1, 2, 3, R" in said.err) == (2, True)
+    only = ("explain", str(CASES / "wolfrom.yaml"), "--solution")
+    assert vstatics(*only).out == vstatics(*only, "--gear", "drive").out != ""
     assert vstatics("explain", case, "--seed", "3").status == 2
     assert vstatics("explain", case, "--worksheet", "--gear", "1", "-f", "json").status == 2
     assert vstatics("explain", case, "--worksheet", "--solution", "--gear", "1").status == 2

@@ -15,7 +15,7 @@ from vstatics.cli.frame.formats import OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError, ReadError, listed
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
 
@@ -68,7 +68,7 @@ def explain(
     exercise = worksheet or solution
     refuse(
         (worksheet and solution, "--worksheet has blanks, --solution has numbers: expected one"),
-        (exercise and len(gears) != 1, "an exercise is of one gear: expected one --gear G"),
+        (exercise and len(gears) > 1, "an exercise is of one gear: expected one --gear G"),
         (
             seed is not None and not exercise,
             "--seed draws the numbers of an exercise: expected --worksheet or --solution",
@@ -79,20 +79,29 @@ def explain(
         ),
     )
     if exercise:
-        own = partial(_exercise, gear=gears[0], seed=seed, solved=solution)
+        own = partial(_exercise, gears=gears, seed=seed, solved=solution)
         return carry_out(Job("explain", settings, to, own), cases)
     show = partial(_shown, gears=gears, style=to.style)
     return carry_out(Job("explain", settings, to, show), cases)
 
 
 def _exercise(
-    outcome: CalculatedCase, results: Results, gear: str, seed: int | None, *, solved: bool
+    outcome: CalculatedCase,
+    results: Results,
+    gears: tuple[str, ...],
+    seed: int | None,
+    *,
+    solved: bool,
 ) -> texts.CaseOutput:
     """A gear as an exercise."""
     from vstatics.explain.exercise import exercise
     from vstatics.explain.worksheet import grids
 
-    [index] = arguments.gear_indices(results.case, [gear])
+    index, *others = arguments.gear_indices(results.case, gears)
+    if others:
+        names = listed([one.name for one in results.case.gears], 12)
+        message = f"an exercise is of one gear, expected one of {names}"
+        raise click.BadParameter(message, param_hint="--gear")
     try:
         sheet = exercise(results, results.case.gears[index].name, seed=seed)
     except CaseError as error:
