@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.flow.grids import around, doubt, power_grid
 from vstatics.flow.power_flow import GearFlow
-from vstatics.tables.grid import Cell, Grid, Row, grid_of, text, word
+from vstatics.tables.grid import Cell, Grid, Row, grid_of, text
 from vstatics.tables.numbers import fixed
 from vstatics.tables.ports import ports_grid
+from vstatics.texts import tr
 
 
 def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
@@ -51,15 +52,12 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
                 section = first
                 continue
             node = first if level == 2 else node
-            part = {2: Cell(""), 3: first}.get(level, _mesh(first.text))
+            part = Cell("") if level == 2 else first
+            part = part if level < 4 else Cell(tr("teeth {mesh}", mesh=first.text))
             known = dict(zip(headings, cells, strict=True))
             rows.append([gear, section, node, part, *(known.get(one, "") for one in columns)])
     front = [text(one) for one in ("gear", "kind", "power through", "part")]
     return Grid("Power", [*front, *columns.values()], rows)
-
-
-def _mesh(name: str) -> Cell:
-    return word(f"teeth {name}")._replace(said_as=f"teeth: {name}")
 
 
 def _balance(flows: Sequence[GearFlow]) -> Grid:
