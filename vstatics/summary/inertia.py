@@ -29,9 +29,10 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
     """The reduced inertias of one case, planets included; none if nothing has an inertia.
 
     Springs do not wind up, as at mean speeds. Outside torques are that of the load at the input,
-    those that a gear gives or its balance finds, and that on the output; the acceleration is their
-    power by the speed of the input and the reduced inertia. Where a link other than the housing is driven
-    at a given speed, its torque follows from the acceleration, which is then not told.
+    those that a gear gives or its balance finds, and that on the output; the acceleration is
+    their power by the speed of the input and the reduced inertia. Where a link other than the
+    housing is driven at a given speed, its torque follows from the acceleration, which is then
+    not told.
 
     Parameters
     ----------
