@@ -39,7 +39,7 @@ class GearPerformance(NamedTuple):
     top_speed: float
     """On the level. [km/h]"""
     slope: float
-    """Sine of the steepest ascent. [-]"""
+    """Sine of the steepest ascent; 1 where the force is enough for any. [-]"""
 
 
 class Performance(NamedTuple):
@@ -180,11 +180,11 @@ class Traction:
         return float(self.per_engine[gear] * self.last)
 
     def slope(self, gear: int) -> float:
-        """The largest ``(F - R at 0)/(m g)``; NaN where it drives nothing."""
+        """The largest ``(F - R at 0)/(m g)``, at most 1; NaN where it drives nothing."""
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
             return math.nan
-        return float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight)
+        return min(1.0, float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight))
 
     def accelerations(self, speeds: Floats) -> Floats:
         """The largest of all gears ahead at speeds of the vehicle; NaN beyond all [m/s^2]."""
