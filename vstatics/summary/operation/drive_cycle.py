@@ -216,10 +216,9 @@ class _CycleSteps(NamedTuple):
             ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = wheels[:, None] * ratios[own, inputs]
-        ways = np.where(engine_alone(case), np.sign(1 / still.ratio), math.nan)
-        gears = _gears(case, vehicle, trace, choice, engine, ways)
-        drives = np.isfinite(still.ratio) & engine_alone(case)
-        lacking = np.flatnonzero(~drives[gears] & (trace.speed > 0))
+        driving = np.where(engine_alone(case), still.ratio, math.nan)
+        gears = _gears(case, vehicle, trace, choice, engine, np.sign(1 / driving))
+        lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
             why = beside_engine(gear, case.link_name) or "no ratio"
