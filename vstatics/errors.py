@@ -140,6 +140,7 @@ DOUBTS = {
     "W804": "what is doubtful before ratios are fitted",
     "W805": "what is doubtful about ratios that are found",
     "W880": "a record has no column of a device with `fatigue`, which is left out",
+    "W890": "power passes by more than engine and output: nothing of the vehicle is told there",
     "N001": "a run would take more than a minute",
     "N002": "no ratios are given for a case of a scheme",
     "N003": "what is told of found structures",

@@ -204,3 +204,26 @@ def test_who_drives_at_a_given_speed_has_an_unknown_torque() -> None:
 
 def test_gears_of_their_own_load() -> None:
     assert accelerations([Gear(load=Load(torque=200))]) == [(200 - 40) / 0.5]
+
+
+@pytest.mark.parametrize("battery", [-2.0, 1.5])
+def test_a_machine_that_a_battery_balances_accelerates_with_the_engine(battery: float) -> None:
+    """By its power, 1800 W of 2 kW that it takes, or 1.5/.9 kW where it charges."""
+    case = loads(f"""
+links: [MG1, output, engine, MG2]
+input: engine
+output: output
+load: {{speed: 2000 rpm, torque: 110 N*m}}
+mechanisms:
+  set: {{first: MG1, second: output, third: engine, ratio: -2.6, efficiency: .98}}
+  pair: {{first: MG2, second: output, ratio: 2.63, efficiency: .98}}
+inertias: {{engine: .15, MG2: .03, output: 5}}
+shift_elements: {{B: [MG1, housing]}}
+gears: {{drive: {{engaged: [B], balance: {{MG2: .9, battery: {battery} kW}}}}}}
+""")
+    [line] = reduced_inertias(solve(case), output_torque=-100)
+    output = 3.6 / 2.6
+    machine = -battery * (0.9 if battery < 0 else 1 / 0.9) * 1000 / (2000 * math.pi / 30)
+    inertia = 0.15 + output**2 * (5 + 0.03 * 2.63**2)
+    expected = (110 + machine - 100 * output) / inertia
+    assert (line.inertia, line.acceleration) == pytest.approx((inertia, expected), rel=1e-9)

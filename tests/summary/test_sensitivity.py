@@ -13,7 +13,9 @@ from tests.oracle.gears import solve_gear
 from tests.summary.gearboxes import differential
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics.numerics.arrays import Floats
 from vstatics.readers import loads
+from vstatics.statics.results import Results
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 
 
@@ -31,18 +33,90 @@ def test_sensitivities_of_gear_pairs_in_a_row_are_one() -> None:
     assert sensitivities(solve(case)) == pytest.approx(np.ones((1, 2)))
 
 
-@pytest.mark.parametrize(
-    "name", ["zf-8hp70", "ravigneaux-aod", "simpson-th400", "power-split", "wolfrom"]
-)
-def test_sensitivities_agree_with_finite_differences(name: str) -> None:
-    """Central differences of step 1e-5; power-split has given speeds and further torques."""
-    results = solve(load(CASES / f"{name}.yaml"))
+def by_differences(results: Results) -> Floats:
+    """Central differences of ratios, of step 1e-5; freewheels stay as they are."""
     own = np.array([mechanism.ratio for mechanism in results.case.mechanisms])
     step = 1e-5
     numbers = np.concatenate([own * (1 + step * sign * np.eye(len(own))) for sign in (1, -1)])
     more, less = np.split(solve(results.with_freewheels_engaged, ratios=numbers).ratio, 2)
-    expected = ((more - less) / (2 * step * results.ratio)).T
+    found: Floats = ((more - less) / (2 * step * results.ratio)).T
+    return found
+
+
+@pytest.mark.parametrize(
+    "name", ["zf-8hp70", "ravigneaux-aod", "simpson-th400", "power-split", "wolfrom"]
+)
+def test_sensitivities_agree_with_finite_differences(name: str) -> None:
+    """power-split has given speeds and further torques."""
+    results = solve(load(CASES / f"{name}.yaml"))
+    expected = by_differences(results)
     assert sensitivities(results) == pytest.approx(expected, abs=1e-6, rel=1e-5, nan_ok=True)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_sensitivities_of_random_gears_agree_with_differences(seed: int) -> None:
+    """Of any inputs and outputs, with speeds given or by those of others, torques, too many."""
+    results = solve(random_train(seeded(seed), regular=False))
+    found, expected = sensitivities(results), by_differences(results)
+    known = np.isfinite(results.ratio)
+    assert np.isnan(found[~known]).all()
+    assert found[known] == pytest.approx(expected[known], abs=1e-5, rel=1e-4, nan_ok=True)
+
+
+HYBRID = """\
+links: [MG1, output, engine, MG2]
+input: engine
+output: output
+load: {speed: 2000 rpm, torque: 110 N*m}
+mechanisms:
+  set: {first: MG1, second: output, third: engine, ratio: -2.6, efficiency: .98}
+  pair: {first: MG2, second: output, ratio: 2.63, efficiency: 0.98}
+gears:
+  split: {speeds: {MG1: 5000 rpm}, balance: {MG1: 0.92, MG2: 0.90}}
+"""
+
+
+def test_a_torque_that_balances_a_battery_changes_no_sensitivity() -> None:
+    """``w_MG1 = 2.5 w_engine`` and ``w_output = (w_MG1 + (u - 1))/u``: ``-1.5/(1.5 + u)`` with -u."""
+    (found,) = sensitivities(solve(loads(HYBRID)))
+    assert found == pytest.approx([1.5 / (-2.6 + 1.5), 0])
+
+
+def test_a_ratio_answers_to_the_speed_ratio_of_a_variator() -> None:
+    """Of a set u between hyd = x engine and out: ``w_out = (x - u)/(1 - u)``, so ``-x/(x - u)``."""
+    case = loads("""\
+links: [engine, hyd, out]
+mechanisms:
+  set: {first: hyd, second: engine, third: out, ratio: -2}
+  hydro: {kind: variator, first: engine, second: hyd, speed_ratio: -0.3}
+gears: {back: [], ahead: {speed_ratios: {hydro: .3}}}
+""")
+    found = sensitivities(solve(case))[:, 1]
+    assert found == pytest.approx([-x / (x + 2) for x in (-0.3, 0.3)])
+
+
+def test_wheels_on_a_curve_follow_one_another() -> None:
+    """Front and rear turn at 1.025 and .98 x 1.03 of FL: i is their mean by the set's ratio."""
+    case = loads("""\
+links: [engine, front, rear, FL, FR, RL, RR]
+outputs: [FL, FR, RL, RR]
+mechanisms:
+  centre: {first: front, second: rear, third: engine, ratio: -1.5}
+  front axle: {first: FL, second: FR, third: front, ratio: -1}
+  rear axle: {first: RL, second: RR, third: rear, ratio: -1}
+gears: {left: {speeds: {FR: 1.05*FL, RL: .98*FL, RR: 1.06*RL}}}
+""")
+    found = sensitivities(solve(case))[0, 0]
+    u, front, rear = -1.5, 1.025, 0.98 * 1.03
+    ratio = (front - u * rear) / (1 - u)
+    slope = ((front - u * rear) - rear * (1 - u)) / (1 - u) ** 2
+    assert found == pytest.approx(u * slope / ratio)
+
+
+def test_an_output_at_a_given_speed_answers_to_nothing() -> None:
+    """What its set changes by is the speed of the third link."""
+    case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0.4})], output=2)
+    assert sensitivities(solve(case)).tolist() == [[0.0]]
 
 
 def test_a_further_torque_changes_no_sensitivity() -> None:

@@ -102,7 +102,8 @@ def cycle(
 
     The engine gives what wheels, inertias, losses and drag take. Where it would brake more
     than its `overrun`, brakes take the rest. Steps in which it would have to give more, or
-    turn faster, than at full load are warned of. Fuel is told where the vehicle has a map,
+    turn faster, than at full load are warned of. A gear that machines drive, too, by a
+    balance, given speeds or torques, is an error. Fuel is told where the vehicle has a map,
     `fuel: {file: fuel.csv}`.
 
     \b

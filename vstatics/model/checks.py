@@ -25,7 +25,7 @@ from vstatics.model.parts import (
     mechanism_names,
 )
 from vstatics.model.springs import spring_names
-from vstatics.model.vehicle import Vehicle, of_vehicle
+from vstatics.model.vehicle import Vehicle, beside_engine, of_vehicle
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
@@ -98,6 +98,7 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
     if case.vehicle is not None:
         yield from _mass_twice(case, case.vehicle)
         yield from _units_forgotten(case.vehicle)
+        yield from _machines_beside(case)
     for name, one in case.fatigue.items():
         if one.diameter and one.diameter > THICKEST_SHAFT:
             yield _no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
@@ -121,6 +122,17 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
 def _no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     message = f"read {value:g} {unit}, more than {what} has: a bare number is in {unit}"
     return Problem("N205", message, path)
+
+
+def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
+    """Gears in which a vehicle is not driven."""
+    for number, gear in enumerate(case.gears, 1):
+        if why := beside_engine(gear, case.link_name):
+            message = (
+                f"it has {why}: power passes by more than engine and output, so nothing of "
+                "`vehicle` is told in this gear"
+            )
+            yield Problem("W890", message, ("gears", number))
 
 
 MASS_AGAIN = 0.5

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Problem
+from vstatics.errors import Problem, spoken
+from vstatics.model.parts import Gear, SpeedOf
 
 GRAVITY = 9.81
 """[m/s^2]"""
@@ -97,6 +98,23 @@ def _between(points: EnginePoints, speed: Any) -> Any:
     """Straight between points, constant outside."""
     speeds, torques = np.array(points).T
     return np.interp(speed, speeds, torques)
+
+
+def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
+    """What else gives power in a gear, or takes it: nothing where the engine alone drives.
+
+    Then a vehicle that drives in it needs to know what controls that, which no case tells.
+
+    >>> beside_engine(Gear(speeds={2: 0.0, 3: 0.4}), "link {}".format)
+    'a given speed of link 3'
+    """
+    if gear.balance:
+        return "a balance"
+    for what, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
+        links = [link for link, one in numbers.items() if isinstance(one, SpeedOf) or one != 0]
+        if links:
+            return f"a given {what} {spoken([name(link) for link in links])}"
+    return ""
 
 
 NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")

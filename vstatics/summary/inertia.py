@@ -29,9 +29,10 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
     """The reduced inertias of one case, planets included; none if nothing has an inertia.
 
     Springs do not wind up, as at mean speeds. Outside torques are that of the load at the input,
-    those that a gear gives, and that on the output; the acceleration is their power by the
-    speed of the input and the reduced inertia. Where a link other than the housing is driven
-    at a given speed, its torque follows from the acceleration, which is then not told.
+    those that a gear gives or its balance finds, and that on the output; the acceleration is
+    their power by the speed of the input and the reduced inertia. Where a link other than the
+    housing is driven at a given speed, its torque follows from the acceleration, which is then
+    not told.
 
     Parameters
     ----------
@@ -54,7 +55,8 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
         return []
     found = []
     torques = scales(case)["Nm"].tolist()
-    for gear, speeds, torque in zip(case.gears, results.speeds.tolist(), torques, strict=True):
+    gears = results.points.gears if results.points else case.gears
+    for gear, speeds, torque in zip(gears, results.speeds.tolist(), torques, strict=True):
         inertia = math.fsum(
             inertia * math.fsum(part * speeds[link - 1] for link, part in form.items()) ** 2
             for inertia, form in moving

@@ -2,36 +2,38 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from vstatics.model.parts import Law, Mechanism
 from vstatics.model.transmission import Transmission
+from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Floats
-from vstatics.statics.points.laws import without_laws
+from vstatics.numerics.elimination import RIGHT, Coefficient
+from vstatics.numerics.traced import plain
+from vstatics.statics.matrix import speed_rows
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
+from vstatics.statics.state import GearState
+from vstatics.statics.torques import times
 
 
 def sensitivities(results: Results) -> Floats:
     """Relative sensitivities ``(u/i) di/du``: per cent of ratio per cent of internal ratio.
 
-    They need no further solution. The torques of a gear, without losses and without
-    further external torques, give ``(u/i) di/du = M (w_first - w_third)/(Mx w_output)``,
-    which is the power that the first link brings in, seen from the third link, by that
-    at the output. Given speeds, relative to the input speed, stay as they are. The results
-    are of one case.
+    Of a variator or converter u is its speed ratio x. Given speeds stay as they are, relative
+    to the input or to the link that they follow; torques take no part. The results are of one
+    case.
 
     Returns
     -------
     ndarray, shape (gears, mechanisms)
-        NaN where the ratio, or the torque, is not determined. [-]
+        NaN where the ratio, or the sensitivity, is not determined. [-]
 
     Source
     ------
-    docs/insight.md, from equation (4) of docs/method.md.
+    docs/insight.md, from the equations for speeds of docs/method.md.
 
     Examples
     --------
@@ -42,26 +44,30 @@ def sensitivities(results: Results) -> Floats:
     array([[0.7143],
            [0.    ]])
     """
-    alone, case = results, results.case
-    if case.unloaded or any(gear.torques for gear in case.gears):
-        # each freewheel stays as it is
-        case = without_laws(results.with_freewheels_engaged)
-        gears = [gear._replace(torques={}, load=None, balance=None) for gear in case.gears]
-        case = replace(case, gears=gears, load=None)
-        alone = solve(case)
-    outputs = np.array([case.gear_output(gear) for gear in case.gears])
-    states = [alone.gear_at(index) for index in range(len(outputs))]
-    speeds = np.array([state.speeds for state in states])
-    torques = np.array([state.torques.on_first_link for state in states])
-    output_power = torques[:, -1] * speeds[np.arange(len(outputs)), outputs - 1]
-    motion = np.array([state.relative_speeds for state in states])
     with np.errstate(all="ignore"):
-        relative = torques[:, case.among_devices] * motion / output_power[:, np.newaxis]
-    # an idle one turns as one piece or carries nothing, which no internal ratio changes
-    idle = np.array([state.search.idle for state in states], dtype=bool)
-    idle &= np.isfinite(alone.ratio)[:, np.newaxis]
-    relative = np.where(idle, 0.0, relative)
-    return np.where(np.isfinite(relative), relative + 0.0, np.nan)
+        of_gears = [_of_speeds(results.gear_at(index)) for index in range(len(results.case.gears))]
+    found: Floats = np.array(of_gears).reshape(len(of_gears), len(results.case.mechanisms))
+    return np.where(np.isfinite(found), found + 0.0, np.nan)
+
+
+def _of_speeds(state: GearState) -> list[float]:
+    """Of a gear, by how much each equation for its speeds moves the output."""
+    case, output = state.case, state.case.gear_output(state.gear)
+    by_link: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
+    equations = speed_rows(case, state.gear, state.ideal.variant.rows)
+    for number, equation in enumerate(equations):
+        for place, part in equation.items():
+            if place != RIGHT:
+                by_link[place][number] = part
+    by_link[output - 1][RIGHT] = 1.0
+    weights = elimination.solve(by_link, len(equations)).values  # mechanisms stand first
+    found = []
+    for one, u, weight, motion in zip(
+        case.mechanisms, state.ideal.variant.ratios, weights, state.relative_speeds, strict=False
+    ):
+        by_ratio = u * motion if one.kind else -motion
+        found.append(float(plain(times(weight, by_ratio) * state.ratio)))
+    return found
 
 
 EFFICIENCY_DIFFERENCE = 1e-3

@@ -13,12 +13,16 @@ import pytest
 from tests.chance import seeded
 from tests.commands import vstatics
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics.model.checks import doubts
+from vstatics.model.parts import BatteryBalance
+from vstatics.model.transmission import SpeedOf
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
 from vstatics.readers import sweep_tables
 from vstatics.summary.operation.drive_cycle import GearChoice, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.summary.operation.shifting import read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace
+from vstatics.summary.operation.traction import performance
 
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
 CASE = Transmission(
@@ -134,6 +138,52 @@ def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
         with pytest.raises(CaseError, match=f"gear {name} has no ratio") as caught:
             drive(case, trace((0, 0, name), (1, 3, name), (2, 5, "1"), (3, 5, name)), GearChoice())
         assert caught.value.problems[0].path == (0,)
+
+
+SET = Transmission(
+    3,
+    [ShiftElement(2, 0, "B")],
+    [Mechanism(1, 2, 3, -2.5, 0.96, name="set")],
+    [Gear([1], name="low")],
+    vehicle=CAR._replace(engine=[(0.0, 150.0), (600.0, 150.0)]),
+    inertias={1: 0.15, 2: 0.1, 3: 0.3},
+    load=Load(2000.0, 100.0),
+)
+
+
+def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
+    rows = trace((0, 0, "low"), (3, 9, "low"), (8, 14, "low"), (12, 2, "low"))
+    held = SET.replace(gears=[Gear(speeds={2: 0.0}, name="low")])
+    braked, made = (drive(one, rows, GearChoice()).energy for one in (SET, held))
+    for one, other in zip(braked[:4], made[:4], strict=True):
+        assert one == pytest.approx(other, rel=1e-12)
+    assert made.lost == pytest.approx(braked.lost)
+    assert performance(held) == performance(SET)
+
+
+@pytest.mark.parametrize(
+    ("gear", "why"),
+    [
+        (Gear(speeds={2: 1.5}), "a given speed of 2"),
+        (Gear(speeds={2: SpeedOf(3, 0.5)}), "a given speed of 2"),
+        (Gear([1], torques={2: 0.2}), "a given torque on 2"),
+        (Gear(speeds={}, balance=BatteryBalance([(1, 0.9), (2, 0.9)], -1.0)), "a balance"),
+    ],
+)
+def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
+    """Their power is none of the engine's: energies would not close."""
+    case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
+    assert [(one.id, why in one.message) for one in doubts(case)] == [("W890", True)]
+    told, alone = performance(case), performance(SET)
+    assert told.gears["low"] == alone.gears["low"]
+    assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
+    assert all(map(math.isnan, told.gears["split"]))
+    rows = [(0, 3, "low"), (4, 9, "split"), (8, 30, "")]
+    with pytest.raises(CaseError, match=f"gear split has {why}, expected one in which") as caught:
+        drive(case, trace(*rows), GearChoice())
+    assert caught.value.problems[0].path == (1,)
+    unnamed = trace(*rows)._replace(gears=[])
+    assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:

@@ -85,6 +85,14 @@ def test_100_km_per_hour_out_of_reach_takes_no_time() -> None:
     assert made.top_speed == pytest.approx(3.6 * 25 * 0.25)
 
 
+@pytest.mark.parametrize("torque", [100.0, 120.0, 130.0, 1000.0])
+def test_no_slope_is_steeper_than_a_wall(torque: float) -> None:
+    """1000 kg take 9810 N up a wall and 98.1 N of rolling; the force is 80 times the torque."""
+    car = Vehicle(1000, 0.05, 0.01, engine=[(0.0, torque), (400.0, torque)])
+    slope = performance(one_gear(car)).gears["1"].slope
+    assert slope == pytest.approx(min((80 * torque - 98.1) / 9810, 1.0), rel=1e-12)
+
+
 def test_a_vehicle_that_cannot_be_is_told() -> None:
     for vehicle, said in (
         (Vehicle(0, 0.3), "vehicle.mass: read 0"),

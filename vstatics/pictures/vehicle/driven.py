@@ -57,7 +57,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     Raises
     ------
     CaseError
-        If the case has no vehicle, this no engine, or no gear a ratio.
+        If the case has no vehicle, this no engine, or the engine alone drives no gear.
     """
     case, vehicle = results.case, results.case.vehicle
     if vehicle is None:
@@ -76,7 +76,8 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     if not gears:
         asked = ", ".join(case.gears[number - 1].name for number in shown)
         which = f"gear {asked}" if shown else "the case"
-        raise CaseError("E443", f"{which} has no ratio, expected a gear that drives the wheels")
+        message = f"{which} has no ratio, or machines drive it, too"
+        raise CaseError("E443", f"{message}; expected a gear that the engine alone drives")
     return DrivenVehicle(vehicle, pull, gears)
 
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from vstatics.errors import CaseError, Problem, not_allowed, quoted
 from vstatics.model.transmission import Transmission
-from vstatics.model.vehicle import Vehicle
+from vstatics.model.vehicle import Vehicle, beside_engine
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
@@ -28,7 +28,7 @@ from vstatics.summary.operation.fuel_map import FuelMap
 from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
 from vstatics.summary.operation.shifting import ShiftSpeed, by_least_speed, by_shift_speeds
 from vstatics.summary.operation.trace import Trace
-from vstatics.summary.operation.traction import bare
+from vstatics.summary.operation.traction import bare, engine_alone
 from vstatics.tables.answer import document, told
 
 
@@ -217,12 +217,14 @@ class _CycleSteps(NamedTuple):
             ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine = wheels[:, None] * ratios[own, inputs]
-        gears = _gears(case, vehicle, trace, choice, engine, still.ratio)
-        lacking = np.flatnonzero(~np.isfinite(still.ratio[gears]) & (trace.speed > 0))
+        driving = np.where(engine_alone(case), still.ratio, math.nan)
+        gears = _gears(case, vehicle, trace, choice, engine, driving)
+        lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
-            name = case.gears[gears[lacking[0]]].name
-            message = f"gear {name} has no ratio, expected one that drives the wheels"
-            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
+            gear = case.gears[gears[lacking[0]]]
+            why = beside_engine(gear, case.link_name) or "no ratio"
+            message = f"gear {gear.name} has {why}, expected one in which the engine alone drives"
+            raise CaseError([Problem("E428", f"{message} the wheels", (int(lacking[0]),))])
         return cls(case, vehicle, trace, gears, ratios)
 
     @property
@@ -287,7 +289,7 @@ class _CycleSteps(NamedTuple):
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
             for link, inertia in case.heavy.items()
-            if inertia and link != case.gear_output(gear)
+            if inertia and link != case.gear_output(gear) and link not in gear.speeds  # held
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:

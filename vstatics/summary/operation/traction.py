@@ -16,8 +16,8 @@ import numpy as np
 
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
-from vstatics.model.vehicle import GRAVITY, Vehicle
-from vstatics.numerics.arrays import Floats
+from vstatics.model.vehicle import GRAVITY, Vehicle, beside_engine
+from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 
@@ -39,7 +39,7 @@ class GearPerformance(NamedTuple):
     top_speed: float
     """On the level. [km/h]"""
     slope: float
-    """Sine of the steepest ascent. [-]"""
+    """Sine of the steepest ascent; 1 where the force is enough for any. [-]"""
 
 
 class Performance(NamedTuple):
@@ -56,6 +56,11 @@ def bare(case: Transmission) -> Transmission:
     """The case without loads and directions of its own, for points of any load."""
     gears = [gear._replace(load=None, coast=None) for gear in case.gears]
     return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
+
+
+def engine_alone(case: Transmission) -> Booleans:
+    """In which gears the engine alone drives: of the others nothing is told."""
+    return np.array([not beside_engine(gear, case.link_name) for gear in case.gears])
 
 
 def performance(case: Transmission) -> Performance:
@@ -102,6 +107,7 @@ class Traction:
         outputs = [case.gear_output(gear) - 1 for gear in case.gears]
         speeds = still.speeds
         output = speeds[np.arange(len(outputs)), outputs]
+        output = np.where(engine_alone(case), output, math.nan)
         """Of the output, by that of the engine."""
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
@@ -174,9 +180,11 @@ class Traction:
         return float(self.per_engine[gear] * self.last)
 
     def slope(self, gear: int) -> float:
-        """The largest ``(F - R at 0)/(m g)``."""
+        """The largest ``(F - R at 0)/(m g)``, at most 1; NaN where it drives nothing."""
         weight = self.vehicle.mass * GRAVITY
-        return float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight)
+        if not math.isfinite(self.per_engine[gear]):
+            return math.nan
+        return min(1.0, float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight))
 
     def accelerations(self, speeds: Floats) -> Floats:
         """The largest of all gears ahead at speeds of the vehicle; NaN beyond all [m/s^2]."""
