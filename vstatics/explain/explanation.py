@@ -64,6 +64,8 @@ class Explanation(NamedTuple):
     """With losses; None where there is no such solution."""
     input_torque: Known
     """What torques are relative to: 1, or 0 where the load gives none, and they are in N*m."""
+    coasts: bool
+    """Power enters at the output, and the units of torque and power are negative."""
     together: Sequence[Together]
     one_piece: Sequence[str]
     """Elements, or mechanisms, that turn as one piece."""
@@ -160,6 +162,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         signs=signs_of(state),
         lossy=lossy,
         input_torque=case.input_torque(actual),
+        coasts=case.coasts(actual),
         together=together,
         one_piece=one_piece,
         standing=standing,

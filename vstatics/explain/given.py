@@ -22,7 +22,7 @@ from vstatics.explain.given_parts import (
     shift_elements,
     springs,
 )
-from vstatics.explain.text import LOSSES, engaged
+from vstatics.explain.text import engaged, rule
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import plain
@@ -96,7 +96,15 @@ def _conventions(state: GearState) -> Iterator[str]:
         "what the output gives to the load."
     )
     if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
-        yield f"{tr('Torques with losses')}: {tr(LOSSES)}"
+        drags = bool(state.drag.links or state.drag.elements)
+        yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
+    if any(one.back_efficiency is not None for one in case.mechanisms):
+        yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
+    if case.has_drag:
+        yield tr(
+            "Drag brakes its link, or the links of an open shift element against each other; it "
+            "acts in the torques with losses only."
+        )
     if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
     if case.freewheels:
@@ -157,12 +165,21 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Signs that no power decides, but a convention."""
+    """Signs that no power without losses decides: by a convention, or by the losses."""
     rows = [
         (one.name, whole(plain(sign)))
-        for one, sign, idle in zip(
-            state.case.mechanisms, state.signs, state.search.idle, strict=True
-        )
-        if idle
+        for one, sign, told in zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
+        if told
     ]
-    return grid_of("Signs of idle mechanisms", ["mechanism", "sign"], rows, key="idle")
+    title = "Signs of idle mechanisms"
+    if any(state.search.turned):
+        title = "Signs that power without losses does not tell"
+    return grid_of(title, ["mechanism", "sign"], rows, key="idle")
+
+
+def told_signs(state: GearState) -> list[bool]:
+    """Of which mechanisms the sign is told, as the rule for it does not give it."""
+    return [
+        idle or turned is True
+        for idle, turned in zip(state.search.idle, state.search.turned, strict=True)
+    ]

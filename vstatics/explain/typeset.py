@@ -51,7 +51,7 @@ def in_ratios(text: str) -> str:
 
 
 _IN_PROSE = re.compile(
-    r"(u eta\^x|x = [+-]1|M \(w_\w+ - w_\w+\) > 0|\(u \+ 1\)/2|\bMx\b|(?<![\w.])u(?![\w.]))"
+    r"(u eta\^x|x = [+-]1|M \(w_\w+ - w_\w+\) [<>] 0|u/b|\(u \+ 1\)/2|\bMx\b|(?<![\w.])[uMKib](?![\w.]))"
 )
 """Formulas of sentences about an exercise, the same in each language."""
 

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from vstatics.arguments import refusing
 from vstatics.errors import CaseError
-from vstatics.explain.given import given
+from vstatics.explain.given import given, told_signs
 from vstatics.statics.results import Results
 from vstatics.tables.answer import Known, plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
@@ -150,10 +150,10 @@ def _blanks(
 ) -> Iterator[Blank]:
     """The numbers of a gear; those alone that tell something, if so."""
     case, number = results.case, 0
-    gear, idle = case.gears[index], results.gear_at(index).search.idle
+    gear, signs = case.gears[index], told_signs(results.gear_at(index))
     speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
     told = {"W": {case.link_name(link) for link in speeds}}
-    told["IX"] = {one.name for one, is_idle in zip(case.mechanisms, idle, strict=True) if is_idle}
+    told["IX"] = {one.name for one, is_told in zip(case.mechanisms, signs, strict=True) if is_told}
     for one in wanted:
         zero = structural_zeros(one, results)[:, index].tolist()
         key = one.quantity.key
