@@ -133,6 +133,8 @@ def test_seeds_give_boxes_of_their_own_while_there_are_some() -> None:
     teeth = [tuple(one.elements[0].teeth.values()) for one in drawn if isinstance(one, Drawing)]
     assert {*teeth[:-1]} == fit
     assert teeth[-1] == teeth[0]
+    for rounds in (3, 10**30):
+        assert drawn_numbers(case, 1 + rounds * len(fit)).drawing == drawn_numbers(case, 1).drawing
 
 
 def test_a_seed_gives_the_same_again_and_another_one_other_numbers() -> None:
