@@ -13,8 +13,9 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES
-from vstatics import Transmission, load, solve
+from vstatics import Transmission, load, loads, solve
 from vstatics.errors import CaseError, ReadError
+from vstatics.explain import explain_gear
 from vstatics.explain.given import given
 from vstatics.explain.worksheet import worksheet
 from vstatics.tables import markdown
@@ -133,6 +134,27 @@ def test_what_is_given_is_not_asked() -> None:
     results = solve(case)
     assert results.idle[0].tolist() == [False, True, False]
     assert ("IX", "D2") not in {(one.table, one.row) for one in worksheet(results, 0).blanks}
+
+
+def test_a_converter_is_solved_from_its_sheet() -> None:
+    """K at .3 lies between 2.2 and 1 at 0 and .6; its loss is what it does not pass on."""
+    case = loads(
+        """
+        links: [pump, turbine]
+        mechanisms: {TC: {kind: converter, first: pump, second: turbine, points: [[0, 2.2], [0.6, 1]]}}
+        gears: {g: {speed_ratios: {TC: 0.3}}}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    told, _ = said_and_asked(case, 0)
+    assert "| TC | converter | pump | turbine | - | - | 0.3 | (i, K): (0, 2.2), (0.6, 1) |" in told
+    assert "Losses, third link held" not in told
+    k = 2.2 + (1 - 2.2) * 0.3 / 0.6
+    blanks = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert blanks["AMLGP", "Mx"] == pytest.approx(k)
+    assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
+    with pytest.raises(CaseError, match="gear g: TC is a converter"):
+        explain_gear(solve(case), "g")
 
 
 def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:

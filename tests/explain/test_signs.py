@@ -17,7 +17,6 @@ from vstatics.explain.signs import signs_of
 from vstatics.explain.text import write
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 
-
 RULE = re.compile(r"M \(w_first - w_third\) ([<>]) 0")
 
 

@@ -169,7 +169,7 @@ gears: {{"1": {{}}}}
 """
     _, lossy = sides(only(read_yaml(case.encode(), "x").case))
     assert teeth(lossy) == {}
-    assert lossy.losses == pytest.approx({node: 0.15 for node in lossy.losses})
+    assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
 
 
 def test_belts_and_shafts_have_no_teeth() -> None:

@@ -100,6 +100,18 @@ def _conventions(state: GearState) -> Iterator[str]:
         yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
     if any(one.back_efficiency is not None for one in case.mechanisms):
         yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
+    kinds = {one.kind for one in case.mechanisms}
+    if "variator" in kinds:
+        yield tr(
+            "A variator of the speed ratio i = w_second/w_first has u = 1/i; with i = 0 its "
+            "second link stands, and the first has no torque."
+        )
+    if "converter" in kinds:
+        yield tr(
+            "A converter of the speed ratio i = w_second/w_first has the torques M and -K M on its "
+            "links, with losses and without; K is straight between the points (i, K), constant "
+            "outside. It loses M w_first (1 - K i)."
+        )
     if case.has_drag:
         yield tr(
             "Drag brakes its link, or the links of an open shift element against each other; it "
@@ -166,11 +178,8 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 def _idle(state: GearState) -> Grid:
     """Signs that no power without losses decides: by a convention, or by the losses."""
-    rows = [
-        (one.name, whole(plain(sign)))
-        for one, sign, told in zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
-        if told
-    ]
+    found = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
+    rows = [(one.name, whole(plain(sign))) for one, sign, is_told in found if is_told]
     title = "Signs of idle mechanisms"
     if any(state.search.turned):
         title = "Signs that power without losses does not tell"
