@@ -13,7 +13,7 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES
-from vstatics import Transmission, load, loads, solve
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.errors import CaseError, ReadError
 from vstatics.explain import explain_gear
 from vstatics.explain.given import given
@@ -155,6 +155,36 @@ def test_a_converter_is_solved_from_its_sheet() -> None:
     assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
     with pytest.raises(CaseError, match="gear g: TC is a converter"):
         explain_gear(solve(case), "g")
+
+
+def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
+    """2 N*m between two pairs, the second driven from the output: 2 * 3/.97 N*m."""
+    case = loads(
+        """
+        links: [in, mid, out]
+        load: {speed: 1000 rpm, torque: 0 N*m}
+        drag: {mid: 2 N*m}
+        mechanisms:
+          P: {first: in, second: mid, ratio: -2, efficiency: 0.98}
+          Q: {first: mid, second: out, ratio: -3, efficiency: 0.97}
+        gears: {g: []}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert ("W", "in") not in asked
+    assert asked["AMLGP_Nm", "Mx"] == pytest.approx(-6 / 0.97)
+    assert (asked["IX", "Q"], asked["AMLGP_Nm", "Q"]) == (-1, pytest.approx(2))
+    assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
+
+
+def test_a_neutral_gear_says_so_and_asks_nothing_of_power() -> None:
+    clutch, loose = ShiftElement(1, 2), Mechanism(2, 3, 4, -2.5, 0.96)
+    case = Transmission(4, [clutch], [loose], [Gear([1])], coast=True)
+    sheet = worksheet(solve(case), 0).worksheet()
+    assert "neutral: the speed of the output is not determined" in sheet
+    assert "Coasting" not in sheet
+    assert "eta^x" not in sheet
 
 
 def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:

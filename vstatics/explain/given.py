@@ -95,6 +95,21 @@ def _conventions(state: GearState) -> Iterator[str]:
         "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
         "what the output gives to the load."
     )
+    has_power = all(one.has_power for one in state.statuses)
+    if has_power:
+        yield from _rules_of_losses(state)
+    if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
+        yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+    if case.freewheels:
+        yield tr("A freewheel keeps its first link from turning backward against the second.")
+    yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
+    if case.coasts(state.gear) and has_power:
+        yield tr("Coasting: power enters at the output.")
+
+
+def _rules_of_losses(state: GearState) -> Iterator[str]:
+    """How mechanisms with losses, variators, converters and drag act."""
+    case = state.case
     if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
         drags = bool(state.drag.links or state.drag.elements)
         yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
@@ -117,12 +132,6 @@ def _conventions(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
         )
-    if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
-        yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
-    if case.freewheels:
-        yield tr("A freewheel keeps its first link from turning backward against the second.")
-    if case.coasts(state.gear):
-        yield tr("Coasting: power enters at the output.")
 
 
 def _ports(case: Transmission, gear: Gear) -> Grid:
