@@ -174,6 +174,10 @@ def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     assert vstatics("explain", case, "--seed", "3").status == 2
     assert vstatics("explain", case, "--worksheet", "--gear", "1", "-f", "json").status == 2
     assert vstatics("explain", case, "--worksheet", "--solution", "--gear", "1").status == 2
+    for form in ("csv", "xlsx"):
+        said = vstatics("explain", case, "--solution", "--gear", "1", "-o", f"sheet.{form}")
+        assert said.status == 2
+        assert "expected text, markdown or latex" in said.all
 
 
 def test_sheet_and_solution_tell_their_seed() -> None:
