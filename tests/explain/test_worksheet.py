@@ -13,7 +13,7 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES, MZKT, vstatics
-from vstatics import Gear, Load, ShiftElement, exercise, load, solve
+from vstatics import Gear, Load, ShiftElement, exercise, load, loads, solve
 from vstatics.elements import Element, transmission
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.teeth.doubtful_teeth import doubts, fitting, misfits
@@ -52,6 +52,7 @@ def test_a_blank_has_the_value_that_run_gives(
     assert list(made) == ["case", "gear", "seed", "blanks"]
     assert (made["gear"], made["seed"]) == (gear, int(seed[1]) if seed else None)
     assert len(made["blanks"]) >= 10
+    assert loads(json.dumps(made)) == loads(json.dumps(made["case"]))
     assert [one["number"] for one in made["blanks"]] == [*range(1, len(made["blanks"]) + 1)]
     written = tmp_path / "case.json"
     written.write_text(json.dumps(made["case"]), encoding="utf-8")
