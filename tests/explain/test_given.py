@@ -178,6 +178,28 @@ def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
     assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
 
 
+def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
+    """Long planets between the large sun (42) and the ring (84) have 21: w_ring 84/21."""
+    case = loads(
+        """
+        links: [small, large, ring, carrier]
+        output: ring
+        shift_elements: {C: [carrier, housing]}
+        elements:
+          set:
+            {kind: ravigneaux, small_sun: small, large_sun: large, ring: ring, carrier: carrier,
+             teeth: {small_sun: 30, large_sun: 42, ring: 84}}
+        gears: {g: [C]}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert asked["WSAT", "set.long"] == pytest.approx(asked["W", "ring"] * 84 / 21)
+    rule = "A planet between a sun and a ring has (ring - sun)/2 teeth"
+    assert rule in sheet.worksheet()
+    assert rule not in worksheet(solve(load(CASES / "simpson.yaml")), 0).worksheet()
+
+
 def test_a_neutral_gear_says_so_and_asks_nothing_of_power() -> None:
     clutch, loose = ShiftElement(1, 2), Mechanism(2, 3, 4, -2.5, 0.96)
     case = Transmission(4, [clutch], [loose], [Gear([1])], coast=True)

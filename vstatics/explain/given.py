@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from vstatics.elements.drawing import drawing_of
 from vstatics.explain import typeset
 from vstatics.explain.given_parts import (
     UNREAD,
     cell_of,
     data_text,
     elements,
+    fills_a_gap,
     in_words,
     link_text,
     losses,
@@ -82,7 +84,7 @@ def given(results: Results, place: int) -> Iterator[Grid]:
 
 def _conventions(state: GearState) -> Iterator[str]:
     """How speeds and torques of a gear are counted, in words."""
-    case = state.case
+    case, drawing = state.case, drawing_of(state.case)
     if case.input_torque(state.gear):
         yield tr(
             "Speeds are relative to the speed of the input, torques to its torque, powers to its "
@@ -100,6 +102,8 @@ def _conventions(state: GearState) -> Iterator[str]:
         yield from _rules_of_losses(state)
     if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+    if any(map(fills_a_gap, drawing.elements if drawing else ())):
+        yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
     if case.freewheels:
         yield tr("A freewheel keeps its first link from turning backward against the second.")
     yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)

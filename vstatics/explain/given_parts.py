@@ -8,6 +8,8 @@ from typing import Any
 
 from vstatics.elements.drawing import drawing_of, parts_of
 from vstatics.elements.element import Element
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import Planetary
 from vstatics.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Gear, Transmission
@@ -74,6 +76,17 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     headings = ["element", "kind", "links", "teeth", "planets", "given"]
     more_columns = ("teeth", "planets", "given")
     return grid_of("Elements", headings, rows, key="elements", optional=more_columns)
+
+
+def fills_a_gap(element: Element) -> bool:
+    """Whether one of several kinds of planets has its teeth by the sun and the ring around it."""
+    if not isinstance(element.shape, Planetary) or element.rims:
+        return False
+    planets = group_of(element).planets
+    found = {rim: teeth for rims in planets.values() for rim, teeth in rims.items()}
+    return len(found) > 1 and any(
+        teeth and rim not in element.teeth for rim, teeth in found.items()
+    )
 
 
 def _own_wheels(element: Element) -> Sequence[Any]:

@@ -61,7 +61,7 @@ def test_a_point_without_torques_says_why() -> None:
         [Gear(name="1")],
     )
     assert spectrum(case, points((100.0, 20.0, 10.0))).energy.in_ == pytest.approx(20_000)
-    with pytest.raises(CaseError, match="has no torques .*: .*freewheel F overruns") as caught:
+    with pytest.raises(CaseError, match=r"has no torques .*: .*freewheel F overruns") as caught:
         spectrum(case, points((100.0, 20.0, 10.0), (100.0, -20.0, 10.0)))
     assert [one.path for one in caught.value.problems] == [(1,)]
 

@@ -161,7 +161,7 @@ def _mapping(root: Node, found: Found, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """The case itself, or that of a JSON result or a solution, which can be run as a listing can."""
+    """The case itself, or that of a JSON result or solution: so these can be run, as a listing."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
