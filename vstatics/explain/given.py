@@ -97,8 +97,7 @@ def _conventions(state: GearState) -> Iterator[str]:
         "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
         "what the output gives to the load."
     )
-    has_power = all(one.has_power for one in state.statuses)
-    if has_power:
+    if state.calculable:
         yield from _rules_of_losses(state)
     if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
@@ -107,7 +106,7 @@ def _conventions(state: GearState) -> Iterator[str]:
     if case.freewheels:
         yield tr("A freewheel keeps its first link from turning backward against the second.")
     yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
-    if case.coasts(state.gear) and has_power:
+    if case.coasts(state.gear) and state.calculable:
         yield tr("Coasting: power enters at the output.")
 
 
