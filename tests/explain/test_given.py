@@ -13,8 +13,9 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES
-from vstatics import Transmission, load, solve
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.errors import CaseError, ReadError
+from vstatics.explain import explain_gear
 from vstatics.explain.given import given
 from vstatics.explain.worksheet import worksheet
 from vstatics.tables import markdown
@@ -133,6 +134,80 @@ def test_what_is_given_is_not_asked() -> None:
     results = solve(case)
     assert results.idle[0].tolist() == [False, True, False]
     assert ("IX", "D2") not in {(one.table, one.row) for one in worksheet(results, 0).blanks}
+
+
+def test_a_converter_is_solved_from_its_sheet() -> None:
+    """K at .3 lies between 2.2 and 1 at 0 and .6; its loss is what it does not pass on."""
+    case = loads(
+        """
+        links: [pump, turbine]
+        mechanisms: {TC: {kind: converter, first: pump, second: turbine, points: [[0, 2.2], [0.6, 1]]}}
+        gears: {g: {speed_ratios: {TC: 0.3}}}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    told, _ = said_and_asked(case, 0)
+    assert "| TC | converter | pump | turbine | - | - | 0.3 | (i, K): (0, 2.2), (0.6, 1) |" in told
+    assert "Losses, third link held" not in told
+    k = 2.2 + (1 - 2.2) * 0.3 / 0.6
+    blanks = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert blanks["AMLGP", "Mx"] == pytest.approx(k)
+    assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
+    with pytest.raises(CaseError, match="gear g: TC is a converter"):
+        explain_gear(solve(case), "g")
+
+
+def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
+    """2 N*m between two pairs, the second driven from the output: 2 * 3/.97 N*m."""
+    case = loads(
+        """
+        links: [in, mid, out]
+        load: {speed: 1000 rpm, torque: 0 N*m}
+        drag: {mid: 2 N*m}
+        mechanisms:
+          P: {first: in, second: mid, ratio: -2, efficiency: 0.98}
+          Q: {first: mid, second: out, ratio: -3, efficiency: 0.97}
+        gears: {g: []}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert ("W", "in") not in asked
+    assert asked["AMLGP_Nm", "Mx"] == pytest.approx(-6 / 0.97)
+    assert asked["IX", "Q"] == -1
+    assert asked["AMLGP_Nm", "Q"] == pytest.approx(2)
+    assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
+
+
+def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
+    """Long planets between the large sun (42) and the ring (84) have 21: w_ring 84/21."""
+    case = loads(
+        """
+        links: [small, large, ring, carrier]
+        output: ring
+        shift_elements: {C: [carrier, housing]}
+        elements:
+          set:
+            {kind: ravigneaux, small_sun: small, large_sun: large, ring: ring, carrier: carrier,
+             teeth: {small_sun: 30, large_sun: 42, ring: 84}}
+        gears: {g: [C]}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert asked["WSAT", "set.long"] == pytest.approx(asked["W", "ring"] * 84 / 21)
+    rule = "A planet between a sun and a ring has (ring - sun)/2 teeth"
+    assert rule in sheet.worksheet()
+    assert rule not in worksheet(solve(load(CASES / "simpson.yaml")), 0).worksheet()
+
+
+def test_a_neutral_gear_says_so_and_asks_nothing_of_power() -> None:
+    clutch, loose = ShiftElement(1, 2), Mechanism(2, 3, 4, -2.5, 0.96)
+    case = Transmission(4, [clutch], [loose], [Gear([1])], coast=True)
+    sheet = worksheet(solve(case), 0).worksheet()
+    assert "neutral: the speed of the output is not determined" in sheet
+    assert "Coasting" not in sheet
+    assert "eta^x" not in sheet
 
 
 def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Iterator
 
 import pytest
 
 from tests.commands import CASES
 from tests.explain.explained import explained
-from vstatics import load, solve
+from vstatics import Results, exercise, load, solve
 from vstatics.explain import explain_gear
+from vstatics.explain.given import given
+from vstatics.explain.signs import signs_of
+from vstatics.explain.text import write
 from vstatics.model.transmission import Gear, Mechanism, Transmission
+
+RULE = re.compile(r"M \(w_first - w_third\) ([<>]) 0")
 
 
 def test_signs_have_a_reason() -> None:
@@ -47,6 +54,43 @@ def test_an_efficiency_multiplies_or_divides_by_the_direction_of_power() -> None
     for sign in explained("zf-8hp70.yaml", "5").signs:
         assert sign.lossy_ratio == pytest.approx(sign.ratio * 0.98**sign.sign)
         assert math.copysign(1, sign.power) == sign.sign
+
+
+def shipped_gears() -> Iterator[tuple[Results, int]]:
+    for path in sorted((*CASES.glob("*.yaml"), *CASES.glob("*.dat"))):
+        for coast in (None, False, True):
+            results = solve(load(path), coast=coast)
+            for place in range(len(results.case.gears)):
+                yield results, place
+
+
+@pytest.mark.slow
+def test_the_rule_as_it_is_printed_gives_the_sign_of_every_shipped_gear() -> None:
+    """By its own sign `> 0` or `< 0`, driving and coasting; other signs are told on a sheet."""
+    read = 0
+    for results, place in shipped_gears():
+        state = results.gear_at(place)
+        sheet = list(given(results, place))
+        told = {row[0] for grid in sheet if grid.key == "idle" for row in grid.texts}
+        for sign in signs_of(state):
+            if sign.mechanism in told or math.isnan(sign.sign) or sign.efficiency == 1:
+                continue
+            [rule] = {found[1] for grid in sheet if (found := RULE.search(grid.title))}
+            read += rule == "<"
+            assert (sign.power > 0 if rule == ">" else sign.power < 0) == (sign.sign > 0)
+            assert sign.power != 0
+    assert read > 400
+
+
+def test_the_rule_holds_when_coasting_too() -> None:
+    """A pair that is driven from its second link: M = 1 and w_1 = 1, yet x = -1."""
+    case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0, 0.9)], [Gear()])
+    for coast, x, printed in ((False, 1, "> 0"), (True, -1, "< 0, as the unit of M is negative")):
+        results = solve(case, coast=coast)
+        explained_gear = explain_gear(results, 1)
+        assert (explained_gear.signs[0].power, explained_gear.signs[0].sign) == (1, x)
+        for said in (write([explained_gear]), exercise(results, 1).worksheet()):
+            assert f"M (w_first - w_third) {printed}" in " ".join(said.split())
 
 
 def test_coasting_turns_the_signs() -> None:

@@ -13,7 +13,7 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import CASES, MZKT, vstatics
-from vstatics import Gear, Load, ShiftElement, exercise, load, solve
+from vstatics import Gear, Load, ShiftElement, exercise, load, loads, solve
 from vstatics.elements import Element, transmission
 from vstatics.elements.drawing import Drawing
 from vstatics.elements.teeth.doubtful_teeth import doubts, fitting, misfits
@@ -52,6 +52,7 @@ def test_a_blank_has_the_value_that_run_gives(
     assert list(made) == ["case", "gear", "seed", "blanks"]
     assert (made["gear"], made["seed"]) == (gear, int(seed[1]) if seed else None)
     assert len(made["blanks"]) >= 10
+    assert loads(json.dumps(made)) == loads(json.dumps(made["case"]))
     assert [one["number"] for one in made["blanks"]] == [*range(1, len(made["blanks"]) + 1)]
     written = tmp_path / "case.json"
     written.write_text(json.dumps(made["case"]), encoding="utf-8")
@@ -133,6 +134,8 @@ def test_seeds_give_boxes_of_their_own_while_there_are_some() -> None:
     teeth = [tuple(one.elements[0].teeth.values()) for one in drawn if isinstance(one, Drawing)]
     assert {*teeth[:-1]} == fit
     assert teeth[-1] == teeth[0]
+    for rounds in (3, 10**30):
+        assert drawn_numbers(case, 1 + rounds * len(fit)).drawing == drawn_numbers(case, 1).drawing
 
 
 def test_a_seed_gives_the_same_again_and_another_one_other_numbers() -> None:
@@ -175,6 +178,10 @@ def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     assert vstatics("explain", case, "--seed", "3").status == 2
     assert vstatics("explain", case, "--worksheet", "--gear", "1", "-f", "json").status == 2
     assert vstatics("explain", case, "--worksheet", "--solution", "--gear", "1").status == 2
+    for form in ("csv", "xlsx"):
+        said = vstatics("explain", case, "--solution", "--gear", "1", "-o", f"sheet.{form}")
+        assert said.status == 2
+        assert "expected text, markdown or latex" in said.all
 
 
 def test_sheet_and_solution_tell_their_seed() -> None:

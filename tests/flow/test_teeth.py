@@ -159,6 +159,19 @@ def test_a_spreadsheet_names_the_teeth_of_each_mesh() -> None:
     assert parts[-5:] == ["teeth", *(f"teeth {mesh}" for mesh in MESHES)]
 
 
+@pytest.mark.parametrize("variator", ["first: in, second: out", "first: out, second: in"])
+def test_a_variator_has_none_and_loses_its_part_of_what_enters_it(variator: str) -> None:
+    """Whichever of its links drives."""
+    case = f"""
+links: [in, out]
+mechanisms: {{H: {{kind: variator, {variator}, speed_ratio: 0.5, efficiency: 0.85}}}}
+gears: {{"1": {{}}}}
+"""
+    _, lossy = sides(only(read_yaml(case.encode(), "x").case))
+    assert teeth(lossy) == {}
+    assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
+
+
 def test_belts_and_shafts_have_no_teeth() -> None:
     case = """
 links: [in, middle, side, out]

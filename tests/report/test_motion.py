@@ -115,7 +115,8 @@ def test_a_run_is_shown_though_its_gears_are_none(
 
 
 def test_other_commands_say_that_it_is_a_scenario() -> None:
-    for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"]):
+    other = ["simulate", SCENARIO]
+    for command in (["run"], ["flow"], ["summary"], ["convert", "--to", "yaml"], other):
         said = vstatics(*command, SCENARIO, *["x.yaml"] * (command[0] == "convert"))
         assert said.status == 1
         assert "error: this is a scenario, expected a case; simulate, plot" in said.err

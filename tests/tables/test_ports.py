@@ -40,6 +40,23 @@ def test_drag_and_meshes_are_lost_apart_and_together() -> None:
     assert lost == pytest.approx({"meshes": 0.018, "drag": 0.1, "meshes and drag": 0.118})
 
 
+def test_slip_of_a_converter_and_losses_of_a_variator_are_not_those_of_meshes() -> None:
+    """The converter passes .4 * 1.5 = .6, the set .98 of it, the variator .9 of that.
+
+    The set stands on its carrier: it is a pair.
+    """
+    parts = [
+        Mechanism(1, 2, 0, 0.4, name="TC", kind="converter", points=((0.4, 1.5),)),
+        Mechanism(2, 3, 0, -4.0, 0.98),
+        Mechanism(3, 4, 0, 0.5, 0.9, name="belt", kind="variator"),
+    ]
+    [table] = port_tables(solve(Transmission(4, [], parts, [Gear()])))
+    lost = {"meshes": 0.6 * 0.02, "converters": 0.4, "variators": 0.6 * 0.98 * 0.1}
+    assert dict(table.losses) == pytest.approx({**lost, "all together": sum(lost.values())})
+    [alone] = port_tables(solve(Transmission(2, [], [parts[0]], [Gear()])))
+    assert dict(alone.losses) == pytest.approx({"converters": 0.4})
+
+
 def test_plain_data_have_both() -> None:
     [table] = port_tables(solve(pair(Gear(), load=Load(2000.0, 100.0))))
     engine, shaft = plain_data(table)["ports"]

@@ -77,6 +77,10 @@ def explain(
             worksheet and to.form in ("json", "jsonl"),
             f"--worksheet has no numbers, {to.form} is for --solution",
         ),
+        (
+            exercise and to.form in ("csv", "xlsx"),
+            f"an exercise has sentences, {to.form} only tables: expected text, markdown or latex",
+        ),
     )
     if exercise:
         own = partial(_exercise, gears=gears, seed=seed, solved=solution)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import replace
 from itertools import islice
 from random import Random
@@ -103,7 +104,7 @@ def _with_teeth(element: Element, place: int, seed: int) -> Element:
     others = (
         one for teeth in fitting(element, order) if (one := _changed(element, teeth)) != element
     )
-    found = list(islice(others, seed + 1))
+    found = list(islice(others, min(seed, sys.maxsize - 1) + 1))
     return found[seed % len(found)] if found else element
 
 

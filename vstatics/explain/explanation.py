@@ -20,7 +20,7 @@ from vstatics.explain.signs import PowerSign, signs_of
 from vstatics.explain.sums import System
 from vstatics.extras import higher
 from vstatics.model.springs import ends
-from vstatics.model.transmission import HOUSING, Gear
+from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
 from vstatics.statics.matrix import distribution_matrix
@@ -65,6 +65,8 @@ class Explanation(NamedTuple):
     """With losses; None where there is no such solution."""
     input_torque: Known
     """What torques are relative to: 1, or 0 where the load gives none, and they are in N*m."""
+    coasts: bool
+    """Power enters at the output, and the units of torque and power are negative."""
     together: Sequence[Together]
     one_piece: Sequence[str]
     """Elements, or mechanisms, that turn as one piece."""
@@ -129,13 +131,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    if kinds := [one.name for one in results.case.mechanisms if one.kind]:
-        whole = results.case
-        pairs = whole.as_pairs(whole.gears[whole.gear_number(gear) - 1])
-        if pairs is None:
-            message = f"{kinds[0]} has a speed ratio, of which no equations are written yet"
-            raise CaseError("E279", message)
-        results = solve(pairs)
+    if any(one.kind for one in results.case.mechanisms):
+        results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
     number = results.case.gear_number(gear) - 1
     state = results.gear_at(number)
     case, actual = state.case, state.gear
@@ -163,6 +160,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
         signs=signs_of(state),
         lossy=lossy,
         input_torque=case.input_torque(actual),
+        coasts=case.coasts(actual),
         together=together,
         one_piece=one_piece,
         standing=standing,
@@ -178,6 +176,24 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
             if message.gear == actual.name
         ],
         balance=machine_balance(results, number),
+    )
+
+
+def _pairs(case: Transmission, place: int) -> Transmission:
+    """The case with pairs for the variators of a gear, whose equations are those of pairs."""
+    gear = case.gears[place]
+    if pairs := case.as_pairs(gear):
+        return pairs
+    ratios = case.gear_ratios(gear)
+    name, what = next(
+        (one.name, "is a converter" if one.kind == "converter" else "has the speed ratio 0")
+        for one, ratio in zip(case.mechanisms, ratios, strict=True)
+        if one.kind == "converter" or (one.kind and not ratio)
+    )
+    raise CaseError(
+        "E279",
+        f"gear {gear.name}: {name} {what}, of which no equations are written yet; its sheet, "
+        "`explain --worksheet`, has its rules",
     )
 
 

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from vstatics.elements.drawing import drawing_of
 from vstatics.explain import typeset
 from vstatics.explain.given_parts import (
     UNREAD,
     cell_of,
     data_text,
     elements,
+    fills_a_gap,
     in_words,
     link_text,
     losses,
@@ -22,7 +24,7 @@ from vstatics.explain.given_parts import (
     shift_elements,
     springs,
 )
-from vstatics.explain.text import LOSSES, engaged
+from vstatics.explain.text import engaged, rule
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import plain
@@ -82,7 +84,7 @@ def given(results: Results, place: int) -> Iterator[Grid]:
 
 def _conventions(state: GearState) -> Iterator[str]:
     """How speeds and torques of a gear are counted, in words."""
-    case = state.case
+    case, drawing = state.case, drawing_of(state.case)
     if case.input_torque(state.gear):
         yield tr(
             "Speeds are relative to the speed of the input, torques to its torque, powers to its "
@@ -95,14 +97,44 @@ def _conventions(state: GearState) -> Iterator[str]:
         "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
         "what the output gives to the load."
     )
-    if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
-        yield f"{tr('Torques with losses')}: {tr(LOSSES)}"
+    if state.calculable:
+        yield from _rules_of_losses(state)
     if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+    if any(map(fills_a_gap, drawing.elements if drawing else ())):
+        yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
     if case.freewheels:
         yield tr("A freewheel keeps its first link from turning backward against the second.")
-    if case.coasts(state.gear):
+    yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
+    if case.coasts(state.gear) and state.calculable:
         yield tr("Coasting: power enters at the output.")
+
+
+def _rules_of_losses(state: GearState) -> Iterator[str]:
+    """How mechanisms with losses, variators, converters and drag act."""
+    case = state.case
+    if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
+        drags = bool(state.drag.links or state.drag.elements)
+        yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
+    if any(one.back_efficiency is not None for one in case.mechanisms):
+        yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
+    kinds = {one.kind for one in case.mechanisms}
+    if "variator" in kinds:
+        yield tr(
+            "A variator of the speed ratio i = w_second/w_first has u = 1/i; with i = 0 its "
+            "second link stands, and the first has no torque."
+        )
+    if "converter" in kinds:
+        yield tr(
+            "A converter of the speed ratio i = w_second/w_first has the torques M and -K M on its "
+            "links, with losses and without; K is straight between the points (i, K), constant "
+            "outside. It loses M w_first (1 - K i)."
+        )
+    if case.has_drag:
+        yield tr(
+            "Drag brakes its link, or the links of an open shift element against each other; it "
+            "acts in the torques with losses only."
+        )
 
 
 def _ports(case: Transmission, gear: Gear) -> Grid:
@@ -157,12 +189,18 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Signs that no power decides, but a convention."""
-    rows = [
-        (one.name, whole(plain(sign)))
-        for one, sign, idle in zip(
-            state.case.mechanisms, state.signs, state.search.idle, strict=True
-        )
-        if idle
+    """Signs that no power without losses decides: by a convention, or by the losses."""
+    found = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
+    rows = [(one.name, whole(plain(sign))) for one, sign, is_told in found if is_told]
+    title = "Signs of idle mechanisms"
+    if any(state.search.turned):
+        title = "Signs that power without losses does not tell"
+    return grid_of(title, ["mechanism", "sign"], rows, key="idle")
+
+
+def told_signs(state: GearState) -> list[bool]:
+    """Of which mechanisms the sign is told, as the rule for it does not give it."""
+    return [
+        idle or turned is True
+        for idle, turned in zip(state.search.idle, state.search.turned, strict=True)
     ]
-    return grid_of("Signs of idle mechanisms", ["mechanism", "sign"], rows, key="idle")

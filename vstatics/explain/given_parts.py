@@ -8,7 +8,9 @@ from typing import Any
 
 from vstatics.elements.drawing import drawing_of, parts_of
 from vstatics.elements.element import Element
-from vstatics.model.parts import HOUSING, Law, ShiftElement
+from vstatics.elements.group import group_of
+from vstatics.elements.kinds import Planetary
+from vstatics.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.model.springs import Spring, ends
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Value, Values, grid_of, word
@@ -76,6 +78,17 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     return grid_of("Elements", headings, rows, key="elements", optional=more_columns)
 
 
+def fills_a_gap(element: Element) -> bool:
+    """Whether one of several kinds of planets has its teeth by the sun and the ring around it."""
+    if not isinstance(element.shape, Planetary) or element.rims:
+        return False
+    planets = group_of(element).planets
+    found = {rim: teeth for rims in planets.values() for rim, teeth in rims.items()}
+    return len(found) > 1 and any(
+        teeth and rim not in element.teeth for rim, teeth in found.items()
+    )
+
+
 def _own_wheels(element: Element) -> Sequence[Any]:
     return [one for one in element.wheels if one.member not in element.members]
 
@@ -118,7 +131,7 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
             link_text(case, one.third) if one.third or one.is_set else NOTHING,
             *(cell_of(x) for x in ((None, ratio) if one.kind else (ratio, None))),
             cell_of(one.planet_ratio),
-            data_text(one.points) if one.points else "",
+            _points(one),
         )
         for one, ratio in zip(case.mechanisms[case.own_mechanisms.start :], ratios, strict=True)
     ]
@@ -127,11 +140,19 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
     return grid_of("Mechanisms", headings, rows, key="mechanisms", optional=optional)
 
 
+def _points(one: Mechanism) -> str:
+    """Of a converter: speed ratio and torque ratio."""
+    points = ", ".join(f"({i:.6g}, {k:.6g})" for i, k, *_ in one.points)
+    return f"(i, K): {points}" if points else ""
+
+
 def losses(case: Transmission) -> Grid:
     """The efficiency of each mechanism that is solved: as a case gives it, or by its default."""
     rows: list[Values] = []
     for part in parts_of(case):
         for mechanism, members in part.lowered:
+            if mechanism.kind == "converter":  # loses by its points
+                continue
             between = " - ".join(map(in_words, filter(None, members[:2]))) if part.element else ""
             back = mechanism.back_efficiency
             both = cell_of(mechanism.efficiency), "" if back is None else cell_of(back)

@@ -22,7 +22,8 @@ class PowerSign(NamedTuple):
     motion: float
     """Speed of the first link against the third. [-]"""
     power: float
-    """Their product: what enters by the first link, seen from the third. [-]"""
+    """Their product: what enters by the first link, seen from the third; below 0 where it enters
+    when coasting, as the unit of power is then. [-]"""
     sign: float
     """+1, -1 or 0; NaN where it is open."""
     ratio: float

@@ -72,7 +72,6 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
     >>> [section.key for section in sections(gear)]
     ['matrix', 'speeds', 'torques', 'losses', 'ratio']
     """
-    drags = tr(", M with drag") * _drags(one)
     unit = "" if one.input_torque else tr(", in N*m")
     is_ratio = one.formula is None or one.formula.left == "i"
     parts = (
@@ -85,7 +84,7 @@ def sections(one: Explanation, digits: int | None = None) -> Iterator[Chapter]:
         ),
         (
             "losses",
-            f"{tr('Torques with losses')}{unit}: {tr(LOSSES)}{drags}",
+            f"{tr('Torques with losses')}{unit}: {rule(coasts=one.coasts, drags=_drags(one))}",
             _losses(one, digits),
         ),
         ("balance", tr(MACHINES), _machines(one, digits)),
@@ -105,6 +104,16 @@ LOSSES = (
     "u eta^x in place of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
 )
+COASTING = (
+    "u eta^x in place of u; x = +1 where power enters a mechanism by its "
+    "first link, seen from the third: M (w_first - w_third) < 0, as the unit of M is negative "
+    "when coasting"
+)
+
+
+def rule(*, coasts: bool, drags: bool) -> str:
+    """How the sign of a mechanism follows from its torque without losses, but with drag."""
+    return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
 
 MACHINES = (
     "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "

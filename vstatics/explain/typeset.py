@@ -51,7 +51,9 @@ def in_ratios(text: str) -> str:
 
 
 _IN_PROSE = re.compile(
-    r"(u eta\^x|x = [+-]1|M \(w_\w+ - w_\w+\) > 0|\(u \+ 1\)/2|\bMx\b|(?<![\w.])u(?![\w.]))"
+    r"(u eta\^x|x = [+-]1|M \(w_\w+ - w_\w+\) [<>] 0|u/b|\(u \+ 1\)/2|\bMx\b"
+    r"|i = w_\w+/w_\w+|i = 0|u = 1/i|-K M|M w_\w+ \(1 - K i\)|\(i, K\)"
+    r"|(?<![\w.])[uMKib](?![\w.]))"
 )
 """Formulas of sentences about an exercise, the same in each language."""
 

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from vstatics.arguments import refusing
 from vstatics.errors import CaseError
-from vstatics.explain.given import given
+from vstatics.explain.given import given, told_signs
 from vstatics.statics.results import Results
 from vstatics.tables.answer import Known, plain_data
 from vstatics.tables.grid import Cell, Column, Grid, Values, exact, grid_of, text, whole, word
@@ -23,6 +23,8 @@ from vstatics.writers import result_json
 
 ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
 """Tables whose numbers are asked for, in the order in which they are calculated."""
+IN_UNITS = {"AMLG": "AMLG_Nm", "AMLGP": "AMLGP_Nm", "losses": "losses_kW"}
+"""Tables that have numbers where torques and powers relate to nothing."""
 MORE = ("power_balance",)
 """One that is asked for, too, where these have less than `LEAST` numbers."""
 LEAST = 10
@@ -108,8 +110,8 @@ class GearExercise(NamedTuple):
 def worksheet(results: Results, index: int, seed: int | None = None) -> GearExercise:
     """The exercise of a gear of one case.
 
-    What the scheme makes 0 is not asked for, nor are given speeds and the signs of idle
-    mechanisms, unless there is little else.
+    Given speeds are not asked for, nor signs that are told; nor what the scheme makes 0, unless
+    there is little else.
 
     Parameters
     ----------
@@ -132,33 +134,41 @@ def worksheet(results: Results, index: int, seed: int | None = None) -> GearExer
     Blank(number=2, table='W', row='3', value=0.2857142857142857)
     """
     by_key = {one.quantity.key: one for one in tables(results)}
-    wanted = [by_key[key] for key in ASKED if key in by_key]
+    case = results.case
+    no_torque = not case.input_torque(case.gears[index])
+    wanted = [by_key[key] for key in asked_keys(no_torque=no_torque) if key in by_key]
     found = list(_blanks(results, index, wanted, telling=True))
     if len(found) < LEAST:
-        wanted += [by_key[key] for key in MORE]
+        wanted += [by_key[key] for key in MORE if not no_torque]
         found = list(_blanks(results, index, wanted, telling=False))
     if not found:
-        gear = results.case.gears[index].name
+        gear = case.gears[index].name
         raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
     keys = {one.table for one in found}
     asked = [one for one in wanted if one.quantity.key in keys]
     return GearExercise(results, index, seed, asked, found)
 
 
+def asked_keys(*, no_torque: bool) -> Iterator[str]:
+    """Those of `ASKED`; of a gear without torque at its input such as do not relate to it."""
+    for key in ASKED:
+        yield IN_UNITS.get(key, key) if no_torque else key
+
+
 def _blanks(
     results: Results, index: int, wanted: Sequence[Table], *, telling: bool
 ) -> Iterator[Blank]:
-    """The numbers of a gear; those alone that tell something, if so."""
+    """The numbers of a gear that are not given; those alone that tell something, if so."""
     case, number = results.case, 0
-    gear, idle = case.gears[index], results.gear_at(index).search.idle
+    gear, signs = case.gears[index], told_signs(results.gear_at(index))
     speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
     told = {"W": {case.link_name(link) for link in speeds}}
-    told["IX"] = {one.name for one, is_idle in zip(case.mechanisms, idle, strict=True) if is_idle}
+    told["IX"] = {one.name for one, is_told in zip(case.mechanisms, signs, strict=True) if is_told}
     for one in wanted:
         zero = structural_zeros(one, results)[:, index].tolist()
         key = one.quantity.key
         for row, value, is_zero in zip(one.rows, one.values[:, index].tolist(), zero, strict=True):
-            if math.isnan(value) or (telling and (is_zero or row in told.get(key, ()))):
+            if math.isnan(value) or row in told.get(key, ()) or (telling and is_zero):
                 continue
             number += 1
             is_one = one.quantity.rows == "one"

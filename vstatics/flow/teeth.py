@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.elements.drawing import parts_of
-from vstatics.elements.element import Element
 from vstatics.elements.kinds import Simple
+from vstatics.elements.lower import DrawnPart
 from vstatics.flow.circulation import Node
 from vstatics.model.parts import OwnDevice
 from vstatics.numerics.traced import plain
@@ -37,11 +37,11 @@ def tooth_powers(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
     """Of each mechanism or drawn element, and of the mechanisms or meshes that it became.
 
     A mechanism with losses loses the part ``1 - efficiency`` of it. An element without
-    teeth (shaft, belt, held link) has none.
+    teeth (shaft, belt, held link) has none, nor has a variator or converter.
     """
     case = state.case
     for number, (part, device) in enumerate(zip(parts_of(case), case.own_devices, strict=True), 1):
-        if not device.mechanisms or not _has_teeth(part.element):
+        if not device.mechanisms or not _has_teeth(part):
             continue
         node = Node("mechanism", number, device.name)
         meshes = [(index, *_of_mechanism(state, index, lossy=lossy)) for index in device.mechanisms]
@@ -55,10 +55,11 @@ def tooth_powers(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
             yield ToothPower(node, name, entering, loss)
 
 
-def _has_teeth(element: Element | None) -> bool:
-    if element is None or not isinstance(element.shape, Simple):
-        return True
-    return bool(element.shape.toothed) and element.shape.size == "teeth"
+def _has_teeth(part: DrawnPart) -> bool:
+    if part.element is None:
+        return not any(one.mechanism.kind for one in part.lowered)
+    shape = part.element.shape
+    return not isinstance(shape, Simple) or (bool(shape.toothed) and shape.size == "teeth")
 
 
 def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, float]:

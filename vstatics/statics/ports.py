@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from vstatics.numerics.tolerances import NO_POWER
@@ -36,9 +36,11 @@ class GearPorts(NamedTuple):
     ports: Sequence[Port]
     """The input, the outputs, then those with a given speed or torque."""
     meshes: float
-    """Power lost in the mechanisms. [-]"""
+    """Power lost in the mechanisms that are no variators or converters. [-]"""
     drag: float
     """Power lost to drag. [-]"""
+    by_kind: Mapping[str, float]
+    """Power lost in the variators and in the converters of a case that has such. [-]"""
 
 
 def ports(state: GearState) -> GearPorts:
@@ -67,12 +69,12 @@ def ports(state: GearState) -> GearPorts:
         entering = direction * plain(power(torque, speed))
         own = -torque + 0.0 if link in outputs else torque
         found.append(Port(link, link in outputs, speed, own, abs(entering), _way(entering)))
-    lossy = state.search.lossy
-    return GearPorts(
-        found,
-        direction * math.fsum(map(plain, lossy.losses)) + 0.0,
-        direction * plain(lossy.drag_losses) + 0.0,
-    )
+    losses: dict[str, list[float]] = {"": []}
+    for one, loss in zip(case.mechanisms, state.mechanism_losses, strict=True):
+        losses.setdefault(one.kind, []).append(plain(loss))
+    lost = {kind: direction * math.fsum(each) + 0.0 for kind, each in losses.items()}
+    drag = direction * plain(state.search.lossy.drag_losses) + 0.0
+    return GearPorts(found, lost.pop(""), drag, lost)
 
 
 def _way(entering: float) -> Way:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.model.transmission import Transmission
 from vstatics.statics.physical import gear_scales
 from vstatics.statics.ports import GearPorts, Port, ports
 from vstatics.statics.results import Results
@@ -33,7 +34,7 @@ class NamedPort(NamedTuple):
 
 
 class LostPower(NamedTuple):
-    """What is lost in meshes, in drag if there is any, and in both together."""
+    """What is lost in meshes, variators, converters and drag, where there are such, and in all."""
 
     in_: str
     power: float
@@ -48,7 +49,7 @@ class PortTable(NamedTuple):
     rows: Sequence[tuple[str, Port]]
     """Names of the links with their ports."""
     losses: Sequence[tuple[str, float]]
-    """What power is lost in: meshes, drag if there is any, and both together. [-]"""
+    """What power is lost in: as `LostPower` has it. [-]"""
     scales: dict[str, float]
     """Its own of `gear_scales`."""
     input_torque: float
@@ -95,15 +96,21 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
     """The ports of a gear, with its own of `gear_scales`."""
     case, found = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in found.ports]
-    losses, name = _losses(found, drag=case.has_drag), state.gear.name
+    losses, name = list(_losses(case, found)), state.gear.name
     return PortTable(name, rows, losses, by_unit, case.input_torque(state.gear))
 
 
-def _losses(of_gear: GearPorts, *, drag: bool) -> list[tuple[str, float]]:
-    if not drag:
-        return [("meshes", of_gear.meshes)]
-    total = of_gear.meshes + of_gear.drag
-    return [("meshes", of_gear.meshes), ("drag", of_gear.drag), ("meshes and drag", total)]
+def _losses(case: Transmission, of_gear: GearPorts) -> Iterator[tuple[str, float]]:
+    """By what it is lost in; then all together, if that is more than one."""
+    lost = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
+    if not all(one.kind for one in case.mechanisms) or not lost:
+        lost = {"meshes": of_gear.meshes, **lost}
+    if case.has_drag:
+        lost["drag"] = of_gear.drag
+    yield from lost.items()
+    if len(lost) > 1:
+        together = "meshes and drag" if lost.keys() == {"meshes", "drag"} else "all together"
+        yield together, math.fsum(lost.values())
 
 
 def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:

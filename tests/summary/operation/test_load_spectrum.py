@@ -52,6 +52,20 @@ def test_energies_of_two_pairs_in_closed_form() -> None:
     assert made.efficiency == pytest.approx(made.energy.out / made.energy.in_)
 
 
+def test_a_point_without_torques_says_why() -> None:
+    """A set on a freewheel that holds when it drives and overruns when it coasts."""
+    case = Transmission(
+        3,
+        [ShiftElement(2, 0, "F", kind="freewheel")],
+        [Mechanism(1, 2, 3, -2.5, 0.96)],
+        [Gear(name="1")],
+    )
+    assert spectrum(case, points((100.0, 20.0, 10.0))).energy.in_ == pytest.approx(20_000)
+    with pytest.raises(CaseError, match=r"has no torques .*: .*freewheel F overruns") as caught:
+        spectrum(case, points((100.0, 20.0, 10.0), (100.0, -20.0, 10.0)))
+    assert [one.path for one in caught.value.problems] == [(1,)]
+
+
 def test_equivalent_torque_and_turns() -> None:
     """T^3 by turns: 20 N*m over 1000 rad, 10 N*m over 500 rad, at the first link."""
     made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (50.0, 10.0, 10.0)))

@@ -109,7 +109,11 @@ def scenario_with_case(
 
     document = read_scenario(data, name)
     text, named = case_of(document, case, output, texts)
-    read = document.with_case(readers.read(text, named, input_format))
+    try:
+        reading = readers.read(text, named, input_format)
+    except ReadError as error:
+        raise ReadError(no_case(text, named) or error.problems) from None
+    read = document.with_case(reading)
     if read.samples:
         from vstatics.sweep.build import sampled_numbers
         from vstatics.sweep.variants.subject import Document, VariedScenario

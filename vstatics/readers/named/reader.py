@@ -161,10 +161,10 @@ def _mapping(root: Node, found: Found, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """The case itself, or that of a JSON result: so a result can be run again, as a listing can."""
+    """The case itself, or that of a JSON result or solution: so these can be run, as a listing."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
-    return inner if "format" in entries and isinstance(inner, Mapping) else root
+    return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:

@@ -28,6 +28,10 @@ from vstatics.tables.answer import told
 
 EXPONENT = 3.0
 """Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
+MOST_REASONS = 20
+"""Of so many points without torques it is told why, as each is calculated again."""
+REASONS = frozenset(("E451", "E452", *(f"W{number}" for number in range(410, 430))))
+"""Messages on what keeps a gear from having speeds, or torques."""
 SAME_TORQUE = 1e-9
 """A sum of torques that leaves this part of the largest is none. [-]"""
 
@@ -197,16 +201,23 @@ class PointLoads(NamedTuple):
         made = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
         problems = [
-            Problem("E424", made.reason(row), (row,)) for row in np.flatnonzero(lacking).tolist()
+            Problem("E424", made._lacking(row, has_reason=place < MOST_REASONS), (row,))
+            for place, row in enumerate(np.flatnonzero(lacking).tolist())
         ]
         if problems:
             raise CaseError(problems)
         return made
 
-    def reason(self, row: int) -> str:
-        """Why a point has no torques."""
-        gear = self.case.gears[int(self.points.gears[row])].name
-        return f"gear {gear} has no torques with losses at this speed and torque"
+    def _lacking(self, row: int, *, has_reason: bool) -> str:
+        """That a point has no torques; why, as calculating it alone says."""
+        gear = self.case.gears[int(self.points.gears[row])]
+        said = f"gear {gear.name} has no torques with losses at this speed and torque"
+        if not has_reason:
+            return said
+        load = Load(float(self.points.speeds[row]) * 30 / math.pi, float(self.points.torques[row]))
+        alone = solve(replace(self.case, gears=[gear], load=load))
+        reasons = [one.text for one in alone.messages if one.id in REASONS]
+        return ": ".join((said, *reasons[:1]))
 
     def taken(self, array: Any) -> Floats:
         """An array of results by point, in the gear of each."""
