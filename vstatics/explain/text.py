@@ -115,6 +115,7 @@ def rule(*, coasts: bool, drags: bool) -> str:
     """How the sign of a mechanism follows from its torque without losses, but with drag."""
     return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
 
+
 MACHINES = (
     "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
     "the battery gets P eta, or gives P/eta where P is below 0"
