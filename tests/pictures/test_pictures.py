@@ -7,6 +7,7 @@ import importlib.util
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from itertools import combinations
 from pathlib import Path
@@ -99,6 +100,21 @@ def test_the_same_case_gives_the_same_bytes(umdm: Results, kind: str, form: Form
 def test_a_picture_holds_no_date(umdm: Results) -> None:
     assert b"<dc:date>" not in render(umdm, "efficiency", "svg", Style())
     assert b"CreationDate" not in render(umdm, "efficiency", "pdf", Style())
+
+
+def test_pictures_drawn_in_threads_are_those_drawn_alone(umdm: Results) -> None:
+    import matplotlib as mpl
+
+    asked = [("stick", Style()), ("efficiency", Style(dark=True)), ("lever", Style("ru"))]
+    before = dict(mpl.rcParams)
+
+    def drawn(of: tuple[str, Style]) -> bytes:
+        return render(umdm, of[0], "svg", of[1], (1,))
+
+    alone = [drawn(one) for one in asked]
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(drawn, 3 * asked)) == 3 * alone
+    assert dict(mpl.rcParams) == before
 
 
 def test_a_picture_does_not_ask_for_a_screen() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import threading
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -20,6 +21,9 @@ FORMATS: tuple[Format, ...] = get_args(Format)
 DPI = 200
 """Of PNG. [1/inch]"""
 
+ALONE = threading.RLock()
+"""Held while settings of matplotlib are changed: they are those of all threads."""
+
 # nothing that differs from run to run: the same case gives the same bytes
 _METADATA: dict[str, dict[str, Any]] = {
     "png": {"Software": None},
@@ -29,10 +33,13 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 @contextmanager
 def settings_of(style: Style) -> Iterator[None]:
-    """The settings of a style for a while; the user's own would move texts."""
+    """The settings of a style for a while; the user's own would move texts.
+
+    Another thread that draws waits: it would draw with them, and leave them as they are here.
+    """
     import matplotlib as mpl
 
-    with mpl.rc_context(), warnings.catch_warnings():
+    with ALONE, mpl.rc_context(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box stands for it
         mpl.rcdefaults()
         mpl.rcParams.update(style.settings)
@@ -67,9 +74,9 @@ def _pdf(figures: Sequence[Figure]) -> bytes:
 
 def written(figure: Figure, form: Format, style: Style, title: str, number: int = 1) -> bytes:
     """A figure as a file, with the mark of a further page; as `files_of` else."""
-    if form == "pdf":
-        return _pdf([figure])
     with settings_of(style):
+        if form == "pdf":
+            return _pdf([figure])
         if form == "svg":
             from vstatics.pictures.sheet.svg import written_as_svg
 

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.ticker import MaxNLocator
 
+from vstatics.pictures.sheet.files import ALONE
 from vstatics.pictures.sheet.style import FONT, HINTING, SIZE, TITLE
 
 POINTS_PER_INCH = 72.0
@@ -89,7 +90,7 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
     """Width of a text of one or more lines [pt]; the same whatever matplotlib is set to."""
     font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     measure = _renderer().get_text_width_height_descent
-    with mpl.rc_context(HINTING):
+    with ALONE, mpl.rc_context(HINTING):
         return float(max(measure(line, font, ismath=False)[0] for line in text.split("\n")))
 
 
