@@ -451,3 +451,22 @@ def test_a_manual_box_has_its_idler_between_two_axes() -> None:
     low, high = sorted((heights["counter"], heights["output"]))
     assert low < heights["idler"] < high
     assert heights["input"] == heights["output"]
+
+
+def test_the_housing_of_a_brake_is_outside_of_the_ring_that_it_holds() -> None:
+    case = vstatics.loads(
+        "links: [motor, ring, carrier, wheels]\n"
+        "shift_elements: {T: [ring, housing], F: [motor, ring]}\n"
+        "mechanisms:\n"
+        "  set: {first: motor, second: ring, third: carrier, ratio: -63/29}\n"
+        "  final: {first: carrier, second: wheels, ratio: -41/14}\n"
+        "gears: {low: [T], high: [F]}\n"
+    )
+    root = svg_of(case)
+    (axis, *_), *_ = ([y for _, y in points(one)] for one in of_class(root, "axis"))
+    own = [group for group in of_class(root, "link") if group.attrib["data-name"] == "ring"]
+    link = [at for group in own for piece in pieces(group) for at in piece]
+    [brake] = [one for one in root.iter(f"{SVG}g") if one.get("data-name") == "T"]
+    sign = [at for path in brake.iter(f"{SVG}path") for at in points(path)]
+    assert min(y for _, y in sign) < min(y for _, y in link) < axis  # y goes down
+    assert max(y for _, y in sign) <= min(y for _, y in link) + ROUNDED

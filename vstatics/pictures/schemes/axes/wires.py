@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.contacts import AxisContact
 from vstatics.pictures.schemes.axes.places import AxesPlaces
+from vstatics.pictures.schemes.axes.stations import Station
 from vstatics.pictures.sheet.labels import Point, Segment
 
 STACK = 27.0
@@ -95,10 +96,27 @@ def sign_height(found: AxesPlaces, device: int) -> float:
     station = found.board.station_of[device]
     (axis, *_) = station.axes
     levels = [found.spans[link].level for link in station.links]
+    if station.kind == "brake":
+        return _brake_height(found, station, device)
     place = list(station.devices).index(device) if station.kind == "coupling" else 0
     if station.has_two_sides and levels == [0, 0] and len(station.devices) == 1:
         return 0.0
     return found.sign_height(axis) + STACK * place
+
+
+def _brake_height(found: AxesPlaces, station: Station, device: int) -> float:
+    """Of the lower end of a brake [pt]: that of a drum is outside of all drums over it."""
+    (axis,), (link,) = station.axes, station.links
+    if found.spans[link].level >= 0:
+        return found.sign_height(axis)
+    x = next(one.x for one in found.contacts if one.device == device)
+    return max(
+        span.height
+        for other, span in found.spans.items()
+        if span.level < 0
+        and found.axis_of(other) == axis
+        and span.left - station.half < x < span.right + station.half
+    )
 
 
 def crossings(lines: Mapping[int, LinkLines]) -> list[WireCrossing]:
