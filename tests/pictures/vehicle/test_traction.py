@@ -98,6 +98,29 @@ def test_lines_stand_where_their_numbers_are() -> None:
     np.testing.assert_allclose(area, area[0])
 
 
+def test_a_slope_is_named_where_its_line_leaves_the_panel() -> None:
+    """At large speeds air alone may take more than the panel has: steep lines leave at the top."""
+    fast = CAR._replace(engine=[(50.0, 200.0), (1600.0, 40.0)])
+    figure = picture(box([1.5], vehicle=fast), "traction", Style())
+    names = {one.get_text(): one.get_position() for one in figure.texts}
+    roads = [
+        (title.removeprefix("resistance at "), line)
+        for title, line in titled(figure)
+        if title.startswith("resistance at ")
+    ]
+    panels = [line.get_clip_box() for _, line in roads]
+    [top] = {72 / figure.dpi * panel.y1 for panel in panels if panel}
+    over = {name: bool(line.get_ydata().max() > top) for name, line in roads}
+    assert {*over.values()} == {True, False}
+    for name, line in roads:
+        x, y = names[name]
+        assert (y > top) == over[name]
+        if over[name]:  # beside the end of its own line, not of another one
+            ends = {n: float(np.interp(top, one.get_ydata(), one.get_xdata())) for n, one in roads}
+            assert min(ends, key=lambda n: abs(ends[n] - x)) == name
+        assert line.get_xdata().max() < max(x for x, _ in names.values())
+
+
 def test_without_losses_the_gears_touch_the_hyperbola() -> None:
     [gear] = lines_drawn(box([2.0], efficiency=1.0), "gear 1")
     [hyperbola] = lines_drawn(box([2.0], efficiency=1.0), "all power")

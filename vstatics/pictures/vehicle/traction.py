@@ -9,12 +9,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.ends import LineEnd, beside, width_of
+from vstatics.pictures.sheet.ends import LineEnd, along, beside, width_of
 from vstatics.pictures.sheet.free import Taken
-from vstatics.pictures.sheet.labels import Point
+from vstatics.pictures.sheet.labels import LEADER, Label, Point, height
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import AxisScale, Pen
-from vstatics.pictures.sheet.style import Style, number
+from vstatics.pictures.sheet.style import SIZE, Style, number
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.pictures.vehicle.driven import (
     ROOM_OVER_LINES,
@@ -64,15 +64,18 @@ def draw(
         style.text("road speed, km/h"),
         style.text("wheel force, {name}", name=name),
     )
-    slopes = [f"{slope} %" for slope in SLOPES]
-    room = width_of([LineEnd(0.0, (one,)) for one in slopes])
+    right, top = _ends(made, KMH * fastest * (1 + ROOM_OVER_LINES), up.high * unit, style)
+    above = 0.65 * LEADER + height("0 %") + SIZE / 2 if top else 0.0
     key = [
         (True, "resistance on a slope", _road(style)),
         (True, _power(made.pull.largest_power, style), _hyperbola(style)),
         (True, "largest speed on the level", _fastest(style)),
     ]
-    pen = speed_panel(title(results.case, said), key, fastest, up, names, room, 0.0, style)
+    room = max(width_of(right), SIZE)
+    pen = speed_panel(title(results.case, said), key, fastest, up, names, room, above, style)
     _draw_road(pen, made, unit)
+    beside(pen, "right", right)
+    along(pen, "top", [one._replace(at=pen.across(one.at)) for one in reversed(top)], upright=False)
     taken: Taken = []
     _draw_hyperbola(pen, made, unit)
     for gear in made.gears:
@@ -109,14 +112,34 @@ def _fastest(style: Style) -> Look:
     return look | {"markerfacecolor": style.paper}
 
 
+def _ends(
+    made: DrivenVehicle, fastest: float, largest: float, style: Style
+) -> tuple[list[LineEnd], list[Label]]:
+    """Names of the slopes where their lines leave the panel: at its right, or at its top.
+
+    Parameters
+    ----------
+    fastest, largest : float
+        Speed at the right edge [km/h]; force at the upper one [N].
+    """
+    right, top = [], []
+    speeds = np.linspace(0.0, fastest, POINTS_OF_LINE)
+    for slope in SLOPES:
+        forces, name = made.vehicle.resistance(speeds / KMH, sine(slope)), f"{slope} %"
+        if forces[-1] > largest:
+            top.append(Label(float(np.interp(largest, forces, speeds)), name, style.ink))
+        else:
+            right.append(LineEnd(float(forces[-1]) / largest, (name,)))
+    return right, top
+
+
 def _power(power: float, style: Style) -> str:
     """What the hyperbola is."""
     return style.text("all power of the engine, {power} kW", power=number(power / KILO))
 
 
 def _draw_road(pen: Pen, made: DrivenVehicle, unit: float) -> None:
-    """A line for each slope, named at the right edge."""
-    ends = []
+    """A line for each slope."""
     speeds = np.linspace(0.0, pen.x.high, POINTS_OF_LINE)
     for slope in SLOPES:
         data = {"slope": str(slope)}
@@ -127,8 +150,6 @@ def _draw_road(pen: Pen, made: DrivenVehicle, unit: float) -> None:
         pen.within("line", **data).plot(
             speeds, forces, title=f"{said} {slope} %", zorder=0.8, **_road(pen.style)
         )
-        ends.append(LineEnd(min(pen.y.part(float(forces[-1])), 1.0), (f"{slope} %",)))
-    beside(pen, "right", ends)
 
 
 def _draw_hyperbola(pen: Pen, made: DrivenVehicle, unit: float) -> None:
