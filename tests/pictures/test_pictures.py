@@ -22,7 +22,7 @@ from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import PICTURES, picture, render
 from vstatics.pictures.sheet.files import FORMATS, Format, settings_of
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.sheet.style import POINTS_PER_MILLIMETRE, Style
 from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
@@ -89,6 +89,22 @@ def test_no_label_covers_another_in_any_shipped_case(name: str, kind: str) -> No
     if has_picture(kind, name):
         style = STYLES[NAMES.index(name) % len(STYLES)]
         assert overlaps(result(name), kind, style) == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [
+        ("plan", "wilson-preselector.yaml"),
+        ("lever", "ford-model-t.yaml"),
+        ("dump", "moskvich412.yaml"),
+        pytest.param("lever", "mercedes-5g.yaml", marks=pytest.mark.slow),
+        pytest.param("campbell", "moskvich412.yaml", marks=pytest.mark.slow),
+        pytest.param("response", "moskvich412.yaml", marks=pytest.mark.slow),
+    ],
+)
+def test_letters_of_a_narrow_page_stay_on_it(kind: str, name: str) -> None:
+    column = Style("ru", width=85 * POINTS_PER_MILLIMETRE)
+    assert overlaps(result(name), kind, column) == []
 
 
 @pytest.mark.slow

@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.extras import require
 from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
+from vstatics.pictures.sheet.style import POINTS_PER_MILLIMETRE
 from vstatics.statics.results import Results
 
 if TYPE_CHECKING:
@@ -59,6 +60,8 @@ OF_VIBRATION = ("modes", "campbell", "response", "dump")
 """Kinds that show vibration: a converter may be open."""
 OF_ORDERS = ("campbell", "response")
 """Kinds that are over orders of a speed: `Style.excited` tells which."""
+LEAST_WIDTHS = {"campbell": 135.0, "response": 100.0, "dump": 135.0}
+"""By kind: on a narrower page there is no room for its names and numbers. [mm]"""
 OPTIONS: Mapping[str, tuple[Sequence[str], str]] = {
     "motion": (OF_RUNS, f"only {' and '.join(OF_RUNS)} show a run"),
     "merge": (("lever",), "only levers can be merged"),
@@ -124,6 +127,8 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     """The pages of each list of gears; a run has room for others in its scales."""
     require("plot", "a picture")
     module = import_module(PICTURES[kind])
+    least = LEAST_WIDTHS.get(kind, 0.0) * POINTS_PER_MILLIMETRE
+    style = style._replace(width=max(style.width, least))
     with settings_of(style):
         if hasattr(module, "each"):
             return list(module.each(results, style, shown))

@@ -16,10 +16,11 @@ from vstatics.pictures.boxes.points import (
     draw_points,
     families_width,
     points_words,
+    torque_name,
 )
 from vstatics.pictures.schemes.bare import BareStick, bare_stick
 from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
-from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point, wrapped
+from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point, height, wrapped
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import MARGIN, SIZE, SMALL_NUMBER, Style, number
 from vstatics.summary.contrast import letters
@@ -144,9 +145,9 @@ def _page(
     listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
 ) -> Pen:
     """The points in axes so high, on a page with so much room below them [pt]."""
-    low = MARGIN + below + BOXES_SCALE_HEIGHT
     families = families_width(listing, drawn, style)
     wide = style.width - 2 * MARGIN - POINTS_SCALE_WIDTH - families
+    low = MARGIN + below + BOXES_SCALE_HEIGHT + height(torque_name(wide, style)) - height("")
     words = points_words(listing, style.width - 2 * MARGIN, style, has_more=True)
     page = blank(style.width, low + high + words.high + MARGIN, style)
     pen = page.panel((MARGIN + POINTS_SCALE_WIDTH, low), (wide, high))

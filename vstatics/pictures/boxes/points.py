@@ -39,6 +39,8 @@ LOGARITHMIC_RATIO = 8.0
 """A scale is logarithmic if the largest value is so many times the smallest."""
 BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
 """From the axes to the signs of families, from these to their names. [pt]"""
+TICK_ROOM = 30.0
+"""From number to number across, at least. [pt]"""
 OVER_AXES = 12.0
 """From the axes to the words over them. [pt]"""
 PointLook = tuple[str, str]
@@ -90,14 +92,18 @@ def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
 def _scales(pen: Pen) -> None:
     numbers, text = _ticks(pen.y, 8), pen.style.text
     pen.scale("left", numbers, grid=True)
-    pen.scale("bottom", _ticks(pen.x, 8), grid=True)
+    pen.scale("bottom", _ticks(pen.x, min(8, int(pen.size[0] / TICK_ROOM))), grid=True)
     pen.frame("left", "bottom")
-    torque = text(
-        "largest torque of an engaged element / input torque",
-    )
-    pen.name("bottom", torque, 24)
+    torque = torque_name(pen.size[0], pen.style)
+    pen.name("bottom", torque, 24 + (height(torque) - height("")) / 2)
     loss = text("mean loss, forward gears, %")
     pen.name("left", loss, min(widest(tick_texts(numbers)) + 14, POINTS_SCALE_WIDTH - 4))
+
+
+def torque_name(wide: float, style: Style) -> str:
+    """What is across axes so wide [pt], in lines: it may go on below the words at their left."""
+    said = style.text("largest torque of an engaged element / input torque")
+    return wrapped(said, wide + 2 * POINTS_SCALE_WIDTH)
 
 
 def _ticks(scale: AxisScale, most: int) -> list[float]:

@@ -137,6 +137,7 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Fi
     """The rows of levers of all gears; those of a gear are on one page where they fit one."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
+    wide = max(wide, page.width + WIDE_MARGIN)  # of one lever that has no room in a narrow page
     subject = style.text("levers")
     if len(gears) == 1:
         subject += f", {gear_title(gears[0].state.gear.name, style)}"

@@ -59,7 +59,7 @@ def draw_names_over(pen: Pen, rows: Sequence[Sequence[KeySign]]) -> None:
     for place, row in enumerate(reversed(rows)):
         x = 0.0
         for sign in row:
-            sign.draw(pen, x, pen.size[1] + (place + 0.5) * SIGN_ROW_HEIGHT)
+            sign.draw(pen, x, pen.size[1] + (place + 1) * SIGN_ROW_HEIGHT)
             x += sign.wide + BETWEEN_SIGNS
 
 

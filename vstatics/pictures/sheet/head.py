@@ -32,7 +32,7 @@ of an area if it has a ``facecolor``."""
 
 
 class KeySign(NamedTuple):
-    """A sign of a key with what it means."""
+    """A sign of a key with what it means, in lines."""
 
     text: str
     look: Look
@@ -42,15 +42,23 @@ class KeySign(NamedTuple):
         """With its text [pt]."""
         return SIGN_WIDTH + AFTER_SIGN + width(self.text)
 
-    def draw(self, pen: Pen, x: float, y: float) -> None:
-        """At its left end and the middle of its height [pt]."""
+    @property
+    def high(self) -> float:
+        """Of its row [pt]."""
+        return SIGN_ROW_HEIGHT + height(self.text) - height("")
+
+    def draw(self, pen: Pen, x: float, top: float) -> None:
+        """At its left end, below a height [pt]; the sign beside the first line."""
+        y = top - SIGN_ROW_HEIGHT / 2
         if "facecolor" in self.look:
             pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)
         elif "marker" in self.look:
             pen.line((x + SIGN_WIDTH / 2, y), **self.look)
         else:
             pen.line((x, y), (x + SIGN_WIDTH, y), **self.look)
-        pen.text(x + SIGN_WIDTH + AFTER_SIGN, y, self.text, va="center")
+        for number, line in enumerate(self.text.split("\n")):
+            at = y - number * LINE_HEIGHT * SIZE
+            pen.text(x + SIGN_WIDTH + AFTER_SIGN, at, line, va="center")
 
 
 class SheetHead(NamedTuple):
@@ -72,9 +80,9 @@ class SheetHead(NamedTuple):
         for row in self.rows:
             x = margin
             for sign in row:
-                sign.draw(pen, x, top - SIGN_ROW_HEIGHT / 2)
+                sign.draw(pen, x, top)
                 x += sign.wide + BETWEEN_SIGNS
-            top -= SIGN_ROW_HEIGHT
+            top -= max(sign.high for sign in row)
         return pen
 
 
@@ -93,7 +101,9 @@ def sheet_head(
     [['gear']]
     """
     rows: list[list[KeySign]] = []
-    for sign in (KeySign(_in_key(said, style), look) for occurs, said, look in meanings if occurs):
+    beside = room - SIGN_WIDTH - AFTER_SIGN
+    for said, look in ((_in_key(said, style), look) for occurs, said, look in meanings if occurs):
+        sign = KeySign(wrapped(said, beside), look)
         last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])
@@ -103,7 +113,7 @@ def sheet_head(
         (wrapped(note, room), {"size": SIZE, "color": style.soft}),
     ]
     lines = [(text, height(text, look["size"]) + BELOW_HEAD, look) for text, look in texts if text]
-    key = (SIGN_ROW_HEIGHT * len(rows) + BELOW_HEAD) * bool(rows)
+    key = (sum(max(sign.high for sign in row) for row in rows) + BELOW_HEAD) * bool(rows)
     return SheetHead(lines, rows, sum(high for _, high, _ in lines) + key)
 
 
