@@ -271,7 +271,7 @@ def _plot_ratios(
     from vstatics.pictures.plan.wanted import case_of_ratios
 
     with wrong_value("--ratios"):
-        case = case_of_ratios(ratios)
+        case = case_of_ratios(ratios, style)
     chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
     drawn = pages(solve(case), "plan", cast("Format", to.form), style, chosen)
     files.write_pages(drawn, to.output)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,12 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
     said = vstatics("plot", "--kind", "plan", "--ratios", "2.6,1.7,-4", "-o", file)
     assert (said.status, said.all) == (0, "")
     assert "Ratios 2.6, 1.7, -4" in file.read_text(encoding="utf-8")
+    assert (
+        vstatics("plot", "-k", "plan", "--ratios", "2.6,-4", "--lang", "de", "-o", file).status == 0
+    )
+    german = file.read_text(encoding="utf-8")
+    assert "Übersetzungen 2.6, -4" in german
+    assert not {"input", "output"} & {*re.findall(r">(\w+)<", german)}
 
 
 @pytest.mark.parametrize(

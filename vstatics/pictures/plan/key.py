@@ -50,7 +50,7 @@ def plan_note(
         ("output", dict.fromkeys(plan.output for plan in shown)),
     ):
         names = [case.link_name(link) for link in links]
-        if names and names != [english]:
+        if names and names not in ([english], [style.text(english)]):
             said.append(f"{style.text(english)}: {', '.join(names)}")
     if len(left_out) == len(case.gears):
         told_apart = style.text(

@@ -9,18 +9,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.pictures.sheet.style import Style
 
 LARGEST_RATIO = 1e6
 """What is larger, or whose inverse is, is mistyped."""
 
 
-def case_of_ratios(ratios: Sequence[float]) -> Transmission:
+def case_of_ratios(ratios: Sequence[float], style: Style | None = None) -> Transmission:
     """Input, output, and a link with its brake for each ratio; for 1 a clutch between the two.
 
     Parameters
     ----------
     ratios : sequence of float
         Of the gears, input speed by output speed. [-]
+    style : Style, optional
+        Whose language its names have.
 
     Raises
     ------
@@ -34,6 +37,7 @@ def case_of_ratios(ratios: Sequence[float]) -> Transmission:
     >>> case.link_names, solve(case).ratio.round(9).tolist()
     (('input', 'output', '2.6', '-4'), [2.6, 1.0, -4.0])
     """
+    say = (style or Style()).text
     names = [f"{ratio:.12g}" for ratio in ratios]
     for name in names:
         if not 1 / LARGEST_RATIO <= abs(float(name)) <= LARGEST_RATIO:
@@ -53,6 +57,6 @@ def case_of_ratios(ratios: Sequence[float]) -> Transmission:
         [Mechanism(1, 2, number, float(name)) for name, number in numbers.items()],
         [Gear([number], name=name) for number, name in enumerate(names, 1)],
         output=2,
-        name=f"Ratios {', '.join(names)}",
-        link_names=["input", "output", *rays],
+        name=say("Ratios {names}", names=", ".join(names)),
+        link_names=[say("input"), say("output"), *rays],
     )
