@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -35,13 +36,35 @@ def pages(folder: Path) -> Iterator[Page]:
     """
     with ProcessPoolExecutor(mp_context=get_context("spawn")) as processes:
         work = [processes.submit(exhibit, one, folder) for one in sorted(example_files())]
-        exhibits = [one.result() for one in work]
+        exhibits = told_apart([one.result() for one in work])
     lines = ["# Gallery", "", "The cases and scenarios that come with the program.", ""]
     for shown in exhibits:
         name, title = shown.page.name.removeprefix("gallery/"), escaped(shown.title)
         lines += [f"- [![]({shown.picture}) {title}]({name}.md)"]
         yield shown.page
     yield Page("gallery", "gallery/index", "\n".join([*lines, ""]))
+
+
+def told_apart(exhibits: Sequence[Exhibit]) -> list[Exhibit]:
+    r"""By title, as a reader looks for them, scenarios last; of one title by the name of the page.
+
+    >>> made = [Exhibit(Page("gallery", f"gallery/{name}", "# Z"), "Z", "") for name in "ba"]
+    >>> [(one.title, one.page.text) for one in told_apart(made)]
+    [('Z (a)', '# Z (a)\n'), ('Z (b)', '# Z (b)\n')]
+    """
+    counts = Counter(one.title for one in exhibits)
+    found = [_with_page_name(one) if counts[one.title] > 1 else one for one in exhibits]
+    return sorted(
+        found,
+        key=lambda one: (one.page.name.startswith("gallery/scenarios-"), one.title.casefold()),
+    )
+
+
+def _with_page_name(one: Exhibit) -> Exhibit:
+    title = f"{one.title} ({one.page.name.removeprefix('gallery/')})"
+    _, _, rest = one.page.text.partition("\n")
+    text = f"# {escaped(title)}\n{rest}"
+    return one._replace(page=one.page._replace(text=text), title=title)
 
 
 def exhibit(name: str, folder: Path) -> Exhibit:
