@@ -12,6 +12,7 @@ from tests.pictures.vehicle.cars import box
 from vstatics import ReadError, load, solve
 from vstatics.pictures import render
 from vstatics.pictures.pair import PairedCase, pair_pages
+from vstatics.pictures.sheet.labels import title_width
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 TEXT = "{http://www.w3.org/2000/svg}text"
@@ -77,6 +78,22 @@ def test_efficiencies_stand_beside_each_other_on_one_scale() -> None:
     )
     assert top == pytest.approx(float(found[1]["1.000"].attrib["y"]))
     assert top < low < lower
+
+
+def test_long_names_over_panels_side_by_side_stay_apart() -> None:
+    names = ("A gearbox of a long name, its-file.yaml", "A gearbox of a long name, other.yaml")
+    both = [PairedCase(name, box([3, 2, 1])) for name in names]
+    [svg] = pair_pages(both, "efficiency", "svg", Style())
+    placed = {}
+    for one in parsed(svg).iter(TEXT):
+        left = one.get("x") or one.get("transform", "").removeprefix("translate(").split()[0]
+        placed["".join(one.itertext())] = float(left)
+    placed = {line: left for line, left in placed.items() if len(line) > 8}  # no names of gears
+    first = [line for line in placed if line in f"A  {names[0]}"]
+    second = [line for line in placed if line in f"B  {names[1]}" and line not in first]
+    assert " ".join(first) == f"A  {names[0]}"
+    assert max(placed[line] + title_width(line) for line in first) < placed[second[0]]
+    assert max(placed[line] + title_width(line) for line in second) < PAGE_WIDTH
 
 
 def test_charts_of_two_cases_share_their_scales() -> None:

@@ -13,7 +13,15 @@ from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.transforms import Affine2D, Transform, TransformedBbox
 
-from vstatics.pictures.sheet.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
+from vstatics.pictures.sheet.labels import (
+    LINE_HEIGHT,
+    POINTS_PER_INCH,
+    Point,
+    height,
+    title_width,
+    wrapped,
+)
+from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, blank
 from vstatics.pictures.sheet.style import MARGIN, TITLE, Style
 from vstatics.pictures.sheet.svg import MarkGroup, told
@@ -30,10 +38,29 @@ class LetteredFigure(NamedTuple):
     figure: Figure
 
     @property
+    def own(self) -> Point:
+        """Its size alone [pt]."""
+        wide, high = self.figure.get_size_inches().tolist()
+        return wide * POINTS_PER_INCH, high * POINTS_PER_INCH
+
+    @property
+    def head(self) -> str:
+        """The letter and the name of the case, in lines as wide as the picture."""
+        letter = f"{self.letter}  "
+        return letter + wrapped(
+            self.name, self.own[0] - 2 * MARGIN - title_width(letter), title_width
+        )
+
+    @property
+    def over(self) -> float:
+        """Height of this, with room over it [pt]."""
+        return height(self.head, TITLE) + MARGIN
+
+    @property
     def size(self) -> Point:
         """With the line over it [pt]."""
-        wide, high = self.figure.get_size_inches().tolist()
-        return wide * POINTS_PER_INCH, high * POINTS_PER_INCH + LETTER_HEIGHT
+        wide, high = self.own
+        return wide, high + self.over
 
 
 def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = False) -> Figure:
@@ -49,18 +76,21 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = Fals
     >>> [text.get_text() for text in made.texts], made.get_size_inches().round(2).tolist()
     (['A  x', 'B  y'], [1.39, 2.07])
     """
-    sizes = [part.size for part in parts]
+    sizes = [part.own for part in parts]
+    overs = [part.over for part in parts]
+    if beside:  # their scales are level
+        overs = [max(overs)] * len(parts)
+    highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
     wide = sum(size[0] for size in sizes) if beside else max(size[0] for size in sizes)
-    high = max(size[1] for size in sizes) if beside else sum(size[1] for size in sizes)
-    pen = blank(wide, high, style)
-    left, top = 0.0, high
-    for part, size in zip(parts, sizes, strict=True):
+    pen = blank(wide, max(highs) if beside else sum(highs), style)
+    left, top = 0.0, max(highs) if beside else sum(highs)
+    for part, size, high in zip(parts, sizes, highs, strict=True):
         panel = pen.within("panel", case=part.letter)
-        head = f"{part.letter}  {part.name}"
         at = left + MARGIN, top - MARGIN
-        panel.text(*at, head, size=TITLE, bold=True, va="top", color=style.soft)
-        _move(part.figure, panel, (left, top - size[1]))
-        left, top = (left + size[0], top) if beside else (left, top - size[1])
+        look: Look = {"va": "top", "linespacing": LINE_HEIGHT, "color": style.soft}
+        panel.text(*at, part.head, size=TITLE, bold=True, **look)
+        _move(part.figure, panel, (left, top - high))
+        left, top = (left + size[0], top) if beside else (left, top - high)
     return pen.figure
 
 

@@ -17,7 +17,7 @@ from vstatics.report.asked import SECTIONS
 from vstatics.report.html_page import PageFrame, framed, stamped
 from vstatics.report.material import Material
 from vstatics.report.overview import alerts
-from vstatics.report.page_pictures import HALF, NAMES, PAGE, Drawn, in_spoken, inline
+from vstatics.report.page_pictures import NAMES, PAGE, Drawn, in_spoken, inline
 from vstatics.report.pair.paged import PagedCase, merged_tables
 from vstatics.report.pair.runs import runs
 from vstatics.report.parts import conventions, figures
@@ -187,13 +187,13 @@ def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
 
 
 def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Stick diagrams side by side, steps and efficiencies on a common scale."""
+    """Stick diagrams, side by side on a screen; steps and efficiencies on a common scale."""
     try:
         require("plot", "a picture")
     except CaseError as error:
         yield tag("p", tr("There are no pictures: {why}", why=error))
         return
-    yield tag("div", *(_stick(one) for one in both), class_="two")
+    yield tag("div", *(_stick(one) for one in both), class_="two wide")
     pair = [PairedCase(f"{one.title}, {one.file}", one.material.results) for one in both]
     for kind in ON_ONE_SCALE:
         try:
@@ -208,9 +208,9 @@ def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
 def _stick(one: PagedCase) -> Markup:
     """The stick diagram of no gear, or its structure."""
     try:
-        kind, made = "stick", pages(one.material.results, "stick", "svg", in_spoken(HALF))
+        kind, made = "stick", pages(one.material.results, "stick", "svg", in_spoken(PAGE))
     except CaseError:
-        kind, made = "structure", pages(one.material.results, "structure", "svg", in_spoken(HALF))
+        kind, made = "structure", pages(one.material.results, "structure", "svg", in_spoken(PAGE))
     name = f"{one.label}: {tr(NAMES[kind])}"
     sheets = [inline(svg, f"{one.label}-{kind}-{n}", name) for n, svg in enumerate(made)]
     return tag("div", *figures(Drawn(kind, sheets), name), data_case=one.label)
