@@ -276,6 +276,20 @@ def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
         assert_connected(svg)
 
 
+def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
+    """Its pin is its highest line; the ring, above it, is no way round."""
+    drawing = Drawing(3, [Element("P", "planetary", {"sun": 1, "ring": 2, "carrier": 3})])
+    brake, lock = ShiftElement(2, 0, "T"), ShiftElement(1, 2, "F")
+    names, gears = ["sun", "ring", "carrier"], [Gear([1]), Gear([2])]
+    case = transmission(
+        drawing, shift_elements=[brake, lock], link_names=names, gears=gears, input=1, output=3
+    )
+    own = wires(drawn(case)[0])
+    pin = max(max(y, y2) for _, y, _, y2 in own["sun"]) - min(y for _, y, _, _ in own["carrier"])
+    assert min(y for _, y, _, _ in own["carrier"]) > max(y for _, y, _, _ in own["ring"]) - pin
+    assert min(y for _, y, _, _ in own["carrier"]) > min(y for _, y, _, _ in own["ring"]) + 10
+
+
 @pytest.mark.parametrize("width", ["page", "half", "narrow"])
 @pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
