@@ -277,17 +277,18 @@ def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
 
 
 def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
-    """Its pin is its highest line; the ring, above it, is no way round."""
-    drawing = Drawing(3, [Element("P", "planetary", {"sun": 1, "ring": 2, "carrier": 3})])
-    brake, lock = ShiftElement(2, 0, "T"), ShiftElement(1, 2, "F")
-    names, gears = ["sun", "ring", "carrier"], [Gear([1]), Gear([2])]
-    case = transmission(
-        drawing, shift_elements=[brake, lock], link_names=names, gears=gears, input=1, output=3
+    """It is level at its pin and on the axis, nowhere else."""
+    teeth = "teeth: {sun: 30, ring: 70}"
+    case = vstatics.loads(
+        f"elements: {{P: {{kind: planetary, sun: sun, ring: ring, carrier: carrier, {teeth}}}}}\n"
+        "links: [sun, ring, carrier]\n"
+        "shift_elements: {T: [ring, housing], F: [sun, ring]}\n"
+        "gears: {low: [T], high: [F]}\n"
     )
-    own = wires(drawn(case)[0])
-    pin = max(max(y, y2) for _, y, _, y2 in own["sun"]) - min(y for _, y, _, _ in own["carrier"])
-    assert min(y for _, y, _, _ in own["carrier"]) > max(y for _, y, _, _ in own["ring"]) - pin
-    assert min(y for _, y, _, _ in own["carrier"]) > min(y for _, y, _, _ in own["ring"]) + 10
+    own = wires(render(vstatics.solve(case), "stick", "svg", Style()))
+    levels = {round(y) for x, y, x2, y2 in own["carrier"] if y == y2 and x != x2}
+    assert len(levels) == 2
+    assert max(levels) == round(max(y for lines in own.values() for *_, y in lines))
 
 
 @pytest.mark.parametrize("width", ["page", "half", "narrow"])

@@ -470,3 +470,13 @@ def test_the_housing_of_a_brake_is_outside_of_the_ring_that_it_holds() -> None:
     sign = [at for path in brake.iter(f"{SVG}path") for at in points(path)]
     assert min(y for _, y in sign) < min(y for _, y in link) < axis  # y goes down
     assert max(y for _, y in sign) <= min(y for _, y in link) + ROUNDED
+
+
+def test_the_teeth_of_a_planet_stand_within_its_set() -> None:
+    """Between those of its ring and of its sun, all at one side of the wheels."""
+    style = Style(wheels=True)
+    figure = picture(vstatics.solve(load("toyota-p410")), "stick", style)
+    at = {one.get_text(): one.get_position() for one in figure.texts}
+    for ring, planet, sun in (("78", "23", "30"), ("58", "18", "22")):
+        assert at[ring][1] > at[planet][1] > at[sun][1]
+        assert at[ring][0] == pytest.approx(at[planet][0], abs=0.5)

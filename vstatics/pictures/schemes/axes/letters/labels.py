@@ -12,6 +12,7 @@ from vstatics.pictures.schemes.axes.letters.obstacles import (
     BOX,
     BRAKE,
     GROUND,
+    IN_SET,
     ROOF,
     SIGN,
     Obstacle,
@@ -85,13 +86,17 @@ def device_labels(
     """
     walls = np.array([[*one.box] for one in solid] + [[*box] for box in fixed])
     costs = np.array([one.cost for one in solid] + [ON_TEXT for _ in fixed])
+    within = np.array([one.device if one.cost == IN_SET else -1 for one in solid])
     owners = np.array([[*one.box, one.device] for one in solid])
     labels: dict[int, list[DeviceLabel]] = {}
     wanted = sorted(_names(found), key=lambda one: (abs(one.above[1]), one.above[0]))
     for own in (*_teeth(found), *wanted):
         boxes, dear = _candidates(found, own)
         others = owners[(owners[:, 4] != own.device) & (owners[:, 4] >= 0), :4]
-        dear = dear + _meets(boxes, walls) @ costs
+        met = _meets(boxes, walls)
+        dear = dear + met @ costs
+        if not own.is_name:  # the teeth of a planet stand within its set
+            dear -= met[:, : len(within)] @ (IN_SET * (within == own.device))
         dear += STRANGE * _meets(boxes + NEAR * OUTWARD, others).any(axis=1)
         box = Rectangle(*boxes[int(np.argmin(dear))].tolist())
         walls, costs = np.vstack([walls, [box]]), np.append(costs, ON_TEXT)
