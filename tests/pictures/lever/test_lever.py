@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
 from matplotlib.path import Path
 from matplotlib.text import Text
 
@@ -46,6 +48,15 @@ def test_positions_on_a_lever_follow_from_the_teeth() -> None:
     assert positions == pytest.approx(
         {"reverse sun": -2, "carrier": 0, "ring": 1, "forward sun": 2.4}
     )
+
+
+def test_the_mark_of_an_output_stands_over_that_of_a_point_at_the_same_place() -> None:
+    """The second ring of a Wolfrom set turns once in 400 turns of the sun: nearly as the first."""
+    for name, count in (("wolfrom.yaml", 1), ("ravigneaux-aod.yaml", 0)):
+        marks = picture(result(name), "lever", Style()).findobj(Polygon)
+        over = [one for one in marks if to_hex(one.get_edgecolor()) == Style().paper]
+        assert len(over) == count
+        assert all(len({*map(tuple, one.get_xy())}) == 4 for one in over)  # a diamond
 
 
 @pytest.mark.parametrize("name", NAMES)

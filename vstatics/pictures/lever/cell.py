@@ -9,6 +9,7 @@ from typing import Any
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.joined import LeverRoute
 from vstatics.pictures.lever.marks import (
+    MARK_SIZE,
     LeverSheet,
     arrow,
     box,
@@ -128,7 +129,9 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
         own.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
     mark = mark_of(link, gear.state, stands=gear.stands(link))
     with view.following("point", node) as own:
-        own.point((cell.at, at), mark, view.ink)
+        others = (abs(one.at - row.at) for other, one in cell.rows.items() if other != node)
+        is_over = mark == "out" and min(others, default=MARK_SIZE) < MARK_SIZE
+        own.point((cell.at, at), mark, view.ink, is_over=is_over)
     speed, torque = view.speed(node), view.torque(node)
     if cell.lever.devices and math.isfinite(speed) and (speed != 0 or view.style.marked):
         tips = (view.across(0.0), at), (view.across(speed), at)

@@ -15,6 +15,7 @@ from vstatics.model.transmission import HOUSING
 from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.pictures.sheet.labels import Point, Span
+from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen, corners
 
 ARROW_HEAD = 5.0
@@ -28,6 +29,8 @@ MARKS: dict[str, Sequence[Point]] = {
     "": [(-1.7, 0), (0, 1.7), (1.7, 0), (0, -1.7)],
 }
 """Kind of point -> corners of its mark."""
+MARK_SIZE = 6.0
+"""Marks of points that are nearer cover each other."""
 
 
 class LeverMark(NamedTuple):
@@ -84,10 +87,15 @@ class LeverSheet(NamedTuple):
         """A filled polygon."""
         self.areas.setdefault(colour, []).append(Path([*corners, corners[0]], closed=True))
 
-    def point(self, place: Point, kind: str, colour: str) -> None:
-        """A mark at a place; its kind is one of `MARKS`."""
+    def point(self, place: Point, kind: str, colour: str, *, is_over: bool = False) -> None:
+        """A mark at a place, perhaps over others; its kind is one of `MARKS`."""
         x, y = place
-        self.area(*((x + right, y + up) for right, up in MARKS[kind]), colour=colour)
+        edges = [(x + right, y + up) for right, up in MARKS[kind]]
+        if is_over:
+            look: Look = {"facecolor": colour, "edgecolor": self.pen.style.paper, "width": 0.8}
+            self.pen.area(*edges, zorder=2.6, **look)
+        else:
+            self.area(*edges, colour=colour)
 
     def put(self) -> None:
         """Draw all of it, one artist for each look, broad lines over thin ones."""
