@@ -21,7 +21,7 @@ from vstatics.pictures.boxes.points import box_scale
 from vstatics.pictures.boxes.stick import stick_diagram
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.sheet.files import settings_of, written
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.case import box_case
 from vstatics.synthesis.boxes.figures.planar import box_is_planar
@@ -49,6 +49,11 @@ def test_one_box_has_its_point_and_its_diagram() -> None:
     [(_, point)] = [one for one in titled(figure) if one[0].startswith("1: family 1, loss ")]
     [name] = [text for text in figure.texts if text.get_text() == "P1"]
     assert name.get_window_extent().y1 < point.get_window_extent().y0
+
+
+def test_the_scales_of_a_narrow_page_can_be_read() -> None:
+    """Numbers stand apart, and the name of the scale is on the paper."""
+    assert overlaps(drawn(simpson(), style=Style("ru", width=85 * POINTS_PER_MILLIMETRE))) == []
 
 
 def test_a_held_link_and_meshed_planets_are_drawn() -> None:
