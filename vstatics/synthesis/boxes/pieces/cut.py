@@ -32,7 +32,7 @@ def cut(search: BoxSearch) -> int:
     for one in islice(drawn(search), TRIED):
         if one is not None:
             found = tried(PortSearch(search, one.scheme), *one.ports, DEPTH)
-            own = found.cost + scheme_cost(search) / len(one.scheme.ports)
+            own = sum(found.whole) + scheme_cost(search) / len(one.scheme.ports)
             cost += one.stands / TRIED * own
             choices += one.stands / TRIED
     return max(int(min(cost / PIECE, choices)), 1)

@@ -9,7 +9,7 @@ from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.pieces.cut import PIECE
 from vstatics.synthesis.boxes.pieces.found import prepare
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
-from vstatics.synthesis.boxes.pieces.tried import Depth, Tried, drawn, tried
+from vstatics.synthesis.boxes.pieces.tried import Depth, Tried, Work, drawn, tried
 from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 from vstatics.synthesis.boxes.search.joining import NO_END
 
@@ -17,6 +17,8 @@ ENOUGH = 3.0
 """So long choices of ports are tried. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
 """Of so many all are tried, as long as that takes less than a third of it."""
+LEAST_WORK = 1e-9
+"""Less than any step takes. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)
 
 
@@ -83,13 +85,16 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
             seen.append((one.stands, tried(ports, *one.ports, DEPTH)))
         if time.process_time() - began > ENOUGH:
             break
-    pace = sum(part.seconds for _, part in seen) / max(sum(part.spent for _, part in seen), 1e-9)
-    boxes, found, cost = (
+    boxes, found = (
         sum(stands * getattr(part, name) for stands, part in seen) / count
-        for name in ("searched", "found", "cost")
+        for name in ("searched", "found")
     )
+    seconds = ready / count
+    for place in range(len(Work._fields)):  # each has a pace of its own on this machine
+        took = sum(part.seconds[place] for _, part in seen)
+        pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)
+        seconds += pace * sum(stands * part.whole[place] for stands, part in seen) / count
     choices = sum(stands for stands, _ in seen) / count
-    seconds = cost * pace + ready / count
     pieces = max(int(min(seconds / PIECE, choices)), 1)
     at_least = not all(part.is_whole for _, part in seen)
     return BoxEstimate(pieces, boxes, found, seconds, exact=False, at_least=at_least)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from itertools import pairwise
 from threading import get_ident
 from typing import NamedTuple
 
@@ -17,8 +18,10 @@ from vstatics.synthesis.boxes.pieces.arrays import asked_arrays, room_of
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme, Ports
 from vstatics.synthesis.boxes.schemes.stems import stems
+from vstatics.synthesis.boxes.search.elements import begun
 from vstatics.synthesis.boxes.search.engaged import combinations_table
-from vstatics.synthesis.boxes.search.trying import Trial, some_boxes, some_sequences
+from vstatics.synthesis.boxes.search.kernel import find_gears
+from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequences, some_sets
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
 """What the steps of a search take: something joins a set, a cell is looked at. [s]"""
@@ -43,6 +46,17 @@ class Depth(NamedTuple):
     """About so long at most, for both. [s]"""
 
 
+class Work(NamedTuple):
+    """How long parts of the work on a choice of ports take [s]."""
+
+    gears: float
+    """To find its ratios, and which combinations reach a target."""
+    sets: float
+    """To list its sets of elements."""
+    boxes: float
+    """To look at these."""
+
+
 class Tried(NamedTuple):
     """What is known of a choice of ports that was tried."""
 
@@ -50,12 +64,12 @@ class Tried(NamedTuple):
     """Boxes that there are."""
     found: float
     """Boxes with the ratios, about."""
-    cost: float
-    """What all of it takes, by its steps. [s]"""
-    spent: float
-    """What was tried takes, by its steps. [s]"""
-    seconds: float
-    """That it took. [s]"""
+    whole: Work
+    """What all of it takes, by its steps."""
+    spent: Work
+    """What was tried takes, by its steps."""
+    seconds: Work
+    """That it took."""
     is_whole: bool
     """Whether what was tried was tried to its end; else it takes longer."""
 
@@ -64,25 +78,31 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
     """Try a choice of ports."""
     search, before = ports.search, ports.searched
     port = ports.gears_of(first, last)
-    room = room_of(search, ELEMENT_SETS, get_ident())
-    cells, cell = room.cells.steps, CELL
+    room, table = room_of(search, ELEMENT_SETS, get_ident()), ports.table
+    asked = asked_arrays(search)
+    cells, cell, some = room.cells.steps, CELL, some_boxes
     if search.sequence is not None:
-        cells, cell = room.sequences.steps, SEQUENCE_CELL
+        cells, cell, some = room.sequences.steps, SEQUENCE_CELL, some_sequences
     joins = room.sets.steps
     joins[:] = 0, depth.seconds / 2 / JOIN
     cells[:] = 0, depth.seconds / 2 / cell
-    some = some_boxes if search.sequence is None else some_sequences
-    trial = Trial(room, depth.firsts, depth.sets)
-    began = time.process_time()
-    found, share, of_sets = some(ports.table, ports.gears, port, asked_arrays(search), trial)
-    seconds = time.process_time() - began
-    own = PORT + PORT_GEAR * len(ports.table.members)
+    times = [time.process_time()]
+    find_gears(table, ports.gears, port, asked, room)
+    may_have = begun(table, port, room.sets)
+    times.append(time.process_time())
+    count, share = some_sets(table, port, room.sets, depth.firsts) if may_have else (0, 1.0)
+    times.append(time.process_time())
+    found, looked_at = some(table, port, asked, room, Some(count, depth.sets))
+    times.append(time.process_time())
+    of_sets = looked_at / count if count else 1.0
+    own = PORT + PORT_GEAR * len(table.members)
+    spent = Work(own, JOIN * joins[0], cell * cells[0])
     return Tried(
         ports.searched - before,
         found / share / of_sets,
-        own + JOIN * joins[0] / share + cell * cells[0] / share / of_sets,
-        own + JOIN * joins[0] + cell * cells[0],
-        seconds,
+        Work(own, spent.sets / share, spent.boxes / share / of_sets),
+        spent,
+        Work(*(end - begin for begin, end in pairwise(times))),
         bool(joins[0] < joins[1] and cells[0] < cells[1]),
     )
 
