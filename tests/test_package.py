@@ -110,12 +110,12 @@ TORQUES = pd.DataFrame({"load.torque": [100.0, 300.0]})
         (
             lambda: vstatics.sweep(LOADED, {"load.torque": ["100 lbf*ft"]}),
             vstatics.CaseError,
-            "load.torque: read `['100 lbf*ft']`, expected a list of numbers; with a unit",
+            "load.torque: read `['100 lbf*ft']`, expected numbers; with a unit",
         ),
         (
             lambda: vstatics.solve(LOADED, vary={"load.torque": ["100 lbf*ft"]}),
             vstatics.CaseError,
-            "load.torque: read `['100 lbf*ft']`, expected a list of numbers [E701]",
+            "load.torque: read `['100 lbf*ft']`, expected numbers [E701]",
         ),
         (
             lambda: anything.solve(LOADED, ratios=[["-2.5 %", -2]]),

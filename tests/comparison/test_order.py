@@ -106,3 +106,20 @@ def test_gears_that_one_result_lacks_are_told_in_the_first_line(tmp_path: Path) 
     said = compare(written(data, tmp_path / "after", "json"), before)
     assert said.differs
     assert said.cases[0].headline.endswith("no number differs, but gears are not the same")
+
+
+def test_an_element_of_another_name_is_another_one_where_no_case_tells_names(
+    tmp_path: Path,
+) -> None:
+    """CSV has rows and columns alone: a clutch in place of another is told in both."""
+    data = parts("simpson")
+    before = written(data, tmp_path / "before", "csv")
+    elements = {"X" if name == "A" else name: one for name, one in data["shift_elements"].items()}
+    gears = {
+        name: {"engaged": ["X" if e == "A" else e for e in one["engaged"]]}
+        for name, one in data["gears"].items()
+    }
+    changed = {**data, "shift_elements": elements, "gears": gears}
+    [one] = compare(written(changed, tmp_path / "after", "csv"), before).cases
+    rows = {n.row for n in one.numbers if n.table in ("WFRI", "AJK")}
+    assert rows == {"A", "X"}

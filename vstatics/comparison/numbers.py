@@ -94,7 +94,8 @@ def differences(
                 names.rows, here, there = yield from paired
             devices = actual.device_names, expected.device_names
             if quantity.columns == "devices" and all(devices):
-                paired = _same_devices(quantity.key, devices, (here, there))
+                renamed = not (actual.devices or expected.devices)  # else no case tells the names
+                paired = _same_devices(quantity.key, devices, (here, there), renamed=renamed)
                 names.columns, here, there = yield from paired
             yield from _table(names, here, there, atol, rtol)
 
@@ -176,7 +177,7 @@ def _by_name(
 
 
 def _same_devices(
-    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
+    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures], *, renamed: bool
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
     """The columns that both results have, in one order, after those that only one has."""
     is_whole = all(
@@ -186,7 +187,7 @@ def _same_devices(
     if not is_whole:
         return names[1], figures[0], figures[1]
     turned = [[list(column) for column in zip(*rows, strict=True)] for rows in figures]
-    both, *same = yield from _by_name(table, names, turned, renamed=True)
+    both, *same = yield from _by_name(table, names, turned, renamed=renamed)
     here, there = ([list(row) for row in zip(*columns, strict=True)] for columns in same)
     return both, here, there
 

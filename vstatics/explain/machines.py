@@ -38,7 +38,7 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
 
     Examples
     --------
-    What the generator gives at .9 the motor takes at .8: 1 kW of link 1, -.72 kW of link 2.
+    What the generator on link 3 gives at .9 the motor on link 4 takes at .8.
 
     >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
     >>> from vstatics.model.parts import BatteryBalance

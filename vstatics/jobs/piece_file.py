@@ -10,6 +10,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import struct
 import zlib
 from collections.abc import Sequence
@@ -42,6 +43,15 @@ class Noticed(NamedTuple):
     """The number of that variant."""
     variants: int
     """How many have it."""
+
+    @property
+    def alike(self) -> tuple[str, str]:
+        """Equal of messages that differ in numbers alone."""
+        return self.id, _NUMBER.sub("0", self.text)
+
+
+_NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
+"""In a message; the digits of a name such as C1 are none."""
 
 
 class Account(NamedTuple):

@@ -30,12 +30,12 @@ def as_floats(name: str, given: object, hint: str = "") -> Floats:
     array([100., 200.])
     >>> as_floats("load.torque", ["100 N*m"])
     Traceback (most recent call last):
-    vstatics.errors.CaseError: load.torque: read `['100 N*m']`, expected a list of numbers [E701]
+    vstatics.errors.CaseError: load.torque: read `['100 N*m']`, expected numbers [E701]
     """
     try:
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError):
-        message = f"{name}: read {quoted(str(given))}, expected a list of numbers{hint}"
+        message = f"{name}: read {quoted(str(given))}, expected numbers{hint}"
         raise CaseError("E701", message) from None
 
 

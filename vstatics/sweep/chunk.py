@@ -6,7 +6,6 @@ same build gives the same numbers for any number of jobs.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -40,8 +39,6 @@ DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STO
 )
 
 
-_NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
-"""In a message; the digits of a name such as C1 are none."""
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
 """The fields of a chunk that have a row for each of its variants."""
 
@@ -211,7 +208,7 @@ def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
     """Messages of several parts, each once where it differs in numbers alone."""
     found: dict[tuple[str, str], Noticed] = {}
     for one in (one for part in parts for one in part.noticed):
-        alike = one.id, _NUMBER.sub("0", one.text)
+        alike = one.alike
         known = found.get(alike)
         earlier = one if known is None else min(known, one, key=lambda each: each.first)
         found[alike] = earlier._replace(variants=one.variants + (known.variants if known else 0))

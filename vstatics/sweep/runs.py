@@ -77,5 +77,5 @@ def _row(
         status[0] = 0 if are_assembled(motion.case, varied) else NOT_ASSEMBLED
     tables = MotionTables(None if without[0] else motion, subject.rows)
     row = rows_of(plan, number, values, status, tables, without)
-    told = motion.messages if motion else ()
-    return row._replace(noticed=tuple(Noticed(one.id, one.text, number, 1) for one in told))
+    told = [Noticed(one.id, one.text, number, 1) for one in (motion.messages if motion else ())]
+    return row._replace(noticed=tuple({one.alike: one for one in reversed(told)}.values()))

@@ -200,6 +200,9 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
     with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
         drive(case, text, GearChoice(shifts=turned))
+    same = case.replace(mechanisms=[one._replace(ratio=0.1 + 0.2) for one in case.mechanisms])
+    same = same.replace(mechanisms=[same.mechanisms[0], ahead._replace(ratio=0.3)])
+    assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
 
 
 @pytest.mark.parametrize("number", range(5))

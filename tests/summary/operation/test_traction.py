@@ -119,3 +119,14 @@ def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     back = tmp_path / "back.json"
     assert vstatics("convert", str(file), str(back)).status == 0
     assert json.loads(back.read_text())["vehicle"]["radius"] == 0.5
+
+
+def test_a_gear_that_drives_nothing_has_no_slope() -> None:
+    """Park: the output is held, the input goes free of it."""
+    car = Vehicle(mass=1000, radius=0.3, engine=[(100.0, 100.0), (500.0, 100.0)])
+    park = ShiftElement(4, 0)
+    gears = [Gear([1], name="low"), Gear([3], name="park")]
+    case = Transmission(4, [*CLUTCHES, park], PAIRS, gears, vehicle=car)
+    made = performance(case).gears
+    assert made["low"].slope > 0.1
+    assert math.isnan(made["park"].slope)

@@ -52,6 +52,8 @@ def _rpm(text: str) -> Floats:
     from vstatics.sweep.variants.scenario_numbers import common_unit
 
     bare, unit = common_unit(text)
+    if unit and text.count(unit) != len(bare.split(":")[:2] if ":" in bare else bare.split(",")):
+        raise ValueError(f"read bare speeds beside those in {unit}, expected a unit behind each")
     return speeds_of(bare) * (told(lambda one: quantity(f"1 {one}", "speed"))(unit) if unit else 1)
 
 

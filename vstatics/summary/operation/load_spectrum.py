@@ -30,8 +30,10 @@ EXPONENT = 3.0
 """Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
 MOST_REASONS = 20
 """Of so many points without torques it is told why, as each is calculated again."""
-REASONS = frozenset(("E451", "E452", *(f"W{number}" for number in range(410, 430))))
-"""Messages on what keeps a gear from having speeds, or torques."""
+REASONS = (
+    *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
+)
+"""Messages on what keeps a gear from having speeds, or torques, the first reason first."""
 SAME_TORQUE = 1e-9
 """A sum of torques that leaves this part of the largest is none. [-]"""
 
@@ -200,8 +202,9 @@ class PointLoads(NamedTuple):
         vary |= further or {}
         made = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
+        most = 0 if further else MOST_REASONS  # alone a point has no torques of inertia
         problems = [
-            Problem("E424", made._lacking(row, has_reason=place < MOST_REASONS), (row,))
+            Problem("E424", made._lacking(row, has_reason=place < most), (row,))
             for place, row in enumerate(np.flatnonzero(lacking).tolist())
         ]
         if problems:
@@ -216,7 +219,8 @@ class PointLoads(NamedTuple):
             return said
         load = Load(float(self.points.speeds[row]) * 30 / math.pi, float(self.points.torques[row]))
         alone = solve(replace(self.case, gears=[gear], load=load))
-        reasons = [one.text for one in alone.messages if one.id in REASONS]
+        said_alone = {one.id: one.text for one in reversed(alone.messages)}
+        reasons = [said_alone[one] for one in REASONS if one in said_alone]
         return ": ".join((said, *reasons[:1]))
 
     def taken(self, array: Any) -> Floats:

@@ -14,6 +14,7 @@ import numpy as np
 from vstatics.errors import quoted
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.readers.named.si_units import measured
 
 
@@ -115,7 +116,7 @@ def by_shift_speeds(
             raise ValueError(f"there is no gear {quoted(name)} in the case")
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
     for low, high in pairwise(ladder):
-        if size[low] < size[high]:
+        if size[high] > size[low] * (1 + SAME_RATIO):
             told = " and ".join(f"{quoted(one)} {size[one]:.6g}" for one in (low, high))
             message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"
             raise ValueError(f"{message} ({told}), expected the lower gear first: {high}-{low}")

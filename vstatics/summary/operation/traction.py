@@ -184,7 +184,8 @@ class Traction:
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
             return math.nan
-        return min(1.0, float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight))
+        part = float((self.largest_force(gear) - self.vehicle.resistance(0.0)) / weight)
+        return part if math.isnan(part) else min(1.0, part)
 
     def accelerations(self, speeds: Floats) -> Floats:
         """The largest of all gears ahead at speeds of the vehicle; NaN beyond all [m/s^2]."""

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 import numpy as np
 
 from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.sweep.variants.targets import OF_MECHANISM
 
 STEP, SPREAD = "step", "spread"
 OF_RATIOS = (STEP, SPREAD)
@@ -17,7 +18,7 @@ OK = "ok"
 """Whether the status of a row is that; only sweeps have it."""
 
 
-PART_NUMBERS = {"ratio": "ratios of parts", "efficiency": "efficiencies of parts"}
+PART_NUMBERS: dict[str, str] = {one: f"{one} of parts" for one in OF_MECHANISM}
 """Tables of what mechanisms have in a variant, by the quantity; an expression names a number."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
 """Tables that have one value for all gears."""
