@@ -56,7 +56,7 @@ def told(said: Verdict) -> list[str]:
     return [f"{n.table} {n.row} {n.gear}: {n.expected} {n.actual}" for n in one.numbers]
 
 
-@pytest.mark.parametrize("form", ["json", "csv"])
+@pytest.mark.parametrize("form", ["json", "csv", "txt"])
 @pytest.mark.parametrize("name", ["simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"])
 def test_no_number_differs_by_the_order_of_parts(name: str, form: str, tmp_path: Path) -> None:
     data = parts(name)
@@ -123,3 +123,18 @@ def test_an_element_of_another_name_is_another_one_where_no_case_tells_names(
     [one] = compare(written(changed, tmp_path / "after", "csv"), before).cases
     rows = {n.row for n in one.numbers if n.table in ("WFRI", "AJK")}
     assert rows == {"A", "X"}
+
+
+def test_a_link_that_becomes_the_input_by_its_place_is_a_change_of_the_case(
+    tmp_path: Path,
+) -> None:
+    """The first link is the input where nothing else is told, the last one the output."""
+    data = parts("simpson")
+    del data["input"], data["output"]
+    before = written(data, tmp_path / "before", "json")
+    turned = {**data, "links": data["links"][::-1]}
+    [one] = compare(written(turned, tmp_path / "after", "json"), before).cases
+    first, last = data["links"][0], data["links"][-1]
+    assert [*map(tuple, one.case)] == [("input", first, last), ("output", last, first)]
+    told_ports = {"input": first, "output": last, **data}
+    assert not compare(written(told_ports, tmp_path / "told", "json"), before).cases[0].case

@@ -47,8 +47,17 @@ def case_changes(
     plain = [mapping(case, units=False) for case in (actual, expected)]
     if any(one == other for one, other in zip(told, plain, strict=True)):
         told = plain  # one of them knows no units, as a deck, so both are parts of the load
-    here, there = map(_by_path, told)
+    ports = _ports(actual, expected), _ports(expected, actual)
+    here, there = (_by_path({**one, **port}) for one, port in zip(told, ports, strict=True))
     yield from _changes((), here, there, atol, rtol)
+
+
+def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
+    """Input and output, where they are links of both: an order of links may tell them, too."""
+    ports = {"input": case.link_name(case.input)}
+    if not (case.outputs or other.outputs):
+        ports["output"] = case.link_name(case.output)
+    return {key: link for key, link in ports.items() if link in other.link_names}
 
 
 def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:

@@ -133,12 +133,11 @@ def _rows(
 ) -> tuple[list[Sequence[str]], bool]:
     """The names of a table's rows in both results; whether they are those of the cases.
 
-    A drawn case has rows of its own, which are not those of mechanisms. A listing has numbers in
-    place of names.
+    A drawn case has rows of its own, which are not those of mechanisms.
     """
     both = actual, expected
     rows = [one.rows.get(quantity.key, ()) for one in both]
-    by_case = not any(rows) and all(one.case and not one.printed for one in both)
+    by_case = not any(rows) and all(one.case for one in both)
     if any(rows) or by_case:
         rows = [own or _named(one, quantity) for own, one in zip(rows, both, strict=True)]
     if any(len({*names}) != len(names) for names in rows):

@@ -59,8 +59,8 @@ class WrittenResult(NamedTuple):
 
     @property
     def device_names(self) -> Sequence[str]:
-        """Names of its devices; none where it does not tell: a listing has numbers for some."""
-        return self.devices or (self.case.devices if self.case and not self.printed else ())
+        """Names of its devices; none where it does not tell."""
+        return self.devices or (self.case.devices if self.case else ())
 
     @property
     def case_name(self) -> str:
