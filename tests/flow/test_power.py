@@ -15,6 +15,7 @@ from vstatics.flow.circulation import cancel
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import PowerFlow
 from vstatics.flow.text import text
+from vstatics.readers import from_dict
 from vstatics.tables.values import tables
 
 
@@ -145,3 +146,31 @@ def test_arrays_of_variants_are_refused() -> None:
     case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()])
     with pytest.raises(ValueError, match="expected one case"):
         flows(solve(case, ratios=[[4.0], [5.0]]))
+
+
+@pytest.mark.parametrize("ratio", [0.4, -1.6])
+@pytest.mark.parametrize("coast", [False, True])
+def test_the_flow_of_a_variator_closes_where_something_follows_the_load(
+    ratio: float, coast: bool
+) -> None:
+    """A law on any part has each gear calculated at its load: eta of the power goes through."""
+    law = {"over": "speed", "points": [[0, 0.8], [50, 0.9]]}
+    variator = {"kind": "variator", "first": "eng", "second": "out", "speed_ratio": ratio}
+    pair = {"first": "out", "second": "axle", "ratio": -2.0, "efficiency": law}
+    for efficiency, behind in ((law, 1.0), (0.9, law)):
+        case = from_dict(
+            {
+                "links": ["eng", "out", "axle"],
+                "mechanisms": {
+                    "h": {**variator, "efficiency": efficiency},
+                    "p": {**pair, "efficiency": behind},
+                },
+                "gears": {"1": []},
+                "load": {"speed": "2000 rpm", "torque": "100 N*m"},
+                "coast": coast,
+            }
+        )
+        _, lossy = sides(only(case))
+        passed = 0.9 if behind == 1.0 else 0.9 * 0.9
+        assert lossy.leaving / lossy.entering == pytest.approx(passed, rel=1e-9)
+        assert lossy.balance == pytest.approx(0, abs=1e-12)

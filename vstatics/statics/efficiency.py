@@ -54,7 +54,7 @@ def efficiencies_by_direction(
     if efficiencies is None:
         efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
     return [
-        forward
+        forward._replace(divides=one.kind == "variator")
         if isinstance(forward, Efficiency)
         else Efficiency(
             forward,

@@ -92,11 +92,11 @@ def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
     """``M_second/M_first`` of a converter: straight between its points, constant outside [-]."""
     points = tuple((point[0], point[1]) for point in converter.points)
+    if isinstance(speed_ratio, np.ndarray):
+        return np.interp(speed_ratio, *np.transpose(points))
     if is_exact(speed_ratio):
         exact = type(speed_ratio)
         points = tuple((exact(one), exact(other)) for one, other in points)
-    if isinstance(speed_ratio, np.ndarray):
-        return np.interp(speed_ratio, *np.transpose(points))
     if speed_ratio <= points[0][0]:
         return points[0][1]
     for (left, before), (right, after) in pairwise(points):

@@ -250,3 +250,34 @@ def test_points_are_a_record_of_the_torques_of_devices() -> None:
     made = spectrum(case, points(*rows)).damage["shaft"]
     assert made.damage == pytest.approx(5.341796875e-7, rel=1e-12)
     assert made.cycles[-1].range == pytest.approx(900)
+
+
+def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
+    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
+    points_ = [[0.0, 2.2], [0.85, 1.0], [1.0, 1.0]]
+    for mechanism, factor, lost in (
+        ({"kind": "variator", "speed_ratio": 0.4, "efficiency": 0.9}, 0.9 / 0.4, 0.1),
+        ({"kind": "variator", "speed_ratio": -0.5, "efficiency": 0.8}, 0.8 / -0.5, 0.2),
+        (
+            {"kind": "converter", "speed_ratio": 0.34, "points": points_},
+            2.2 - 0.4 * 1.2,
+            1 - 0.34 * (2.2 - 0.4 * 1.2),
+        ),
+    ):
+        case = from_dict(
+            {
+                "links": ["eng", "out"],
+                "mechanisms": {"h": {"first": "eng", "second": "out", **mechanism}},
+                "gears": {"1": []},
+                "drag": {"out": "1 N*m"},
+                "load": {"speed": "2000 rpm", "torque": "100 N*m"},
+            }
+        )
+        made = spectrum(case, points((200.0, 100.0, 10.0)))
+        second = made.members["h.second"].torque.largest
+        assert second == pytest.approx(-100 * factor, rel=1e-9)
+        speed = 200.0 * float(mechanism["speed_ratio"])  # type: ignore[arg-type]
+        assert made.energy.lost["h"] == pytest.approx(200e3 * lost)
+        assert made.energy.lost["drag.out"] == pytest.approx(10 * abs(speed))
+        closed = made.energy.in_ - made.energy.out - sum(made.energy.lost.values())
+        assert closed == pytest.approx(0, abs=1e-6)

@@ -146,7 +146,7 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
         forward = columns.get(CaseNumber(index, "efficiency", owner), [mechanism.efficiency])[0]
         back = columns.get(CaseNumber(index, "back_efficiency", owner), [mechanism.back_efficiency])
         own = forward if back[0] is None else back[0]
-        found.append(Efficiency(float(forward), float(own)))
+        found.append(Efficiency(float(forward), float(own), mechanism.kind == "variator"))
     return found
 
 

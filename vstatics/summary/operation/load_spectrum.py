@@ -20,7 +20,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
 from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
-from vstatics.statics.matrix import held_links
+from vstatics.statics.matrix import column_of, held_links
 from vstatics.statics.result_arrays import Message, row_names
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
@@ -293,13 +293,27 @@ class PointLoads(NamedTuple):
         found = {}
         for number, mechanism in enumerate(self.case.mechanisms):
             on_first = torques[:, first + number]
-            factor = self._loss_factor(number, on_first)
-            second = -mechanism.ratio * factor * on_first
+            first_part, second_part, _ = column_of(mechanism, self._ratios(number))
+            with np.errstate(all="ignore"):
+                second = second_part / first_part * on_first
+            if mechanism.kind != "converter":  # whose torque ratio has its losses
+                second = second * self._loss_factor(number, on_first)
             by_name = {"first": on_first, "second": second, "third": -on_first - second}
             for device, name in places:
                 if device == number:
                     found[device, name] = by_name[name]
         return found
+
+    def _ratios(self, number: int) -> Floats:
+        """Of a mechanism at each point: that of its gear, or the speed ratio that it has there."""
+        mechanism, speeds = self.case.mechanisms[number], self.speeds
+        by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
+        given = np.array(by_gear, dtype=float)[self.points.gears]
+        if not mechanism.kind:
+            return given
+        with np.errstate(all="ignore"):
+            turned = speeds[:, mechanism.second] / speeds[:, mechanism.first]
+        return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
         """``n**x`` of a mechanism, from what it loses of the power by its first link; else 1."""
