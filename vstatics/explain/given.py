@@ -24,6 +24,7 @@ from vstatics.explain.given_parts import (
     shift_elements,
     springs,
 )
+from vstatics.explain.machines import MACHINES
 from vstatics.explain.text import engaged, rule
 from vstatics.model.parts import HOUSING
 from vstatics.model.transmission import Gear, Transmission
@@ -79,10 +80,10 @@ def given(results: Results, place: int) -> Iterator[Grid]:
         _idle(state),
     )
     yield from (one for one in made if one.rows)
-    yield from (Grid(one, (), (), prose=typeset.prose(one)) for one in _conventions(state))
+    yield from (Grid(one, (), (), prose=typeset.prose(one)) for one in _conventions(gear, state))
 
 
-def _conventions(state: GearState) -> Iterator[str]:
+def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     """How speeds and torques of a gear are counted, in words."""
     case, drawing = state.case, drawing_of(state.case)
     if case.input_torque(state.gear):
@@ -105,6 +106,12 @@ def _conventions(state: GearState) -> Iterator[str]:
         yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
     if case.freewheels:
         yield tr("A freewheel keeps its first link from turning backward against the second.")
+    if gear.balance:
+        yield tr(MACHINES)
+        yield tr(
+            "The torque that balances machines and battery is found with losses; it stands in the "
+            "torques without losses, too."
+        )
     yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
     if case.coasts(state.gear) and state.calculable:
         yield tr("Coasting: power enters at the output.")

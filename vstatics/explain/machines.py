@@ -21,6 +21,12 @@ class MachineShare(NamedTuple):
     """What the battery gets of it, above 0, or gives for it."""
 
 
+MACHINES = (
+    "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
+    "the battery gets P eta, or gives P/eta where P is below 0"
+)
+
+
 class MachineBalance(NamedTuple):
     """Machines and their battery, and the torque that balances them."""
 

@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from vstatics.explain.explanation import Explanation
+from vstatics.explain.machines import MACHINES
 from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import (
     EQUATION_WIDTH,
@@ -114,12 +115,6 @@ COASTING = (
 def rule(*, coasts: bool, drags: bool) -> str:
     """How the sign of a mechanism follows from its torque without losses, but with drag."""
     return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
-
-
-MACHINES = (
-    "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
-    "the battery gets P eta, or gives P/eta where P is below 0"
-)
 
 
 def engaged(elements: Sequence[str], holding: Sequence[str] = ()) -> str:
