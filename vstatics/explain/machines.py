@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vstatics.statics.points.balance import battery_power
 from vstatics.statics.results import Results
 from vstatics.tables.answer import Known
 
@@ -63,7 +64,7 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
     shares = []
     for link, efficiency in gear.balance.efficiencies:
         power = float(powers[link - 1])
-        given = power * efficiency if power > 0 else power / efficiency
+        given = float(battery_power(power, efficiency))
         shares.append(MachineShare(case.link_name(link), power, efficiency, given))
     if any(math.isnan(one.power_kW) for one in shares):
         return None

@@ -210,10 +210,7 @@ class Walk:
             refer, nobody = partial(self.references.other, shape.by), NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in entries(self.spots, spot):
-            if is_behind_comma(key, value):
-                self.spots.complain(
-                    spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key
-                )
+            if self._is_behind_comma(spot, key, value):
                 continue
             try:
                 place = refer(key.text)
@@ -231,16 +228,20 @@ class Walk:
             self.spots.unreadable.append(spot.path)
         return values
 
+    def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
+        """Whether a key is the end of a number with a decimal comma, which is told then."""
+        if not is_behind_comma(key, value):
+            return False
+        self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
+        return True
+
     def _shares(self, spot: Spot, shape: Shares) -> Any:
         """Shares by names of gears, which no document can look up."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
         shares: dict[str, float] = {}
         for key, value in spot.node.entries:
-            if is_behind_comma(key, value):
-                self.spots.complain(
-                    spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key
-                )
+            if self._is_behind_comma(spot, key, value):
                 continue
             gear = spot._replace(
                 path=(*spot.path, key.text), label=f"gear {shown(key.text)}", node=value

@@ -66,8 +66,17 @@ class OpenBalance:
         total = -self.battery
         for link, efficiency in self.efficiencies:
             power = -1000 * entering[:, link - 1]
-            total = total + np.where(power > 0, power * efficiency, power / efficiency)
+            total = total + battery_power(power, efficiency)
         return total
+
+
+def battery_power(power: Any, efficiency: float) -> Any:
+    """What a battery gets of the power that a link gives its machine; in its unit.
+
+    >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
+    [1.6, -2.5]
+    """
+    return np.where(power > 0, power * efficiency, power / efficiency)
 
 
 def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) -> Followed:
