@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from vstatics.errors import Path, Problem, spoken, why_not_allowed
+from vstatics.errors import Problem, spoken, why_not_allowed
 from vstatics.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.model.part_checks import (
     called,
     doubtful,
+    no_unit,
     of_element,
     of_gear,
     of_link,
@@ -25,10 +26,11 @@ from vstatics.model.parts import (
     mechanism_names,
 )
 from vstatics.model.springs import spring_names
-from vstatics.model.vehicle import Vehicle, beside_engine, of_vehicle
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
+THICKEST_SHAFT = 1.0
+"""Diameter; a thicker one was written in mm without the unit. [m]"""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
@@ -42,18 +44,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _freewheels(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
-    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
-    elastic = any(part.stiffness is not None or part.damping for part in parts)
-    if _moves(case) or case.converters or elastic:
-        from vstatics.model.torsional_checks import of_torsion  # costs start-up time
-
-        yield from of_torsion(case)
-    if case.dump is not None or case.fatigue:
-        from vstatics.model.torsional_checks import of_dump, of_fatigue  # likewise
-
-        yield from of_dump(case)
-        yield from of_fatigue(case)
-    yield from of_vehicle(case.vehicle)
+    yield from _in_motion(case)
     yield from _cylinders(case)
     yield from of_load(case.load, ())
     for number, gear in enumerate(case.gears, 1):
@@ -68,6 +59,25 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E299", why, ("allow", number))
     if case.idle not in ("exact", "published"):
         yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
+    """What torsion and vehicles need."""
+    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    elastic = any(part.stiffness is not None or part.damping for part in parts)
+    if _moves(case) or case.converters or elastic:
+        from vstatics.model.torsional_checks import of_torsion  # costs start-up time
+
+        yield from of_torsion(case)
+    if case.dump is not None or case.fatigue:
+        from vstatics.model.torsional_checks import of_dump, of_fatigue  # likewise
+
+        yield from of_dump(case)
+        yield from of_fatigue(case)
+    if case.vehicle is not None:
+        from vstatics.model.vehicle_checks import of_vehicle  # likewise
+
+        yield from of_vehicle(case.vehicle)
 
 
 def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
@@ -96,110 +106,12 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
     for number, mechanism in _not_drawn(case):
         yield from doubtful(mechanism, ("mechanisms", number))
     if case.vehicle is not None:
-        yield from _mass_twice(case, case.vehicle)
-        yield from _units_forgotten(case.vehicle)
-        yield from _machines_beside(case)
+        from vstatics.model.vehicle_checks import doubts_of_vehicle  # costs start-up time
+
+        yield from doubts_of_vehicle(case, case.vehicle)
     for name, one in case.fatigue.items():
         if one.diameter and one.diameter > THICKEST_SHAFT:
-            yield _no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
-
-
-LARGEST_WHEEL, THICKEST_SHAFT = 2.5, 1.0
-"""Radius of the largest tyres of dumpers with a margin; a diameter. [m]"""
-FASTEST_ENGINE = 3000.0
-"""No engine or motor of a vehicle turns as fast, 28,600 rpm. [rad/s]"""
-
-
-def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Numbers in mm or rpm that were written without their unit."""
-    if vehicle.radius > LARGEST_WHEEL:
-        yield _no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
-    fastest = max((speed for speed, _ in vehicle.engine), default=0.0)
-    if fastest > FASTEST_ENGINE:
-        yield _no_unit(fastest, "rad/s", "an engine", ("vehicle", "engine"))
-
-
-def _no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
-    message = f"read {value:g} {unit}, more than {what} has: a bare number is in {unit}"
-    return Problem("N205", message, path)
-
-
-def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
-    """Gears in which a vehicle is not driven."""
-    for number, gear in enumerate(case.gears, 1):
-        if why := beside_engine(gear, case.link_name):
-            message = (
-                f"it has {why}: power passes by more than engine and output, so nothing of "
-                "`vehicle` is told in this gear"
-            )
-            yield Problem("W890", message, ("gears", number))
-
-
-MASS_AGAIN = 0.5
-"""Wheels and shafts have some hundredths of the inertia of the vehicle; this part is its mass."""
-
-
-def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Outputs, with what is geared to them, that have about the inertia of the vehicle."""
-    outputs = case.outputs or (case.output,)
-    mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
-    inertias = {
-        link: case.inertias[link] * speed**2
-        for link, speed in _speeds_behind(case, outputs).items()
-        if case.inertias.get(link)
-    }
-    total = sum(inertias.values())
-    if total >= MASS_AGAIN * mass:
-        given = sorted(inertias, key=lambda link: -inertias[link])
-        names = spoken([case.link_name(link) for link in given])
-        reduced = "" if {*given} <= {*outputs} else " by the speed of the output"
-        message = (
-            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
-            f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
-            "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
-        )
-        yield Problem("W202", message, ("inertias", next(iter(given))))
-
-
-def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Speeds of outputs, and of what pairs of wheels join to them, by that of the output.
-
-    What pairs join to an input past the outputs is the side of the engine, as in a box of one
-    gear: a flywheel may have half of the mass of the vehicle there.
-    """
-    ends = {*outputs, 0}
-    inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in ends]
-    before = _geared(case, inputs, ends)
-    found = _geared(case, outputs, {0})
-    return {link: speed for link, speed in found.items() if link in outputs or link not in before}
-
-
-def _geared(
-    case: TransmissionFields, starts: Sequence[int], ends: Collection[int]
-) -> dict[int, float]:
-    """Speeds of what pairs join to some links, by theirs; the way there does not pass `ends`."""
-    found, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
-    while new:
-        link = new.pop()
-        for one, other, speed in pairs:
-            if one == link and other not in found and other not in ends:
-                found[other] = found[link] * speed
-                new.append(other)
-    return found
-
-
-def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
-    """Links that one mechanism joins at a fixed ratio, and the speed of the second by the first's.
-
-    So does a set whose third link is the housing.
-    """
-    for one in case.mechanisms:
-        parts = {one.first: 1.0, one.second: -one.ratio, one.third: one.ratio - 1}
-        turning = [(link, part) for link, part in parts.items() if link and part]
-        if not one.kind and len(turning) == 2:
-            (first, of_first), (second, of_second) = turning
-            yield first, second, -of_first / of_second
-            yield second, first, -of_second / of_first
+            yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:

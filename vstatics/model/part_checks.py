@@ -484,3 +484,9 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
         yield from of_link(link, (*path, link), links, lowest=1)
         if not math.isfinite(value):
             yield Problem("E229", f"read {value}, expected a finite number", (*path, link))
+
+
+def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
+    """A number that was written without its unit, it seems."""
+    message = f"read {value:g} {unit}, more than {what} has: a bare number is in {unit}"
+    return Problem("N205", message, path)

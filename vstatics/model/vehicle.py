@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Problem, spoken
+from vstatics.errors import spoken
 from vstatics.model.parts import Gear, SpeedOf
 
 GRAVITY = 9.81
@@ -17,6 +17,8 @@ AIR = 1.2
 """Density. [kg/m^3]"""
 SAME_SPEED = 1e-12
 """A speed of the engine that is above its last one by no more than this part is that. [-]"""
+NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
+
 EnginePoints = Sequence[tuple[float, float]]
 """Speed [rad/s] in ascending order, each with the torque [N*m]."""
 
@@ -115,34 +117,6 @@ def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
         if links:
             return f"a given {what} {spoken([name(link) for link in links])}"
     return ""
-
-
-NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
-ABOVE_NOTHING = ("mass", "radius", "final_drive")
-
-
-def of_vehicle(vehicle: Vehicle | None) -> Iterator[Problem]:
-    """What is wrong in a vehicle, if there is one."""
-    if vehicle is None:
-        return
-    for name in NUMBERS_OF_VEHICLE:
-        value = getattr(vehicle, name)
-        least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
-        right = 0 <= value < math.inf and (value > 0 or name not in ABOVE_NOTHING)
-        if not right:
-            message = f"read {value:g}, expected a number {least}"
-            yield Problem("E268", message, ("vehicle", name))
-    for name, sign in (("engine", 1), ("overrun", -1)):
-        before = -math.inf
-        for number, (speed, torque) in enumerate(getattr(vehicle, name), 1):
-            path = "vehicle", name, number
-            if not 0 <= speed < math.inf or speed <= before:
-                message = f"read {speed:g} rad/s, expected speeds of 0 or more in ascending order"
-                yield Problem("E268", message, path)
-            if not 0 <= sign * torque < math.inf:
-                side = "0 or more" if sign > 0 else "0 or less"
-                yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
-            before = speed
 
 
 def vehicle_of(fuel: str = "", **others: Any) -> Vehicle:
