@@ -74,7 +74,8 @@ def serve(
       vstatics serve gearbox.yaml --lang de
 
     \b
-    Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken; 2 wrong use.
+    Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken;
+    2 wrong use.
     """
     return serve_page(case, digits, lang, settings, port, opens=opens)
 
