@@ -9,11 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
 from tests.chance import count, seeded
@@ -22,6 +24,7 @@ from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
 from tests.trains import random_train
 from vstatics import solve
+from vstatics.model.springs import Spring, between
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.readers import load
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
@@ -163,3 +166,44 @@ def test_random_gears_move_as_by_the_signs_that_fit() -> None:
 @given(st.integers(0, 10**6))
 def test_any_random_gear_moves_as_by_the_signs_that_fit(seed: int) -> None:
     assert agrees(seed)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_pair_before_a_shaft_loses_from_the_first_instant_on_by_the_way_power_flows(
+    seed: int,
+) -> None:
+    """The shaft is not twisted at the start: only the change of its rate tells the way.
+
+    Expected is the integral of ``J_in w_in' = T_in - S/(u eta^p)``, ``J_out w_out' = T_out + S``
+    with the torque S = c twist of the shaft, p the sign of its power.
+    """
+    chance = np.random.default_rng(seed)
+    ratio, efficiency = chance.uniform(1.5, 4) * chance.choice([-1, 1]), chance.uniform(0.9, 0.99)
+    inertias, stiffness = chance.uniform(0.5, 20, 2), 10 ** chance.uniform(3, 5)
+    torques, start = chance.uniform(-60, 60, 2), chance.uniform(50, 200)
+    case = Transmission(
+        3,
+        [],
+        [Mechanism(1, 2, 0, ratio, efficiency, back_efficiency=efficiency, name="pair")],
+        [],
+        springs=[Spring(between(2, 3), stiffness, name="shaft")],
+        inertias={1: inertias[0], 3: inertias[1]},
+        output=3,
+    )
+    laws = ((1, constant(torques[0])), (3, constant(torques[1])))
+    motion = simulate(Scenario(case, 0.2, Start(speeds={1: start}), None, laws))
+
+    def rates(_: float, state: Any) -> tuple[float, float, float]:
+        first, last, twist = state
+        shaft = stiffness * twist
+        way = math.copysign(1.0, shaft * first / ratio)
+        taken = shaft / (ratio * efficiency**way)
+        return (
+            (torques[0] - taken) / inertias[0],
+            (torques[1] + shaft) / inertias[1],
+            first / ratio - last,
+        )
+
+    found = solve_ivp(rates, (0, 0.2), (start, start / ratio, 0), rtol=1e-9, atol=1e-9)
+    assert motion.stopped is None
+    assert motion.speeds[-1, [0, 2]] == pytest.approx(found.y[:2, -1], rel=1e-6)

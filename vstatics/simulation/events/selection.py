@@ -303,7 +303,9 @@ class ModeSelection:
         motions = motions + self.within * np.abs(structure.accelerations) @ acting
         speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
         sprung = largest(acting[equations.layout.spring_ports])  # at its limit nothing holds it
-        sizes = LargeSizes(largest(speeds), max(largest(torques), sprung))
+        # a twist grows by a difference of speeds, of which rounding leaves something at rest
+        twisted = self.within * largest(equations.ports.stiffness) * largest(speeds)
+        sizes = LargeSizes(largest(speeds), max(largest(torques), sprung, twisted))
         return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
 
 
