@@ -164,6 +164,8 @@ class _Reader:
         return Text(node.text, (PlacedPart(1, place, as_written),))
 
     def texts(self, node: Node, _: Option | None = None) -> tuple[Text, ...]:
+        if isinstance(node, Mapping):
+            raise _WrongError("text, a number or a list of these", node)
         items = node.items if isinstance(node, Listing) else [node]
         return tuple(self.text(item) for item in items)
 

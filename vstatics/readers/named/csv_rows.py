@@ -7,72 +7,18 @@ Every reader of such a file asks here which sign separates, and takes its number
 from __future__ import annotations
 
 import csv
-import io
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Iterable, Sequence
 from itertools import chain
-from pathlib import Path
 
 from vstatics.readers.named.arithmetic import slip
-from vstatics.readers.named.nodes import encoding_of
 
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _TOLD_SEPARATOR = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 """The line with which a spreadsheet is told what separates, as the headings do, too."""
-_NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
-
-
-@contextmanager
-def noted_files() -> Iterator[set[str]]:
-    """Note which files are read in this block, or would be if they were there.
-
-    >>> with noted_files() as noted:
-    ...     try:
-    ...         csv_rows(Path("nowhere.csv"), 100)
-    ...     except OSError:
-    ...         noted
-    {'nowhere.csv'}
-    """
-    noted: set[str] = set()
-    token = _NOTED.set(noted)
-    try:
-        yield noted
-    finally:
-        _NOTED.reset(token)
-
-
-def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
-    """Lines that are not empty, each with its number.
-
-    Parameters
-    ----------
-    file : Path
-    most : int
-        Of its bytes.
-
-    Raises
-    ------
-    OSError
-    ValueError
-        With what was expected.
-    """
-    noted = _NOTED.get()
-    if noted is not None:
-        noted.add(str(file))
-    with file.open("rb") as opened:
-        data = opened.read(most + 1)
-    if len(data) > most:
-        raise ValueError(f"expected a file of {most // 1000} kB at most")
-    try:
-        text = data.decode(encoding_of(data))
-    except UnicodeDecodeError:
-        raise ValueError("expected text in UTF-8") from None
-    return numbered_rows(io.StringIO(text))
 
 
 def separator_of(head: str) -> str:
