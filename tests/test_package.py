@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import json
+import math
 import re
 import sys
 from pathlib import Path
@@ -65,6 +67,38 @@ def test_faults_of_plain_data_are_told_by_their_keys_without_a_place() -> None:
     assert str(problem) == (
         "gears.drive.engaged[1]: read 'C', but there are no shift elements [E107]"
     )
+
+
+@pytest.mark.parametrize("ratio", [math.nan, np.float64(math.inf)])
+def test_a_number_of_plain_data_that_is_none_is_told_by_its_keys(ratio: float) -> None:
+    mechanisms = {"pair": {"first": "in", "second": "out", "ratio": ratio}}
+    with pytest.raises(
+        ReadError, match=r"^mechanisms.pair.ratio: read '(NaN|Infinity)', expected a"
+    ):
+        Transmission.from_dict({**PAIR, "mechanisms": mechanisms})
+
+
+def test_a_text_reads_no_files_but_beside_a_name_with_a_folder(tmp_path: Path) -> None:
+    drag = tmp_path / "drag.csv"
+    drag.write_text("speed [rpm],torque [N*m]\n0,1\n", encoding="utf-8")
+    load = {"speed": "900 rpm", "torque": "40 N*m"}
+    data = {**PAIR, "load": load, "drag": {"out": {"file": str(drag)}}}
+    text = json.dumps(data)
+    for read in (
+        lambda: vstatics.loads(text),
+        lambda: vstatics.loads(text, name="upload.yaml"),
+        lambda: vstatics.load(io.StringIO(text)),
+        lambda: Transmission.from_dict(data),
+    ):
+        with pytest.raises(ReadError, match=r"drag.out: read `.*`, expected the points themselves"):
+            read()
+    beside = text.replace(str(drag), "drag.csv")
+    case = tmp_path / "case.yaml"
+    case.write_text(beside, encoding="utf-8")
+    with case.open(encoding="utf-8") as stream:
+        assert (
+            vstatics.loads(beside, name=str(case)) == vstatics.load(stream) == vstatics.load(case)
+        )
 
 
 def test_a_fault_in_a_text_has_its_line() -> None:

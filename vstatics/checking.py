@@ -23,6 +23,7 @@ from vstatics.errors import (
     why_not_allowed,
 )
 from vstatics.model.checks import hints
+from vstatics.readers.kinds import is_of_kind
 from vstatics.readers.reading import Reading
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
@@ -75,9 +76,9 @@ def check(source: str | os.PathLike[str], *, allow: Sequence[str] = ()) -> list[
 def problems_of(data: bytes, file: str) -> list[Problem]:
     """The same of what a file holds."""
     try:
-        from vstatics.simulation.scenario.file import case_bytes, is_scenario, read_scenario
+        if is_of_kind("scenario", data, file):
+            from vstatics.simulation.scenario.file import case_bytes, read_scenario
 
-        if is_scenario(data, file):
             document = read_scenario(data, file)
             return _of_scenario(document.with_case(readers.read(*case_bytes(document))))
         reading = readers.read(data, file)

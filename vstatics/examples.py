@@ -92,10 +92,12 @@ def example(name: str | None = None) -> list[str] | Transmission | Scenario | An
     if name is None:
         return [*example_files()]
     found = example_file(name)
-    from vstatics.simulation.scenario.file import is_scenario, load_scenario
+    from vstatics.readers.kinds import is_of_kind
 
     data = found.data()
-    if is_scenario(data, found.path):
+    if is_of_kind("scenario", data, found.path):
+        from vstatics.simulation.scenario.file import load_scenario
+
         return load_scenario(found.path)
     return readers.read(data, found.path).case
 

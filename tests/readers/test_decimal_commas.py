@@ -91,6 +91,46 @@ def test_semicolons_and_decimal_commas_say_the_same(read: Read, text: str, tmp_p
     assert read(codecs.BOM_UTF8 + german(text), tmp_path) == with_points
 
 
+def _with_last(text: str, first: str) -> str:
+    """A table with semicolons whose last row begins with another number."""
+    *above, last, _, end = german(text).decode().split("\r\n")
+    return "\n".join([*above, ";".join([first, *last.split(";")[1:]]), end])
+
+
+@pytest.mark.parametrize(("read", "text"), FILES)
+def test_a_point_between_semicolons_that_may_stand_between_thousands_is_refused(
+    read: Read, text: str, tmp_path: Path
+) -> None:
+    line = text.count("\n")
+    for data in (_with_last(text, "1.200"), _with_last(text, "1.200").replace(",", "")):
+        told = "read '1.200', 1200 with decimal commas but 1.2 with decimal points; write 1200 or 1"
+        with pytest.raises((ReadError, ValueError), match=f"(line |:){line}:.*{told}"):
+            read(data.encode(), tmp_path)
+
+
+@pytest.mark.parametrize(("read", "text"), [one for one in FILES if one[0] not in (_fuel, _trace)])
+def test_a_point_between_semicolons_is_a_decimal_one_where_others_can_be_nothing_else(
+    read: Read, text: str, tmp_path: Path
+) -> None:
+    points = _with_last(text, "1.200").replace(",", ".")
+    commas = _with_last(text, "1,200")
+    assert read(points.encode(), tmp_path) == read(commas.encode(), tmp_path)
+
+
+@pytest.mark.parametrize(("read", "text"), FILES)
+def test_what_spreadsheets_add_to_a_table_says_nothing(
+    read: Read, text: str, tmp_path: Path
+) -> None:
+    expected = read(text.encode(), tmp_path)
+    for end in (",", ",,"):
+        assert read(text.replace("\n", f"{end}\n").encode(), tmp_path) == expected
+        longer = german(text).replace(b"\r\n", end.replace(",", ";").encode() + b"\r\n")
+        assert read(longer, tmp_path) == expected
+        assert read(b"sep=;\r\n" + longer, tmp_path) == expected
+    with pytest.raises((ReadError, ValueError), match="tabs separate the headings, expected comm"):
+        read(text.replace(",", "\t").encode(), tmp_path)
+
+
 @pytest.mark.parametrize(("read", "text"), [one for one in FILES if one[0] is not _pedal])
 def test_decimal_commas_between_commas_are_refused(read: Read, text: str, tmp_path: Path) -> None:
     with pytest.raises((ReadError, ValueError), match="semicolons have to separate the cells"):

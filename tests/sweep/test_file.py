@@ -74,7 +74,7 @@ def test_every_key_is_read() -> None:
         ("best: []", "1:7", "read a list, expected a whole number"),
         ("case: [a]", "1:7", "expected the name of a file"),
         ("where: {a: b}", "1:8", "read a mapping, expected text"),
-        ("vary:\n  D.ratio: {a: b}", "2:12", "read a mapping, expected text"),
+        ("vary:\n  D.ratio: {a: b}", "2:12", "read a mapping, expected text, a number or a list"),
         ("- a", "1:1", "read a list, expected a sweep"),
         ("", "1:1", "the file is empty, expected a sweep"),
         ("a: [", "1:5", "not YAML"),

@@ -141,7 +141,7 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
 def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
     """A case or a scenario as its files are, but with other texts in place of some."""
     from vstatics.cli.frame.scenario_run import naming_of
-    from vstatics.readers.named.csv_rows import noted_files
+    from vstatics.readers.named.csv_files import noted_files
     from vstatics.serve.states import Calculated
 
     known, named = _read(file, texts)

@@ -16,9 +16,10 @@ written as results.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from importlib import import_module
 from os import PathLike, fspath
-from os.path import splitext
+from os.path import split, splitext
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from vstatics.arguments import refusing, type_and_value
@@ -139,7 +140,9 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
         with open(source, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
             return read(file.read(), fspath(source), format).case
     name = getattr(source, "name", "")
-    return loads(source.read(), format=format, name=name if isinstance(name, str) else "")
+    if name and isinstance(name, str):
+        return read(_encoded(source.read()), name, format).case
+    return loads(source.read(), format=format)
 
 
 @refusing()
@@ -153,7 +156,8 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     format : {"deck", "yaml", "json", "xlsx"}, optional
         Told by the content when not given.
     name : str, optional
-        For messages.
+        For messages. Files that the text names are read beside it if it has a folder, as in
+        ``cases/box.yaml``; else they are refused, so that a text of a stranger reads none.
 
     Returns
     -------
@@ -171,12 +175,19 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     >>> loads("links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}")
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
-    data = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else bytes(text)
-    return read(data, name or "<text>", format).case
+    from vstatics.readers.named.csv_files import no_files
+
+    folder, _ = split(name)
+    with nullcontext() if folder else no_files():
+        return read(_encoded(text), name or "<text>", format).case
+
+
+def _encoded(text: str | bytes) -> bytes:
+    return text.encode("utf-8", "surrogatepass") if isinstance(text, str) else bytes(text)
 
 
 def from_dict(data: Mapping[str, Any]) -> Transmission:
-    """The transmission of plain data, with the keys of YAML and JSON.
+    """The transmission of plain data, with the keys of YAML and JSON; no file is read.
 
     Raises
     ------
@@ -193,13 +204,18 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
     """
     import json
 
+    from vstatics.readers.named.csv_files import no_files
+
     if not isinstance(data, Mapping):
         raise TypeError(
             f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
         )
     text = json.dumps(data, default=_plain)
+    if "NaN" in text or "Infinity" in text:  # no JSON; texts are told by their keys
+        text = json.dumps(json.loads(text, parse_constant=str))
     try:
-        return read(text.encode(), "<dict>", "json").case
+        with no_files():
+            return read(text.encode(), "<dict>", "json").case
     except ReadError as error:  # the messages name the keys; a line of that text is no place
         raise ReadError(one._replace(path=(), place=None) for one in error.problems) from None
 

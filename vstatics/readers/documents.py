@@ -51,5 +51,7 @@ def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument |
 
         root, found = workbook_tree(data, file)
         return CaseDocument(root, found.source)
-    tree = case_tree(data, file, form)
-    return None if tree is None else CaseDocument(tree, decode(data, file).source)
+    if form == "deck":
+        return None
+    found = decode(data, file)
+    return CaseDocument(case_tree(found, form), found.source)

@@ -73,7 +73,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     """
     source = decode(data, file, "a record").source
     try:
-        rows = list(numbered_rows(source.lines))
+        rows = numbered_rows(source.lines)
     except ValueError as error:
         raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
     head, first = rows.pop(0) if rows else (1, [])

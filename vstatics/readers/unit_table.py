@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
 from vstatics.model.shape import UNIT_OF, Measure
 from vstatics.readers.named.csv_rows import (
+    Decimals,
     cells_of,
     decimal,
     expect_cells,
     has_cells,
+    headings_of,
     separator_of,
-    with_points,
 )
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import measured
@@ -105,9 +107,9 @@ def read_unit_table(
         raise ReadError([Problem(id, f"read nothing, expected {what}", (), source.place(1))])
     problems: list[Problem] = []
     (first, headings), *rows = lines
-    separator = separator_of(headings)
     try:
-        found = _headings(cells_of(headings, separator), what, columns)
+        separator = separator_of(headings)
+        found = _headings(headings_of(cells_of(headings, separator)), what, columns)
     except ValueError as error:
         raise ReadError([Problem(id, str(error), (), source.place(first))]) from None
     if not rows:
@@ -122,13 +124,19 @@ def read_unit_table(
         [number for number, _ in rows],
         source,
     )
+    decimals = Decimals(separator)
     for number, line in rows:
         try:
-            _add(table, cells_of(line, separator), found, separator)
+            cells = cells_of(line, separator)
+            expect_cells(cells, len(found), separator)
+            _add(table, cells, found, partial(decimals.with_points, line=number))
         except ValueError as error:
             problems.append(Problem(id, str(error), (), source.place(number)))
             if len(problems) >= MOST_PROBLEMS:
                 break
+    if decimals.doubt:
+        line_of_it, message = decimals.doubt
+        problems.append(Problem(id, message, (), source.place(line_of_it)))
     if problems:
         raise ReadError(problems)
     return table
@@ -183,15 +191,14 @@ def _add(
     table: UnitTable,
     cells: Sequence[str],
     found: Sequence[tuple[TableColumn, float]],
-    separator: str,
+    with_points: Callable[[str], str],
 ) -> None:
     """Add a row; a ValueError says what of it can't be read."""
-    expect_cells(len(cells), len(found), separator)
-    for cell, (column, unit) in zip(cells, found, strict=True):
+    for cell, (column, unit) in zip(cells, found, strict=False):
         if column.is_text:
             table.texts[column.name].append(cell)
             continue
         try:
-            table.numbers[column.name].append(decimal(with_points(cell, separator)) * unit)
+            table.numbers[column.name].append(decimal(with_points(cell)) * unit)
         except ValueError as error:
             raise ValueError(f"{column.name}: read {cell[:40]!r}, {error}") from None

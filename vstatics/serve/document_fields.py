@@ -11,9 +11,9 @@ from vstatics.errors import ReadError
 from vstatics.model.keys import CASE
 from vstatics.model.shape import STRAIGHT, UNIT_OF
 from vstatics.model.transmission import Transmission
+from vstatics.readers.documents import case_document
 from vstatics.readers.named.node_paths import Keys, child, written
-from vstatics.readers.named.nodes import Node, Scalar, decode, encoding_of
-from vstatics.readers.named.reader import case_tree
+from vstatics.readers.named.nodes import Node, Scalar, decode
 from vstatics.readers.named.written_numbers import NumberSpot, number_spots, with_written
 from vstatics.readers.named.yaml_nodes import yaml_tree
 from vstatics.report.live.fields import PageField
@@ -114,22 +114,20 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Where the numbers of a case or of a scenario stand; nothing of a deck."""
-    root = _root(file, data)
-    return number_spots(data.decode(encoding_of(data)), root) if root else {}
-
-
-def _root(file: str, data: bytes) -> Node | None:
+    """Where the numbers of a case or of a scenario stand; nothing of a deck or a workbook."""
     try:
-        return case_tree(data, file, None)
+        document = case_document(data, file, None)
     except ReadError:
-        return None
+        return {}
+    text = document.source.text if document else ""
+    return number_spots(text, document.root) if document and text else {}
 
 
 def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
     """Numbers of a scenario, which a sweep names as they stand there."""
-    root = yaml_tree(decode(data, file))
-    spots = number_spots(data.decode(encoding_of(data)), root)
+    found = decode(data, file)
+    root = yaml_tree(found)
+    spots = number_spots(found.source.text, root)
     for keys, spot in spots.items():
         if not any(key in _NO_NUMBERS for key in keys):
             unit = spot.unit or _unit(bare_unit(SCENARIO, keys) or _over(root, keys), keys, case)

@@ -6,6 +6,7 @@ import os
 from typing import Any
 
 from vstatics.errors import Place, ReadError, quoted, spoken
+from vstatics.readers.kinds import kind_of
 from vstatics.readers.named import scalars
 from vstatics.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.readers.named.nodes import (
@@ -30,26 +31,12 @@ from vstatics.sweep.options import (
 )
 
 _NO_SWEEPS = {
-    "duration": "this is a scenario, expected a sweep file: `vstatics simulate` runs it, and "
+    "scenario": "this is a scenario, expected a sweep file: `vstatics simulate` runs it, and "
     "`vstatics sweep SCENARIO --vary NAME=VALUES` varies it",
-    "gears": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
+    "case": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
     "varies it",
 }
-"""What is said of other documents, by a key that they have."""
-
-
-def is_sweep_file(data: bytes, file: str) -> bool:
-    """Whether a document is a sweep: it names a case and what varies, or how variants are drawn.
-
-    >>> is_sweep_file(b"{case: box.yaml, vary: {P1.teeth.sun: '20:40:21'}}", "sweep.yaml")
-    True
-    >>> is_sweep_file(b"{case: box.yaml, duration: 6}", "up.yaml")
-    False
-    """
-    from vstatics.readers.named.yaml_nodes import top_keys  # yaml costs start-up time
-
-    keys = top_keys(data, file)
-    return "case" in keys and not keys.isdisjoint(("vary", "variants"))
+"""What is said of other documents."""
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
@@ -80,10 +67,8 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
         keys = spoken(map(quoted, list(OPTIONS)[:3]))
         expected = f"expected a sweep: a mapping with keys such as {keys}"
         found.stop(f"read {what(root)}, {expected}", root.line, root.column)
-    given = {key.text for key, _ in root.entries}
-    for key, told in _NO_SWEEPS.items():
-        if key in given and given.isdisjoint(("vary", "variants")):
-            found.stop(told, root.line, root.column)
+    if told := _NO_SWEEPS.get(kind_of(root) or ""):
+        found.stop(told, root.line, root.column)
     options = _Reader(found, os.path.dirname(file)).options(root)  # noqa: PTH120
     if found.problems:
         raise ReadError(found.problems)
@@ -164,6 +149,8 @@ class _Reader:
         return Text(node.text, (PlacedPart(1, place, as_written),))
 
     def texts(self, node: Node, _: Option | None = None) -> tuple[Text, ...]:
+        if isinstance(node, Mapping):
+            raise _WrongError("text, a number or a list of these", node)
         items = node.items if isinstance(node, Listing) else [node]
         return tuple(self.text(item) for item in items)
 

@@ -108,11 +108,20 @@ def test_a_list_stands_in_a_cell_and_items_in_brackets() -> None:
     assert read(with_cells(points)) == read(with_cells(items)) == expected
 
 
-@pytest.mark.parametrize("number", [int, float, str])
-def test_a_shift_table_of_ones_and_zeros_engages_the_ones(number: Callable[[Any], Any]) -> None:
-    table = {f"gears!{one}2": number(is_on) for one, is_on in zip("BCD", (1, 0, 1), strict=True)}
-    table |= {f"gears!{one}3": number(is_on) for one, is_on in zip("BCD", (1, 1, 0), strict=True)}
-    neutral = {"gears!A4": "neutral"} | {f"gears!{one}4": number(0) for one in "BCD"}
+@pytest.mark.parametrize(
+    ("engaged", "not_engaged"),
+    [
+        *[(1, 0), (1.0, 0.0), ("1", "0"), (True, False), ("TRUE", "FALSE")],
+        *[("x", "-"), ("\u0445", "\u2013"), ("\u0425", "\u2014"), ("\u00d7", "\u2212")],
+    ],
+)
+def test_a_shift_table_may_mark_what_is_engaged_and_what_is_not(
+    engaged: object, not_engaged: object
+) -> None:
+    marks = not_engaged, engaged
+    table = {f"gears!{one}2": marks[is_on] for one, is_on in zip("BCD", (1, 0, 1), strict=True)}
+    table |= {f"gears!{one}3": marks[is_on] for one, is_on in zip("BCD", (1, 1, 0), strict=True)}
+    neutral = {"gears!A4": "neutral"} | {f"gears!{one}4": not_engaged for one in "BCD"}
     assert read(with_cells(table | neutral)) == library.loads(SAME + "  neutral: []\n")
 
 

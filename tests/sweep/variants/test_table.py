@@ -100,7 +100,7 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
     ("text", "line", "column", "words"),
     [
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
-        ("\n1\n", 1, 1, "read an empty line"),
+        ("\n1\n", 2, 1, "expected a mechanism"),
         ("D1.ratio\n", 0, 0, "there is no variant, expected a line of numbers"),
         ("D1.ratio\n\n \n", 0, 0, "there is no variant"),
         ("D1.ratio\n-2\nnan\n", 3, 1, "D1.ratio: read `nan`, expected a finite number"),
@@ -109,7 +109,8 @@ def test_what_can_be_no_ratio_is_left_to_the_result() -> None:
         ("D1.ratio, D1.ratoi\n1,2\n", 1, 14, "read `ratoi`, expected `ratio` or `efficiency`; did"),
         ("D1.ratio,D4.ratio\n1,2\n", 1, 10, "there is no mechanism `D4`"),
         ("varaint,D1.ratio\n1,2\n", 1, 1, "did you mean `variant`?"),
-        ("D1.ratio,\n1,2\n", 1, 10, "read nothing, expected a mechanism"),
+        ("D1.ratio,\n1,2\n", 2, 3, "read 2 cells, expected 1, as the headings"),
+        ("D1.ratio,,1.ratio\n1,,2\n", 1, 10, "read nothing, expected a mechanism"),
         ("D1.ratio,#1.ratio\n1,2\n", 1, 10, "D1.ratio has a column already"),
         ("12\n34\n", 1, 1, "expected a mechanism"),
         ("D1.ratio,1.ratio\n1,2\n3, x\n", 3, 4, "1.ratio: read `x`, expected a number"),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics import readers
 from vstatics.cli.frame import files
 from vstatics.errors import Problem, ReadError, of_file
+from vstatics.readers.kinds import is_of_kind
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioDocument, ScenarioFile
@@ -32,22 +34,10 @@ def _is_listing(data: bytes, _name: str) -> bool:
     return is_listing(data)
 
 
-def _is_scenario(data: bytes, name: str) -> bool:
-    from vstatics.simulation.scenario.file import is_scenario
-
-    return is_scenario(data, name)
-
-
 def _is_sweep(data: bytes, _name: str) -> bool:
     from vstatics.readers.sweep_tables import is_sweep
 
     return is_sweep(data)
-
-
-def _is_sweep_file(data: bytes, name: str) -> bool:
-    from vstatics.sweep.file import is_sweep_file
-
-    return is_sweep_file(data, name)
 
 
 KINDS = {
@@ -59,12 +49,12 @@ KINDS = {
     ),
     "scenario": DocumentKind(
         b"duration",
-        _is_scenario,
+        partial(is_of_kind, "scenario"),
         "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
     ),
     "sweep file": DocumentKind(
         b"case",
-        _is_sweep_file,
+        partial(is_of_kind, "sweep file"),
         "this is a sweep file, expected a case; `vstatics sweep --file` takes it",
     ),
     "sweep": DocumentKind(b"", _is_sweep),

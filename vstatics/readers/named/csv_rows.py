@@ -7,96 +7,95 @@ Every reader of such a file asks here which sign separates, and takes its number
 from __future__ import annotations
 
 import csv
-import io
 import math
 import re
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Iterable, Sequence
 from itertools import chain
-from pathlib import Path
 
 from vstatics.readers.named.arithmetic import slip
-from vstatics.readers.named.nodes import encoding_of
 
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
-_NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
-
-
-@contextmanager
-def noted_files() -> Iterator[set[str]]:
-    """Note which files are read in this block, or would be if they were there.
-
-    >>> with noted_files() as noted:
-    ...     try:
-    ...         csv_rows(Path("nowhere.csv"), 100)
-    ...     except OSError:
-    ...         noted
-    {'nowhere.csv'}
-    """
-    noted: set[str] = set()
-    token = _NOTED.set(noted)
-    try:
-        yield noted
-    finally:
-        _NOTED.reset(token)
-
-
-def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
-    """Lines that are not empty, each with its number.
-
-    Parameters
-    ----------
-    file : Path
-    most : int
-        Of its bytes.
-
-    Raises
-    ------
-    OSError
-    ValueError
-        With what was expected.
-    """
-    noted = _NOTED.get()
-    if noted is not None:
-        noted.add(str(file))
-    with file.open("rb") as opened:
-        data = opened.read(most + 1)
-    if len(data) > most:
-        raise ValueError(f"expected a file of {most // 1000} kB at most")
-    try:
-        text = data.decode(encoding_of(data))
-    except UnicodeDecodeError:
-        raise ValueError("expected text in UTF-8") from None
-    return list(numbered_rows(io.StringIO(text)))
+_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
+_FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
+_TOLD_SEPARATOR = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
+"""The line with which a spreadsheet is told what separates, as the headings do, too."""
 
 
 def separator_of(head: str) -> str:
     """The sign that separates the cells of a table, by its line of headings.
 
+    Raises
+    ------
+    ValueError
+        If it is the tabulator, which does not tell what its commas are.
+
+    Examples
+    --------
     >>> [separator_of(head) for head in ("time [s];speed [km/h]", "a,b", "speed [rpm];,2;,5")]
     [';', ',', ';']
     """
-    return ";" if head.count(";") >= max(1, head.count(",")) else ","
+    semicolons, commas = head.count(";"), head.count(",")
+    if not (semicolons or commas) and "\t" in head.strip():
+        raise ValueError(
+            "tabs separate the headings, expected commas or semicolons; save it as CSV"
+        )
+    return ";" if semicolons >= max(1, commas) else ","
 
 
-def with_points(cell: str, separator: str) -> str:
-    """A cell with decimal points, where it is a number between semicolons.
+class Decimals:
+    """The numbers of one table, with decimal points where commas stood between semicolons.
 
-    >>> with_points("-36,5", ";"), with_points("-78,5/30", ";"), with_points("-36,5", ",")
-    ('-36.5', '-78.5/30', '-36,5')
+    A point there may be a decimal one, or stand between thousands as in `1.200`: that is told by
+    the other numbers. It is a decimal one if some has a point that can't be anything else, such as
+    `0.5`, and none a comma.
+
+    >>> german = Decimals(";")
+    >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
+    ['-36.5', '-78.5/30', '1.200', 'a,b']
+    >>> german.doubt
+    (2, "read '1.200', 1200 with decimal commas but 1.2 with ... points; write 1200 or 1,200")
+
+    Attributes
+    ----------
+    are_commas : bool
+        Whether a number had a comma.
     """
-    is_number = separator == ";" and _CALCULATION.fullmatch(cell)
-    return cell.replace(",", ".") if is_number else cell
+
+    def __init__(self, separator: str) -> None:
+        self.are_commas = False
+        self._is_looking = separator == ";"
+        self._are_points = False
+        self._doubt: tuple[int, str] | None = None
+
+    def with_points(self, cell: str, line: int) -> str:
+        """A cell with decimal points, where it is a number between semicolons."""
+        if not (self._is_looking and _CALCULATION.fullmatch(cell)):
+            return cell
+        self.are_commas |= "," in cell
+        if found := _THOUSANDS.search(cell):
+            self._doubt = self._doubt or (line, found[0])
+        else:
+            self._are_points |= bool(_FRACTION.search(cell))
+        return cell.replace(",", ".")
+
+    @property
+    def doubt(self) -> tuple[int, str] | None:
+        """The first line with a number that may be two, and what to say of it."""
+        if self._doubt is None or (self._are_points and not self.are_commas):
+            return None
+        line, text = self._doubt
+        whole = text.replace(".", "")
+        readings = f"{whole} with decimal commas but {float(text):g} with decimal points"
+        return line, f"read '{text}', {readings}; write {whole} or {text.replace('.', ',')}"
 
 
 def has_cells(line: str) -> bool:
     """Whether anything stands in the cells of a line.
 
-    >>> has_cells(" ;;"), has_cells("0;")
-    (False, True)
+    >>> has_cells(" ;;"), has_cells("0;"), has_cells("sep=;")
+    (False, True, False)
     """
-    return bool(line.strip(" \t\r\n,;"))
+    return bool(line.strip(" \t\r\n,;")) and not _TOLD_SEPARATOR.fullmatch(line)
 
 
 def cells_of(line: str, separator: str) -> list[str]:
@@ -136,8 +135,18 @@ def decimal(cell: str) -> float:
     return number
 
 
-def expect_cells(read: int, expected: int, separator: str) -> None:
-    """Expect a cell for each heading.
+def headings_of(cells: Sequence[str]) -> list[str]:
+    """The headings of a table, whose lines may end with empty cells.
+
+    >>> headings_of(["speed [rpm]", "gear", "", " "])
+    ['speed [rpm]', 'gear']
+    """
+    count = max((number for number, cell in enumerate(cells, 1) if cell.strip()), default=0)
+    return list(cells[:count])
+
+
+def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
+    """Expect a cell for each heading, and empty ones behind these.
 
     Raises
     ------
@@ -146,18 +155,19 @@ def expect_cells(read: int, expected: int, separator: str) -> None:
 
     Examples
     --------
-    >>> expect_cells(4, 2, ",")
+    >>> expect_cells(["0", "5", "1", ""], 2, ",")
     Traceback (most recent call last):
     ValueError: read 4 cells, expected 2, as the headings; with decimal commas, semicolons ...
     """
-    if read != expected:
+    read = len(cells)
+    if read < expected or any(map(str.strip, cells[expected:])):
         commas = separator == "," and read > expected
         hint = "; with decimal commas, semicolons have to separate the cells" if commas else ""
         count = "1 cell" if read == 1 else f"{read} cells"
         raise ValueError(f"read {count}, expected {expected}, as the headings{hint}")
 
 
-def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
+def numbered_rows(lines: Iterable[str]) -> list[tuple[int, list[str]]]:
     """Rows of numbers that are not empty, each with the number of its last line.
 
     The first is that of the headings, and no other one is longer; numbers have decimal points.
@@ -170,21 +180,23 @@ def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
     rest = iter(lines)
     above, head = next((one for one in enumerate(rest) if has_cells(one[1])), (0, ""))
     separator, columns = separator_of(head), 0
+    decimals = Decimals(separator)
     rows = csv.reader(chain([head], rest), delimiter=separator)
+    made = []
     try:
         for row in rows:
             if not any(map(str.strip, row)):
                 continue
-            columns = columns or len(row)
+            columns = columns or len(headings_of(row))
             line = above + rows.line_num
-            if any(map(str.strip, row[columns:])):
+            if len(row) > columns:
                 try:
-                    expect_cells(len(row), columns, separator)
+                    expect_cells(row, columns, separator)
                 except ValueError as error:
                     raise ValueError(f"line {line}: {error}") from None
-            cells = row[:columns]
-            if separator != ",":
-                cells = [with_points(cell, separator) for cell in cells]
-            yield line, cells
+            made.append((line, [decimals.with_points(cell, line) for cell in row[:columns]]))
     except csv.Error as error:
         raise ValueError(f"expected CSV: {error}") from None
+    if decimals.doubt:
+        raise ValueError("line {}: {}".format(*decimals.doubt))
+    return made

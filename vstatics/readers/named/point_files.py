@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from vstatics.model.shape import Measure
-from vstatics.readers.named.csv_rows import csv_rows
+from vstatics.readers.named.csv_files import csv_rows
 from vstatics.readers.named.si_units import measured
 
 MOST_BYTES = 1_000_000

@@ -72,20 +72,15 @@ def _tree(found: Found, form: Format) -> Node:
     return yaml_tree(found)
 
 
-def case_tree(data: bytes, file: str, form: Format | None) -> Node | None:
-    """The case in YAML or JSON as a tree of nodes; none in any other format.
+def case_tree(found: Found, form: Format) -> Node:
+    """The case in YAML or JSON as a tree of nodes.
 
     Raises
     ------
     ReadError
         If it is no such document.
     """
-    from vstatics.readers import format_of
-
-    form = form or format_of(file, data)
-    if form not in ("yaml", "json"):
-        return None
-    root = _tree(decode(data, file), form)
+    root = _tree(found, form)
     return _case(root) if isinstance(root, Mapping) else root
 
 

@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from vstatics.errors import ReadError
-from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, decode, shown
+from vstatics.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, shown
 
 MOST_VALUES = 200_000
 """Values that aliases may expand a document to."""
@@ -52,23 +51,6 @@ def yaml_tree(found: Found) -> Node:
         code = f"U+{ord(unprintable[0]):04X}"
         found.stop(f"{code}, a character that YAML has not", *found.place(unprintable.start()))
     return _Builder(found, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).document()
-
-
-def top_keys(data: bytes, file: str) -> set[str]:
-    """The keys of a document in YAML or JSON, by which its kind is known; none of anything else.
-
-    >>> sorted(top_keys(b"{case: box.yaml, duration: 6}", "up.yaml")), top_keys(b"[1]", "x.json")
-    (['case', 'duration'], set())
-    """
-    from vstatics.readers import format_of
-
-    if format_of(file, data) in ("deck", "xlsx"):
-        return set()
-    try:
-        root = yaml_tree(decode(data, file))
-    except ReadError:
-        return set()
-    return {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
 
 
 class _Builder:

@@ -24,6 +24,9 @@ LINKS = "links"
 GEARS = "gears"
 """Whose columns are shift elements, too."""
 ENGAGED = "x"
+MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # the x of Russian, of times
+MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
+"""Whether an element is engaged, by what stands in a shift table in place of a number."""
 LONGEST_NUMBER = 9
 """Digits of the number of an item; nothing has so many items."""
 

@@ -18,6 +18,7 @@ from vstatics.readers.workbook.sheets import (
     GEARS,
     LINKS,
     LONGEST_NUMBER,
+    MARKS,
     PART_SHEETS,
     SHEETS,
     Part,
@@ -209,14 +210,14 @@ class TreeOfSheets:
         for cell in cells:
             number = cell.text.removesuffix(".0")  # as programs write a column with gaps
             is_number = number.isdecimal() and len(number) <= LONGEST_NUMBER
-            if cell.text.casefold() != ENGAGED and not is_number:
+            order = int(number) if is_number else 0
+            is_engaged = bool(order) if is_number else MARKS.get(cell.text.casefold())
+            if is_engaged is None:
                 message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
                 self._refuse(cell, message)
-                continue
-            order = int(number) if is_number else 0
-            if is_number and not order:
-                continue
-            found.append((order, Scalar(engaged[cell.column], *self._at(cell), plain=False)))
+            elif is_engaged:
+                name = Scalar(engaged[cell.column], *self._at(cell), plain=False)
+                found.append((order, name))
         if found:
             found.sort(key=lambda one: one[0])
             items: list[Node] = [node for _, node in found]

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from vstatics.arguments import refusing
 from vstatics.errors import Path, Problem, ReadError
 from vstatics.model.transmission import Transmission
+from vstatics.readers.kinds import kind_of
 from vstatics.readers.named.nodes import (
     Found,
     Mapping,
@@ -37,8 +38,10 @@ from vstatics.simulation.scenario.values import ScenarioValues
 from vstatics.simulation.scenario.words import name_problems, vocabulary
 
 EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
-_OF_CASES = ("links", "mechanisms", "elements", "springs", "gears", "shift_elements")
-_OF_SWEEPS = ("vary", "variants")
+_OTHERS = {
+    "case": f"this is a case, expected {EXPECTED}",
+    "sweep file": f"this is a sweep file, expected {EXPECTED}; `vstatics sweep --file` takes it",
+}
 
 
 class ScenarioFile(NamedTuple):
@@ -182,26 +185,9 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     root = yaml_tree(found)
     if not isinstance(root, Mapping):
         found.stop(f"read {what(root)}, expected {EXPECTED}", root.line, root.column)
-    keys = {key.text for key, _ in root.entries}
-    if "duration" not in keys and not keys.isdisjoint(_OF_CASES):
-        found.stop(f"this is a case, expected {EXPECTED}", root.line, root.column)
-    if "duration" not in keys and not keys.isdisjoint(_OF_SWEEPS):
-        told = f"this is a sweep file, expected {EXPECTED}; `vstatics sweep --file` takes it"
+    if told := _OTHERS.get(kind_of(root) or ""):
         found.stop(told, root.line, root.column)
     return ScenarioDocument(root, found)
-
-
-def is_scenario(data: bytes, file: str) -> bool:
-    """Whether a document is a scenario: it has a `duration`, which no case has.
-
-    >>> is_scenario(b"{case: box.yaml, duration: 6}", "up.yaml"), is_scenario(b"links: 3", "x.yaml")
-    (True, False)
-    """
-    if b"duration" not in data:
-        return False
-    from vstatics.readers.named.yaml_nodes import top_keys  # yaml costs start-up time
-
-    return "duration" in top_keys(data, file)
 
 
 def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:

@@ -8,7 +8,7 @@ from typing import get_args
 
 from vstatics.model.shape import Measure
 from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.named.csv_rows import csv_rows
+from vstatics.readers.named.csv_files import csv_rows
 from vstatics.readers.named.si_units import measured
 
 MOST_BYTES = 5_000_000

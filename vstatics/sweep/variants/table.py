@@ -15,7 +15,13 @@ import numpy as np
 from vstatics.errors import Place, Problem, ReadError, nearest, of_file
 from vstatics.jobs.spool import Spool
 from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.csv_rows import expect_cells, has_cells, separator_of, with_points
+from vstatics.readers.named.csv_rows import (
+    Decimals,
+    expect_cells,
+    has_cells,
+    headings_of,
+    separator_of,
+)
 from vstatics.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -37,7 +43,10 @@ class _Columns(NamedTuple):
     """What the header says of the lines below it."""
 
     file: str
+    line: int
+    """Of the header itself."""
     separator: str
+    decimals: Decimals
     names: list[str]
     targets: list[Varied]
     chosen: list[int]
@@ -65,8 +74,8 @@ def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order; one of the name `variant` is passed over. Commas or
-    semicolons separate; between semicolons a comma is a decimal one. An apostrophe that
-    keeps a spreadsheet from calculating a cell is passed over. UTF-8.
+    semicolons separate; between semicolons a comma is a decimal one (see `Decimals`). An
+    apostrophe that keeps a spreadsheet from calculating a cell is passed over. UTF-8.
 
     Parameters
     ----------
@@ -97,7 +106,11 @@ def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
     """
     pieces = _pieces(opened, file)
     head, _, first = next(pieces, b"").removeprefix(_BOM).partition(b"\n")
-    columns = _header(head, file, subject)
+    number = 1
+    while first and not has_cells(_text(head, file, number)):
+        head, _, first = first.partition(b"\n")
+        number += 1
+    columns = _header(head, file, number, subject)
     digest = hashlib.sha256()
     kept: list[Floats] = []
     spool: Spool | None = None
@@ -140,24 +153,25 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
         yield rest
 
 
-def _header(head: bytes, file: str, subject: Subject) -> _Columns:
-    """The columns that the first line names."""
-    line = _text(head, file, 1)
-    if not line.strip():
-        raise refusal("read an empty line, expected names such as D1.ratio", Place(file, 1, 1))
-    separator = separator_of(line)
+def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:
+    """The columns that the line of headings names."""
+    line = _text(head, file, number)
+    start = Place(file, number, 1, line)
+    separator = _separator(line, start)
     names: list[str] = []
     targets: list[Varied] = []
     chosen: list[int] = []
     problems: list[Problem] = []
-    for index, (name, column) in enumerate(_cells(line, separator)):
+    cells = _cells(line, separator)
+    cells = cells[: len(headings_of([text for text, _ in cells]))]
+    for index, (name, column) in enumerate(cells):
         if len(problems) >= MOST_PROBLEMS:
             break
         name = unguarded(name)  # noqa: PLW2901 - without what a spreadsheet may ask for
         names.append(name)
         if name == NUMBER_COLUMN:
             continue
-        place = Place(file, 1, column, line)
+        place = start._replace(column=column)
         try:
             varied = target_of(name, subject, place)
             if isinstance(varied, CasePath):
@@ -175,10 +189,19 @@ def _header(head: bytes, file: str, subject: Subject) -> _Columns:
         chosen.append(index)
     if not (targets or problems):
         message = "no column is a number of the case, expected names such as D1.ratio"
-        problems.append(Problem("E715", message, place=Place(file, 1, 1, line)))
+        problems.append(Problem("E715", message, place=start))
     if problems:
         raise ReadError(problems)
-    return _Columns(file, separator, names, targets, chosen)
+    return _Columns(file, number, separator, Decimals(separator), names, targets, chosen)
+
+
+def _separator(line: str, place: Place) -> str:
+    if not line.strip():
+        raise refusal("read an empty line, expected names such as D1.ratio", place)
+    try:
+        return separator_of(line)
+    except ValueError as error:
+        raise refusal(str(error), place) from None
 
 
 def _with_unit(varied: CasePath, place: Place) -> CasePath:
@@ -191,7 +214,7 @@ def _with_unit(varied: CasePath, place: Place) -> CasePath:
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
     """The numbers of each piece, (lines, targets)."""
-    line = 2
+    line = columns.line + 1
     for piece in chain([first], pieces):
         if piece.strip():
             rows = _fast(piece, columns)
@@ -200,11 +223,17 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
             if len(rows):
                 yield rows
         line += piece.count(b"\n")
+    if columns.decimals.doubt:
+        number, message = columns.decimals.doubt
+        raise refusal(message, Place(columns.file, number, 1))
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
     """The numbers of a piece; none if anything in it is unusual."""
     if columns.separator == ";":
+        if b"." in piece:
+            return None  # each is looked at
+        columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
     try:
         rows = np.loadtxt(
@@ -239,7 +268,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     cells = _cells(text, columns.separator)
     expected = len(columns.names)
     try:
-        expect_cells(len(cells), expected, columns.separator)
+        expect_cells([text for text, _ in cells], expected, columns.separator)
     except ValueError as error:
         column = cells[expected][1] if len(cells) > expected else len(text) + 1
         raise refusal(str(error), place._replace(column=column)) from None
@@ -249,7 +278,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
         cell, column = cells[index]
         plain = unguarded(cell)
         try:
-            row.append(_finite(with_points(plain, columns.separator)))
+            row.append(_finite(columns.decimals.with_points(plain, place.line)))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
             problems.append(Problem("E718", message, place=place._replace(column=column)))

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vstatics.errors import CaseError, ReadError
 from vstatics.model.shape import ByKey, KeyShape, Leaf, LeafKind
+from vstatics.readers.kinds import kind_of
 from vstatics.readers.named.nodes import Mapping, Spots, decode
 from vstatics.readers.named.reader import read_document
 from vstatics.torsion.clutch.dumped import DumpTorque, dump
@@ -38,8 +39,6 @@ EXPECTED = (
     "a clutch that is dumped: a mapping with `J1` to `J5`, `E`, `M_C0`, `M_phi`, `omega1`, or a "
     "case with `dump`"
 )
-_OF_CASES = ("dump", "links", "mechanisms", "elements", "springs", "inertias", "gears", "format")
-"""Keys by which a document is known as a case, as long as it has no number of a clutch."""
 
 
 class DumpFile(NamedTuple):
@@ -82,7 +81,7 @@ def is_of_case(data: bytes, file: str) -> bool:
         return form == "json"
     keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
     numbers = {key.name for key in DUMP.keys}
-    return keys.isdisjoint(numbers) and not keys.isdisjoint(_OF_CASES)
+    return keys.isdisjoint(numbers) and ("format" in keys or kind_of(root) == "case")
 
 
 def read_dump(data: bytes, file: str) -> DumpFile:

@@ -1,0 +1,82 @@
+"""Files of numbers that a document names: which are read, and whether any is."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+
+from vstatics.readers.named.csv_rows import numbered_rows
+from vstatics.readers.named.nodes import encoding_of
+
+_NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
+_ARE_READ: ContextVar[bool] = ContextVar("files are read", default=True)
+
+
+@contextmanager
+def noted_files() -> Iterator[set[str]]:
+    """Note which files are read in this block, or would be if they were there.
+
+    >>> with noted_files() as noted:
+    ...     try:
+    ...         csv_rows(Path("nowhere.csv"), 100)
+    ...     except OSError:
+    ...         noted
+    {'nowhere.csv'}
+    """
+    noted: set[str] = set()
+    token = _NOTED.set(noted)
+    try:
+        yield noted
+    finally:
+        _NOTED.reset(token)
+
+
+@contextmanager
+def no_files() -> Iterator[None]:
+    """Refuse in this block whatever file is named in a text, as it may be that of a stranger.
+
+    >>> with no_files():
+    ...     csv_rows(Path("/etc/passwd"), 100)
+    Traceback (most recent call last):
+    ValueError: expected the points themselves: a text has no folder; ...
+    """
+    token = _ARE_READ.set(False)
+    try:
+        yield
+    finally:
+        _ARE_READ.reset(token)
+
+
+def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
+    """Lines that are not empty, each with its number.
+
+    Parameters
+    ----------
+    file : Path
+    most : int
+        Of its bytes.
+
+    Raises
+    ------
+    OSError
+    ValueError
+        With what was expected.
+    """
+    if not _ARE_READ.get():
+        hint = "`loads` reads files beside its `name`, if that has a folder"
+        raise ValueError(f"expected the points themselves: a text has no folder; {hint}")
+    noted = _NOTED.get()
+    if noted is not None:
+        noted.add(str(file))
+    with file.open("rb") as opened:
+        data = opened.read(most + 1)
+    if len(data) > most:
+        raise ValueError(f"expected a file of {most // 1000} kB at most")
+    try:
+        text = data.decode(encoding_of(data))
+    except UnicodeDecodeError:
+        raise ValueError("expected text in UTF-8") from None
+    return numbered_rows(io.StringIO(text))
