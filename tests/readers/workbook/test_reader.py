@@ -180,6 +180,11 @@ def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) ->
     ]
 
 
+def test_a_value_that_stands_for_several_rows_is_asked_for_in_each() -> None:
+    [said] = faults(typed(lambda book: book["mechanisms"].merge_cells("F2:F3")))
+    assert said.startswith("box.xlsx:mechanisms!F2: error: F2:F3 are merged into one cell")
+
+
 def test_a_mistyped_sheet_is_told() -> None:
     def renamed(book: Any) -> None:
         book["gears"].title = "gear"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -59,6 +60,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
                     _cells(CellPlace.of(Place(file, number, 0), name), *pair, problems)
                     for number, pair in enumerate(pairs, 1)
                 ]
+                problems += _merged(data, values[name], file)
             except Exception as error:  # noqa: BLE001 - whatever openpyxl meets in a file that is none
                 raise _no_workbook(file, error, name) from None
         read.append(ReadSheet(name, [row for row in rows if row]))
@@ -103,6 +105,26 @@ def _rows(sheet: Any) -> Iterator[tuple[Any, ...]]:
         if number > MOST_ROWS or len(row) > MOST_COLUMNS:
             raise ValueError(f"expected at most {MOST_ROWS} rows and {MOST_COLUMNS} columns")
         yield row
+
+
+_MERGED = re.compile(rb'<mergeCell [^>]*ref="([A-Z]{1,3})(\d{1,7}):([A-Z]{1,3}\d{1,7})"')
+
+
+def _merged(data: bytes, sheet: Any, file: str) -> Iterator[Problem]:
+    """Cells that are one: only the first of them has a value, the others would be empty."""
+    from openpyxl.utils import column_index_from_string
+
+    with zipfile.ZipFile(io.BytesIO(data)) as packed:
+        written = packed.read(sheet._worksheet_path)  # noqa: SLF001 - cells that are streamed lack it
+    for column, row, last in _MERGED.findall(written):
+        first = column.decode()
+        place = Place(file, int(row), column_index_from_string(first))
+        message = (
+            f"{first}{int(row)}:{last.decode()} are merged into one cell, expected a value in "
+        )
+        yield Problem(
+            "E118", f"{message}each: unmerge and fill them", (), CellPlace.of(place, sheet.title)
+        )
 
 
 def _cells(
