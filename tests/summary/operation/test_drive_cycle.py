@@ -205,6 +205,22 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
 
 
+@pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
+def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
+    """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
+    ratios = {"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0}
+    elements = [ShiftElement(1, link) for link in range(2, 7)]
+    sets = [Mechanism(link, 7, 0, ratio) for link, ratio in enumerate(ratios.values(), 2)]
+    gears = [Gear([number], name=name) for number, name in enumerate(ratios, 1)]
+    gears[3] = gears[3]._replace(torques={2: 0.2})
+    case = Transmission(7, elements, sets, [*gears, Gear(name="N")], vehicle=CAR)
+    text = trace((0, 5, ""), (2, 6, ""))._replace(gears=[])
+    with pytest.raises(CaseError, match=f"the shift {shift} .* neighbours: 1-2, 2-3"):
+        drive(case, text, GearChoice(shifts=read_shifts(f"{shift}: 5 m/s/4 m/s")))
+    skipping = GearChoice(shifts=read_shifts("1-3: 5 m/s/4 m/s"))
+    assert drive(case, text, skipping).gears == ["3"]
+
+
 @pytest.mark.parametrize("number", range(5))
 def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int) -> None:
     """By both rules, over a random engine and steady speeds; counted by hand where none holds."""
