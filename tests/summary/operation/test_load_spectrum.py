@@ -237,6 +237,17 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     assert said not in vstatics(*given, "--allow", "N414").err
 
 
+@pytest.mark.parametrize("form", ["text", "markdown", "csv"])
+def test_an_equivalent_torque_says_of_which_exponent(tmp_path: Path, form: str) -> None:
+    case, file = tmp_path / "case.yaml", tmp_path / "duty.csv"
+    case.write_text(BEYOND)
+    file.write_text("time [s],gear,speed [rad/s],torque [N*m]\n1,fast,100,40\n")
+    asked = ["summary", str(case), "--duty", str(file), "-f", form]
+    for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
+        found = vstatics(*asked, *given).out.replace("\\", "")
+        assert f"equivalent, p = {told}, N*m" in found
+
+
 def test_points_are_a_record_of_the_torques_of_devices() -> None:
     """The example of ASTM E1049-85, 5.4.4, in 100 N*m, on a spring behind a pair of ratio 2."""
     shaft = Spring({2: 1, 3: -1}, stiffness=9e3, name="shaft")

@@ -82,7 +82,7 @@ class DutyEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@told("energy", "efficiency", "members")
+@told("energy", "efficiency", "exponent", "members")
 class Spectrum(NamedTuple):
     """What a duty cycle by points does."""
 
@@ -95,6 +95,8 @@ class Spectrum(NamedTuple):
     """Then energies are mean powers, and revolutions those of a second."""
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
     """Of devices with a fatigue strength, whose torques are those of the points in their order."""
+    exponent: float = EXPONENT
+    """Of the equivalent torques. [-]"""
 
 
 def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
@@ -139,7 +141,7 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     energy = DutyEnergy(entering, leaving, lost)
     damage = damages(case, loads.device_torques())
     messages = not_allowed(_doubts(case, loads), case.untold)
-    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage)
+    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage, exponent)
 
 
 def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
