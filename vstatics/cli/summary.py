@@ -15,6 +15,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import Problem, ReadError, of_file
@@ -26,6 +27,10 @@ if TYPE_CHECKING:
     from vstatics.summary import Summary
     from vstatics.summary.answer import SummaryAnswer
     from vstatics.summary.duty_file import DutyFile, DutyTable
+
+
+MOST_COMBINATIONS = 10_000
+"""That are tried where nobody says how many."""
 
 
 def _torque(text: str) -> float:
@@ -47,10 +52,8 @@ def _torque(text: str) -> float:
 @click.option(
     "--at-most",
     type=click.IntRange(min=1),
-    default=10_000,
-    show_default=True,
     metavar="N",
-    help="Try no more combinations than these.",
+    help="Try no more --combinations than these.  [default: 10000]",
 )
 @click.option(
     "--duty",
@@ -63,10 +66,8 @@ def _torque(text: str) -> float:
     "--exponent",
     type=click.FloatRange(min=0, min_open=True, max=100),
     callback=value(above_0),  # NaN is in every range
-    default=3.0,
-    show_default=True,
     metavar="P",
-    help="Of the equivalent torque over a CSV of points.",
+    help="Of the equivalent torque over a CSV of points.  [default: 3]",
 )
 @click.option(
     "--output-torque",
@@ -95,9 +96,9 @@ def summary(
     cases: tuple[str, ...],
     wanted: OutputOptions,
     combinations: bool,
-    at_most: int,
+    at_most: int | None,
     duty: str | None,
-    exponent: float,
+    exponent: float | None,
     output_torque: float | None,
     reserve: float | None,
     boxes: tuple[int, ...],
@@ -125,6 +126,11 @@ def summary(
 
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
+    is_table = duty is not None and suffix_of(duty) == ".csv"
+    refuse(
+        (at_most is not None and not combinations, "--at-most: without --combinations"),
+        (exponent is not None and not is_table, "--exponent: without --duty and a CSV of points"),
+    )
     others = [] if duty is None else [duty]
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
@@ -132,12 +138,11 @@ def summary(
     if duty is not None:
         from vstatics.summary.duty_file import read_duty, read_duty_table
 
-        data, name = files.read_input(duty)
-        is_table = suffix_of(duty) == ".csv"
-        cycle = read_duty_table(data, name, exponent) if is_table else read_duty(data, name)
+        text = files.read_input(duty)
+        cycle = read_duty_table(*text, exponent) if is_table else read_duty(*text)
     summarized = partial(
         _summarized,
-        at_most=at_most if combinations else None,
+        at_most=at_most or (MOST_COMBINATIONS if combinations else None),
         duty=cycle,
         output_torque=output_torque or 0.0,
         reserve=reserve,

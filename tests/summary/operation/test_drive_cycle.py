@@ -197,6 +197,10 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
+    for both in GearChoice(least, shifts), GearChoice(least), GearChoice(shifts=shifts):
+        given = text if both == GearChoice(least, shifts) else trace((0, 4, "1"), (2, 8, "1"))
+        with pytest.raises(CaseError, match=r"and --\S+ tell the gears, expected one of them"):
+            drive(case, given, both)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
     with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
         drive(case, text, GearChoice(shifts=turned))
