@@ -387,8 +387,11 @@ def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
         If one is none of the case, nothing tells it, or shifts are none of those up.
     """
     names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
-    ways = {"the column `gear`": trace.gears, "--shift": choice.shifts}
-    ways |= {"--least-speed": choice.least_speed is not None}
+    ways = {
+        "the column `gear`": bool(trace.gears),
+        "--shift": bool(choice.shifts),
+        "--least-speed": choice.least_speed is not None,
+    }
     if len(means := [name for name, given in ways.items() if given]) > 1:
         raise CaseError("E426", f"{' and '.join(means)} tell the gears, expected one of them")
     if choice.least_speed is not None:

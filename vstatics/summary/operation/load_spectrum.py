@@ -18,7 +18,7 @@ from vstatics.errors import CaseError, Problem, not_allowed
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.statics.carried import overloads_at_points
+from vstatics.statics.carried import larger_torques, overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.matrix import column_of, held_links
 from vstatics.statics.result_arrays import Message, row_names
@@ -271,10 +271,10 @@ class PointLoads(NamedTuple):
 
     @property
     def held_torques(self) -> Floats:
-        """(points, shift elements): what those carry that hold, with losses; else 0 [N*m]."""
-        holds = self.taken(self.results.holds)
-        torques = self.taken(self.results.lossy_torques_Nm)[:, : holds.shape[1]]
-        return np.where(holds, torques, 0.0)
+        """(points, shift elements): what those carry that hold, without sign; else 0 [N*m]."""
+        holds, results = self.taken(self.results.holds), self.results
+        sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
+        return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
         """By shift element, mechanism and spring: its torque at each point [N*m]."""
