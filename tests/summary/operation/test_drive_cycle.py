@@ -277,6 +277,14 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     assert "read '1000', expected a speed with its unit" in ran.err
 
 
+def test_a_specific_consumption_is_told_how_it_becomes_a_rate() -> None:
+    """What 250 g/kWh take at 3000 rpm and 100 N*m, idle has no power to be multiplied by."""
+    with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
+        read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
+    rate = 250 * 3000 * 100 / 9549.3
+    assert rate == pytest.approx(250 * 100 * 3000 * math.pi / 30 / 1000, rel=1e-6)
+
+
 def test_fuel_is_bilinear() -> None:
     """A + b w + c T + d w T is met exactly inside a cell."""
     speeds, torques = np.array([100.0, 300.0, 500.0]), np.array([0.0, 100.0])

@@ -227,9 +227,12 @@ class _CycleSteps(NamedTuple):
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
-            why = beside_engine(gear, case.link_name) or "no ratio"
-            message = f"gear {gear.name} has {why}, expected one in which the engine alone drives"
-            raise CaseError([Problem("E428", f"{message} the wheels", (int(lacking[0]),))])
+            why = beside_engine(gear, case.link_name)
+            message = (
+                f"gear {gear.name} has {why or 'no ratio'}, expected one in which the engine alone "
+                "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
+            )
+            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
         return cls(case, vehicle, trace, gears, ratios)
 
     @property
