@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import click
 
 from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import duty as duty_cycles
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, show_problems
+from vstatics.cli.frame.duty import DutyOptions
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
@@ -18,10 +20,9 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import above_0, value
-from vstatics.errors import Problem, ReadError, of_file
+from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
-from vstatics.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
     from vstatics.summary import Summary
@@ -55,20 +56,7 @@ def _torque(text: str) -> float:
     metavar="N",
     help="Try no more --combinations than these.  [default: 10000]",
 )
-@click.option(
-    "--duty",
-    type=click.Path(),
-    metavar="FILE",
-    help="A duty cycle: YAML with `energy` or `time`, and a share by gear; or CSV of points with "
-    "`time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
-)
-@click.option(
-    "--exponent",
-    type=click.FloatRange(min=0, min_open=True, max=100),
-    callback=value(above_0),  # NaN is in every range
-    metavar="P",
-    help="Of the equivalent torque over a CSV of points.  [default: 3]",
-)
+@duty_cycles.options
 @click.option(
     "--output-torque",
     callback=value(_torque),
@@ -97,8 +85,7 @@ def summary(
     wanted: OutputOptions,
     combinations: bool,
     at_most: int | None,
-    duty: str | None,
-    exponent: float | None,
+    duty: DutyOptions,
     output_torque: float | None,
     reserve: float | None,
     boxes: tuple[int, ...],
@@ -126,24 +113,14 @@ def summary(
 
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    is_table = duty is not None and suffix_of(duty) == ".csv"
-    refuse(
-        (at_most is not None and not combinations, "--at-most: without --combinations"),
-        (exponent is not None and not is_table, "--exponent: without --duty and a CSV of points"),
-    )
-    others = [] if duty is None else [duty]
+    refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
+    others = duty.files
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
-    cycle: DutyFile | DutyTable | None = None
-    if duty is not None:
-        from vstatics.summary.duty_file import read_duty, read_duty_table
-
-        text = files.read_input(duty)
-        cycle = read_duty_table(*text, exponent) if is_table else read_duty(*text)
     summarized = partial(
         _summarized,
         at_most=at_most or (MOST_COMBINATIONS if combinations else None),
-        duty=cycle,
+        duty=duty.read(),
         output_torque=output_torque or 0.0,
         reserve=reserve,
     )
@@ -193,7 +170,7 @@ def _side_by_side(
         if outcome.results is not None:
             try:
                 summary = summarized(outcome, outcome.results)
-                more = _of_cycle(summary, outcome.file)
+                more = duty_cycles.doubts(summary.cycle, outcome.file)
                 telling = outcome.telling._replace(notes=True)
                 show_problems(more, telling, outcome.file)
                 failed |= telling.fails(more)
@@ -228,12 +205,6 @@ def _summarized(
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 
-def _of_cycle(summary: Summary, file: str) -> list[Problem]:
-    """What is doubtful about the duty cycle of a case."""
-    messages = getattr(summary.cycle, "messages", ())  # shares by gear have none
-    return [of_file(one.id, file, one.text) for one in messages]
-
-
 def _shown(
     outcome: CalculatedCase,
     results: Results,
@@ -252,5 +223,8 @@ def _shown(
 
         return summary_answer(summary)
 
-    titles, problems = [results.case.name or outcome.file], _of_cycle(summary, outcome.file)
+    titles, problems = (
+        [results.case.name or outcome.file],
+        duty_cycles.doubts(summary.cycle, outcome.file),
+    )
     return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
