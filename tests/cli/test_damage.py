@@ -114,7 +114,7 @@ def test_a_case_that_tells_no_strength() -> None:
 
 def test_rayleigh() -> None:
     """The example of Tsitovich and Algin, chapter 4.6."""
-    words = ["damage", "rayleigh", "--endurance", "100MPa", "--deviation", "60e6"]
+    words = ["damage", "rayleigh", "--endurance", "100MPa", "--deviation", "60e3 kPa"]
     words += ["--exponent", "3", "--cycles", "4e6"]
     by_km, alone = answer(*words, "--per-km", "100"), answer(*words)
     assert by_km["integral"] == pytest.approx(3.6191919, rel=1e-7)
@@ -122,6 +122,8 @@ def test_rayleigh() -> None:
     assert alone["life"] == pytest.approx(5116755, rel=1e-6)
     assert answer(*words, "--sum", "2")["life"] == pytest.approx(2 * alone["life"])
     assert "life [km]" in vstatics(*words, "--per-km", "100").out
+    bare = [*words[:3], "100", "--deviation", "60", *words[6:]]
+    assert answer(*bare) == pytest.approx(alone), "only the quotient of stresses counts"
 
 
 def test_resize() -> None:
@@ -148,6 +150,7 @@ def test_resize() -> None:
         ("rayleigh --endurance 1 --deviation 1 --exponent 3 --cycles 0", "--cycles"),
         ("rayleigh --endurance 1 --deviation 1m --exponent 3 --cycles 1", "this is a length"),
         ("rayleigh --endurance 1 --deviation 1 --exponent 1e9 --cycles 1", "so large"),
+        ("rayleigh --endurance 9 --deviation 6MPa --exponent 3 --cycles 1", "of both, or of none"),
         ("case.yaml", "RECORD.csv"),
     ],
 )

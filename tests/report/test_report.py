@@ -26,6 +26,14 @@ mechanisms: {P: {first: "-3", second: "8-1", third: out, ratio: -2.5, efficiency
 gears: {"1": {engaged: [B]}, "2": {engaged: [C]}}
 """
 
+DUTY = """\
+links: [a, b, c]
+shift_elements: {B: {links: [b, c], capacity: 700 N*m}}
+load: {speed: 2000 rpm, torque: 200 N*m}
+mechanisms: {P: {first: a, second: b, ratio: 3}}
+gears: {"1": [B]}
+"""
+
 
 @pytest.fixture(scope="module")
 def zf() -> Page:
@@ -271,6 +279,23 @@ def test_gears_without_numbers_say_why(tmp_path: Path, text: str, status: int, w
     assert messages == shown.data["messages"]
     ids = {one.attributes.get("id") for one in shown.elements}
     assert {(one.attributes["href"] or "")[1:] for one in shown.all("a")} <= ids  # no picture leads
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Path) -> None:
+    case, points = write(tmp_path, DUTY), tmp_path / "points.csv"
+    points.write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,2000,300\n1,1,2500,200\n")
+    shown = Page(report(case, "--duty", points, "--exponent", 6))
+    said = "warning: in 1 of 2 rows B carries up to 900 of 700 N*m"
+    assert any(one.text.startswith(said) for one in shown.all("li"))
+    table = shown.table("Largest over the duty cycle")
+    members = output("summary", case, "--duty", points, "--exponent", 6)["duty"]["members"]
+    for name, cells in table.items():
+        own = members[name]["equivalent_torque"]
+        assert value(cells["equivalent, p = 6, N*m"]) == pytest.approx(own, abs=5e-4)
+    assert set(table) == {name for name, one in members.items() if one["torque"]["largest"]}
+    refused = vstatics("report", case, "--duty", points, "--live", "-o", "-")
+    assert (refused.status, "--duty: a page with sliders" in refused.err) == (2, True)
 
 
 @pytest.mark.slow

@@ -76,6 +76,10 @@ def test_too_many_combinations_are_refused() -> None:
     assert said.status == 1
     assert said.out == ""
     assert f"{case}: error: 3 of 5" in said.err
+    without = {"--at-most": "--combinations", "--exponent": "--duty and a CSV of points"}
+    for option, other in without.items():
+        said = vstatics("summary", case, option, 9)
+        assert (said.status, f"{option}: without {other}" in said.err) == (2, True)
 
 
 def test_that_there_are_none_is_said() -> None:

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from tests.commands import vstatics
-from vstatics import Gear, Load, Mechanism, Transmission, solve
+from tests.commands import CASES, vstatics
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.tables.answer import plain_data
 from vstatics.tables.ports import port_tables, ports_grid
 
@@ -38,6 +38,23 @@ def test_drag_and_meshes_are_lost_apart_and_together() -> None:
     lost = dict(table.losses)
     # .9 of the torque enters the pair, which loses 2 % of it
     assert lost == pytest.approx({"meshes": 0.018, "drag": 0.1, "meshes and drag": 0.118})
+
+
+@pytest.mark.parametrize("torque", [100.0, -100.0])
+def test_no_power_comes_from_nowhere(torque: float) -> None:
+    """Into neutral none enters; from a freewheel that overruns none comes, nor from a lock."""
+    elements = [ShiftElement(2, 3, "F", kind="freewheel"), ShiftElement(2, 3, "C")]
+    gears = [Gear([2], name="1"), Gear(name="F")]
+    case = Transmission(3, elements, [Mechanism(1, 2, 0, 2.0)], gears, load=Load(2000.0, torque))
+    [held, free] = port_tables(solve(case))
+    assert [port.way for _, port in held.rows] == (["in", "out"] if torque > 0 else ["out", "in"])
+    overruns = torque > 0  # its first link runs behind its second one there
+    assert any(port.way for _, port in free.rows) != overruns
+    [drive, driven] = port_tables(solve(load(CASES / "self-locking.yaml"), coast=True))
+    assert [port.way for _, port in drive.rows] == ["", ""]
+    assert {port.way for _, port in driven.rows} == {"in", "out"}
+    [neutral] = port_tables(solve(case.replace(shift_elements=elements[1:], gears=gears[1:])))
+    assert [math.isnan(port.torque) for _, port in neutral.rows] == [True, True]
 
 
 def test_slip_of_a_converter_and_losses_of_a_variator_are_not_those_of_meshes() -> None:

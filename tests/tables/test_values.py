@@ -181,9 +181,12 @@ def test_a_load_that_is_none_is_told_once(load: str, words: str) -> None:
     assert words in told
 
 
-def test_a_load_is_written_as_speed_and_torque() -> None:
+def test_a_load_is_written_as_it_was_given() -> None:
+    """Power beside a speed, which it outlives; of a torque beside it speed and torque."""
     case = loaded("load: {power: 2 kW, speed: 500 rpm}" + SET)
     assert mapping(case)["load"] == {
         "speed": "500.0 rpm",
-        "torque": f"{2 / 500 / KW!r} N*m",
+        "power": "2.0 kW",
     }
+    case = loaded("load: {power: 2 kW, torque: 50 N*m}" + SET)
+    assert mapping(case)["load"] == {"speed": f"{2 / 50 / KW!r} rpm", "torque": "50.0 N*m"}

@@ -85,7 +85,7 @@ def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearC
     metavar="FILE",
     help="Also write a CSV of all steps over time, for `plot --kind curves`.",
 )
-@arguments.settings
+@gathered("settings", CaseOptions, arguments.input_format, arguments.idle, arguments.telling)
 def cycle(
     case: str,
     trace: str,

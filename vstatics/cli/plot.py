@@ -208,6 +208,15 @@ def plot(
         ),
         (kind == "histogram" and (x or z), "--x, --z: histograms are of the columns of --y"),
         (kind == "curves" and z, "--z: only a map has contours"),
+        (
+            (of_sweeps or kind == BOXES or ratios is not None)
+            and settings[:3] != CaseOptions()[:3],
+            "--from, --coast, --idle: they are of a case",
+        ),
+        (
+            kind in ("traction", "sawtooth") and settings.coast is not None,
+            "--coast: a vehicle is drawn at full load",
+        ),
     )
     if output != STDOUT and not suffix_of(output) and len(cases) <= 1:
         _refuse_without_suffix(output)

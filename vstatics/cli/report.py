@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 from functools import partial
+from typing import TYPE_CHECKING
 
 import click
 
 from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import duty as duty_cycles
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.cli.frame.duty import DutyOptions
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import TextStyle
 from vstatics.cli.frame.found_boxes import listing_in, report_boxes
@@ -21,6 +24,9 @@ from vstatics.cli.frame.values import each, named, separated, value
 from vstatics.report.asked import SECTIONS, AskedPage, section
 from vstatics.statics.results import Results
 from vstatics.texts import Language, speaking
+
+if TYPE_CHECKING:
+    from vstatics.summary.duty_file import DutyFile, DutyTable
 
 
 @click.command()
@@ -64,6 +70,7 @@ from vstatics.texts import Language, speaking
     help="With sliders for ratios, teeth, efficiencies, given speeds and torques, which the page "
     "follows by itself.",
 )
+@duty_cycles.options
 @formats.digits
 @arguments.language("the words of the page, but not of names and messages")
 @arguments.settings
@@ -76,6 +83,7 @@ def report(
     prints_all: bool,
     stamp: dict[str, str],
     live: bool,
+    duty: DutyOptions,
     digits: int | None,
     lang: Language,
     settings: CaseOptions,
@@ -108,6 +116,7 @@ def report(
     Examples:
       vstatics report gearbox.yaml -o gearbox.html
       vstatics report upshift.yaml -o upshift.html
+      vstatics report gearbox.yaml --duty points.csv -o gearbox.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
       vstatics report gearbox.yaml --live -o live.html
       vstatics report upshift.yaml --live -o live.html
@@ -120,12 +129,17 @@ def report(
     """
     refuse(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
+        (live and duty.duty, "--duty: a page with sliders would not follow it"),
     )
+    parts = sections or gears or prints_all or live or duty.duty
+    own = "--sections, --gears, --all, --live, --duty"
     if watch:
-        parts = sections or gears or prints_all or stamp or output or live
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
-            (parts, "--watch: it serves the whole page, without -o and a choice of parts"),
+            (
+                parts or stamp or output,
+                "--watch: it serves the whole page, without -o and a choice of parts",
+            ),
         )
         from vstatics.cli.serve import serve_page
 
@@ -136,24 +150,22 @@ def report(
     if len(cases) == 1 and (found := listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
-        asked_of_cases = sections or gears or prints_all or live
-        own = "--sections, --gears, --all, --live: found boxes have a page of their own"
-        refuse((asked_of_cases, own))
+        refuse((parts, f"{own}: found boxes have a page of their own"))
         with speaking(lang):
             return report_boxes(*found, cases[0], output, digits, stamp)
     if len(cases) == 2 and not to.is_folder:
-        own = "--sections, --gears, --all, --live: two cases have a page of their own"
-        refuse((sections or gears or prints_all or live, own))
+        refuse((parts, f"{own}: two cases have a page of their own"))
         with speaking(lang):
             options = settings._replace(scenarios=True, of_runs=True)
             return _report_two(cases, output, digits, stamp, options)
     # a page with sliders has no further pictures for print, which would not follow them
     asked = AskedPage(sections, gears, prints_all or live, stamp)
     to = to._replace(style=TextStyle(lang))
-    show = partial(_shown, digits=digits, quiet=settings.telling.quiet, asked=asked, live=live)
-    return carry_out(
-        Job("report", settings._replace(scenarios=True, of_runs=True), to, show), cases
-    )
+    quiet = settings.telling.quiet
+    files.spare(duty.files, to.output)
+    show = partial(_shown, digits=digits, quiet=quiet, asked=asked, live=live, cycle=duty.read())
+    options = settings._replace(scenarios=True, of_runs=True)
+    return carry_out(Job("report", options, to, show), cases, others=duty.files)
 
 
 def _report_two(
@@ -188,16 +200,22 @@ def _shown(
     asked: AskedPage,
     *,
     live: bool,
+    cycle: DutyFile | DutyTable | None,
 ) -> texts.CaseOutput:
     """The page of a case."""
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
+    driven = None if cycle is None else cycle.of(results)
+    found = duty_cycles.doubts(driven, outcome.file)
+
     def html(_: str | None) -> str:
         from vstatics.report import gather, page
 
         run, naming = run_of(outcome), naming_of(outcome)
-        material = gather(results, outcome.problems, digits, run, naming, asked=own, has_marks=live)
+        told = [*outcome.problems, *found]
+        material = gather(results, told, digits, run, naming, asked=own, has_marks=live)
+        material = material._replace(summary=material.summary._replace(cycle=driven))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
@@ -208,4 +226,4 @@ def _shown(
             return live_page(material)
         return page(material)
 
-    return texts.CaseOutput([], {"html": html})
+    return texts.CaseOutput([], {"html": html}, problems=found)

@@ -9,23 +9,29 @@ from typing import TYPE_CHECKING
 import click
 
 from vstatics.cli.frame import cases as arguments
+from vstatics.cli.frame import duty as duty_cycles
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate, show_problems
+from vstatics.cli.frame.duty import DutyOptions
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.formats import Destination, OutputOptions
 from vstatics.cli.frame.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import above_0, value
-from vstatics.errors import Problem, ReadError, of_file
+from vstatics.errors import ReadError
 from vstatics.statics.results import Results
 from vstatics.tables.grid import Grid
-from vstatics.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
     from vstatics.summary import Summary
     from vstatics.summary.answer import SummaryAnswer
     from vstatics.summary.duty_file import DutyFile, DutyTable
+
+
+MOST_COMBINATIONS = 10_000
+"""That are tried where nobody says how many."""
 
 
 def _torque(text: str) -> float:
@@ -47,27 +53,10 @@ def _torque(text: str) -> float:
 @click.option(
     "--at-most",
     type=click.IntRange(min=1),
-    default=10_000,
-    show_default=True,
     metavar="N",
-    help="Try no more combinations than these.",
+    help="Try no more --combinations than these.  [default: 10000]",
 )
-@click.option(
-    "--duty",
-    type=click.Path(),
-    metavar="FILE",
-    help="A duty cycle: YAML with `energy` or `time`, and a share by gear; or CSV of points with "
-    "`time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
-)
-@click.option(
-    "--exponent",
-    type=click.FloatRange(min=0, min_open=True, max=100),
-    callback=value(above_0),  # NaN is in every range
-    default=3.0,
-    show_default=True,
-    metavar="P",
-    help="Of the equivalent torque over a CSV of points.",
-)
+@duty_cycles.options
 @click.option(
     "--output-torque",
     callback=value(_torque),
@@ -95,9 +84,8 @@ def summary(
     cases: tuple[str, ...],
     wanted: OutputOptions,
     combinations: bool,
-    at_most: int,
-    duty: str | None,
-    exponent: float,
+    at_most: int | None,
+    duty: DutyOptions,
     output_torque: float | None,
     reserve: float | None,
     boxes: tuple[int, ...],
@@ -125,20 +113,14 @@ def summary(
 
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
-    others = [] if duty is None else [duty]
+    refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
+    others = duty.files
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
-    cycle: DutyFile | DutyTable | None = None
-    if duty is not None:
-        from vstatics.summary.duty_file import read_duty, read_duty_table
-
-        data, name = files.read_input(duty)
-        is_table = suffix_of(duty) == ".csv"
-        cycle = read_duty_table(data, name, exponent) if is_table else read_duty(data, name)
     summarized = partial(
         _summarized,
-        at_most=at_most if combinations else None,
-        duty=cycle,
+        at_most=at_most or (MOST_COMBINATIONS if combinations else None),
+        duty=duty.read(),
         output_torque=output_torque or 0.0,
         reserve=reserve,
     )
@@ -188,7 +170,7 @@ def _side_by_side(
         if outcome.results is not None:
             try:
                 summary = summarized(outcome, outcome.results)
-                more = _of_cycle(summary, outcome.file)
+                more = duty_cycles.doubts(summary.cycle, outcome.file)
                 telling = outcome.telling._replace(notes=True)
                 show_problems(more, telling, outcome.file)
                 failed |= telling.fails(more)
@@ -223,12 +205,6 @@ def _summarized(
     return summary if duty is None else summary._replace(cycle=duty.of(results))
 
 
-def _of_cycle(summary: Summary, file: str) -> list[Problem]:
-    """What is doubtful about the duty cycle of a case."""
-    messages = getattr(summary.cycle, "messages", ())  # shares by gear have none
-    return [of_file(one.id, file, one.text) for one in messages]
-
-
 def _shown(
     outcome: CalculatedCase,
     results: Results,
@@ -247,5 +223,8 @@ def _shown(
 
         return summary_answer(summary)
 
-    titles, problems = [results.case.name or outcome.file], _of_cycle(summary, outcome.file)
+    titles, problems = (
+        [results.case.name or outcome.file],
+        duty_cycles.doubts(summary.cycle, outcome.file),
+    )
     return texts.CaseOutput(titles, {}, tables, answer, problems=problems)

@@ -387,6 +387,8 @@ class Load(NamedTuple):
         [rpm]
     torque : float, optional
         [N*m]
+    power : float, optional
+        That which gave the torque: it stays where the speed is another. [kW]
 
     Examples
     --------
@@ -398,6 +400,7 @@ class Load(NamedTuple):
 
     speed: float | None = None
     torque: float | None = None
+    power: float | None = None
 
     @property
     def torque_size(self) -> float:
@@ -409,11 +412,18 @@ class Load(NamedTuple):
         return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
-        """The load with what it leaves open as in another."""
-        return Load(
-            other.speed if self.speed is None else self.speed,
-            other.torque if self.torque is None else self.torque,
-        )
+        """The load with what it leaves open as in another.
+
+        >>> Load(speed=1000).or_else(load_of(speed=2000, power=50)).torque
+        477.4648292756861
+        """
+        if self.torque is not None:
+            return self if self.speed is not None else Load(other.speed, self.torque)
+        if self.speed is None:
+            return other
+        if other.power is not None and self.speed:  # at a speed of 0, which is refused, is none
+            return load_of(self.speed, power=other.power)
+        return Load(self.speed, other.torque)
 
 
 def load_of(
@@ -438,7 +448,7 @@ def load_of(
     if speed is None:
         assert torque is not None  # noqa: S101 - for mypy: no fault
         return Load(power / torque / KW_OF_RPM_NM, torque)
-    return Load(speed, power / speed / KW_OF_RPM_NM)
+    return Load(speed, power / speed / KW_OF_RPM_NM, power)
 
 
 def load_fault(

@@ -139,9 +139,9 @@ class Transmission(TransmissionFields):
         """The same with a torque of the load that is one of all gears [N*m]; as it is for None."""
         if torque is None:
             return self
-        own = (gear.load and gear.load._replace(torque=torque) for gear in self.gears)
+        own = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
         gears = [gear._replace(load=load) for gear, load in zip(self.gears, own, strict=True)]
-        return replace(self, load=(self.load or Load())._replace(torque=torque), gears=gears)
+        return replace(self, load=Load(torque=torque).or_else(self.load or Load()), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """The case whose variators are pairs of the ratios that they have in a gear.

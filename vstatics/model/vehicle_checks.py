@@ -63,7 +63,7 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
         if why := beside_engine(gear, case.link_name):
             message = (
                 f"it has {why}: power passes by more than engine and output, so nothing of "
-                "`vehicle` is told in this gear"
+                "`vehicle` is told in this gear; `summary --duty` takes points of it"
             )
             yield Problem("W890", message, ("gears", number))
 

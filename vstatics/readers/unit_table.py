@@ -36,7 +36,7 @@ class TableColumn(NamedTuple):
     may_be_bare: bool = False
     """Whether a heading without a unit means the unit of SI."""
     meaning: str = ""
-    """What its numbers without a unit are, in words."""
+    """Ends the message about a unit that may not stand there."""
     sizes: Mapping[str, float] | None = None
     """Sizes of the only units that may stand there, where these are no measure."""
 
@@ -170,12 +170,13 @@ def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
     if column.sizes is not None:
         if unit not in column.sizes:
             expected = spoken(map(quoted, column.sizes), "or")
-            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected {expected}")
+            message = f"{column.name}: read the unit {unit[:40]!r}, expected {expected}"
+            raise ValueError(message + column.meaning)
         return column.sizes[unit]
     if column.measure is None:
         if told:
-            what = f", {column.meaning}" if column.meaning else ""
-            raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, expected none{what}")
+            message = f"{column.name}: read the unit {unit[:40]!r}, expected none"
+            raise ValueError(message + column.meaning)
         return 1.0
     if not told and column.may_be_bare:
         return 1.0

@@ -19,11 +19,22 @@ MORE = 1e-4
 """So much above its capacity shows in the digits that are told."""
 
 
+def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
+    """What elements are taken to carry: the larger of torques without and with losses.
+
+    Losses are not known exactly, and the torque is nearest to one or the other.
+
+    >>> larger_torques(np.array([2.0, -3.0]), np.array([-2.5, np.nan])).tolist()
+    [2.5, 3.0]
+    """
+    sizes: Floats = np.fmax(np.abs(torques), np.abs(lossy_torques))
+    return sizes
+
+
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     """(gears, shift elements) of one case: torques by a common one, and whether there are any.
 
-    The torque is the larger of those without and with losses. `common` is an input torque
-    [N*m]; 0 where none is told, then that of each gear is the unit.
+    `common` is an input torque [N*m]; 0 where none is told, then that of each gear is the unit.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
@@ -34,12 +45,12 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     """
     case = results.case
     count = len(case.shift_elements)
-    names = "torques", "lossy_torques"
-    both = [np.abs(results.in_own_unit(name)[:, :count]) for name in names]
+    both = [results.in_own_unit(name)[:, :count] for name in ("torques", "lossy_torques")]
+    sizes = larger_torques(*both)
     own = (case.gear_load(gear).torque_size for gear in case.gears)
     units = [abs(torque / common) if torque and common else 1.0 for torque in own]
-    torques = np.fmax(*both) * np.array(units)[:, np.newaxis]
-    carrying = results.holds & (np.fmax(*both) > SAME_RATIO)  # relative to the input torque
+    torques = sizes * np.array(units)[:, np.newaxis]
+    carrying = results.holds & (sizes > SAME_RATIO)  # relative to the input torque
     return torques, carrying
 
 

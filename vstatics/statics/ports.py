@@ -47,6 +47,7 @@ def ports(state: GearState) -> GearPorts:
     """The ports of a gear with losses; without them where they do not exist.
 
     Speeds and torques are relative to those of the input, powers to that at the input link.
+    Torques that do not balance, as in neutral, or that friction holds, pass no power.
 
     Examples
     --------
@@ -62,10 +63,12 @@ def ports(state: GearState) -> GearPorts:
     torques = state.lossy_torques
     acting = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
     ends = [case.gear_input(gear), case.gear_output(gear)]
+    stands = state.calculable and state.consistent
     outputs = {ends[1], *case.further_outputs(gear)}
     found = []
     for link in dict.fromkeys([*ends, *case.further_outputs(gear), *sorted(acting)]):
-        torque, speed = plain(acting.get(link, 0.0)), plain(state.speeds[link - 1])
+        torque = plain(acting.get(link, 0.0)) if stands else math.nan
+        speed = plain(state.speeds[link - 1])
         entering = direction * plain(power(torque, speed))
         own = -torque + 0.0 if link in outputs else torque
         found.append(Port(link, link in outputs, speed, own, abs(entering), _way(entering)))

@@ -11,7 +11,7 @@ from vstatics.readers.named.reader import read_document
 from vstatics.readers.unit_table import TableColumn, UnitTable, read_unit_table
 from vstatics.statics.results import Results
 from vstatics.summary.duty import Cycle, Duty, Kind, cycle
-from vstatics.summary.operation.load_spectrum import Spectrum, points_of, spectrum
+from vstatics.summary.operation.load_spectrum import EXPONENT, Spectrum, points_of, spectrum
 
 DUTY = ByKey(
     "Duty cycle",
@@ -84,13 +84,13 @@ def _row(problem: Problem) -> int:
     return first if isinstance(first, int) else 0
 
 
-def read_duty_table(data: bytes, file: str, exponent: float) -> DutyTable:
+def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> DutyTable:
     """Read a duty cycle by points: columns time or share, gear, speed, torque.
 
     Parameters
     ----------
-    exponent : float
-        Of the equivalent torque. [-]
+    exponent : float, optional
+        Of the equivalent torque; else 3. [-]
 
     Raises
     ------
@@ -103,7 +103,7 @@ def read_duty_table(data: bytes, file: str, exponent: float) -> DutyTable:
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "read both `time` and `share`, or neither, expected one of them"
         raise ReadError([Problem("E121", message, (), table.source.place(1))])
-    return DutyTable(table, exponent)
+    return DutyTable(table, exponent or EXPONENT)
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:

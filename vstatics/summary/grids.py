@@ -262,7 +262,7 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     ]
     headings = (
         *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
-        *("turns" + " a second" * cycle.are_shares, "equivalent, N*m"),
+        *("turns" + " a second" * cycle.are_shares, f"equivalent, p = {cycle.exponent:.6g}, N*m"),
     )
     yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
     if cycle.damage:

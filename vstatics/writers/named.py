@@ -216,6 +216,7 @@ class _Writer:
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
             says = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
+            says &= key.name != "torque" or getattr(part, "power", None) is None  # it gives that
             if value is not None and says:  # what is a part of no load is 0 as a number
                 data[key.name] = self.value(value, key.shape)
         return data

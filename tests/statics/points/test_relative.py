@@ -14,6 +14,8 @@ from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
 from vstatics.model.parts import OfLoad
 from vstatics.numerics.arrays import Floats
+from vstatics.readers import from_dict
+from vstatics.writers.named import mapping
 
 IN_UNITS = (
     *("speeds_rpm", "torques_Nm", "losses_kW", "input_power_kW", "output_power_kW"),
@@ -138,3 +140,28 @@ def test_the_balance_of_power_closes_at_every_point() -> None:
     lost = found.losses_kW.sum(axis=-1) + found.drag_losses_kW
     left = found.input_power_kW - found.output_power_kW - lost
     assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
+
+
+@pytest.mark.parametrize("by_gear", [False, True])
+def test_a_power_that_is_given_stays_at_every_speed(by_gear: bool) -> None:
+    """As in a case that tells each speed beside it: T = P/w, with a drag that does not change."""
+    power, text = 100.0, {"links": ["a", "b"], "drag": {"b": "7 N*m"}}
+    text |= {"mechanisms": {"P": {"first": "a", "second": "b", "ratio": 3, "efficiency": 0.98}}}
+
+    def told(speed: float) -> Transmission:
+        own = {"speed": f"{speed!r} rpm", "power": f"{power} kW"}
+        gear = {"load": {"speed": own.pop("speed")}} if by_gear else {}
+        common = {"speed": "2000 rpm"} | own
+        return from_dict({**text, "gears": {"1": gear}, "load": common})
+
+    speeds = np.array([500.0, -1000.0, 4000.0])
+    for path in ["gears.1.load.speed"] + ["load.speed"] * (not by_gear):
+        varied = solve(told(2000.0), vary={path: speeds * math.pi / 30})
+        np.testing.assert_allclose(varied.input_power_kW[:, 0], power, rtol=1e-12)
+        for row, speed in enumerate(speeds.tolist()):
+            alone = solve(told(speed))
+            assert varied.output_torque_Nm[row] == pytest.approx(alone.output_torque_Nm)
+    given = solve(told(2000.0), vary={"gears.1.load.torque": np.array([50.0])})
+    assert given.input_power_kW[0] == pytest.approx(50 * 2000 * math.pi / 30e3)
+    read = told(1234.5)
+    assert from_dict(mapping(read)) == read

@@ -197,12 +197,32 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
+    for both in GearChoice(least, shifts), GearChoice(least), GearChoice(shifts=shifts):
+        given = text if both == GearChoice(least, shifts) else trace((0, 4, "1"), (2, 8, "1"))
+        with pytest.raises(CaseError, match=r"and --\S+ tell the gears, expected one of them"):
+            drive(case, given, both)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
     with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
         drive(case, text, GearChoice(shifts=turned))
     same = case.replace(mechanisms=[one._replace(ratio=0.1 + 0.2) for one in case.mechanisms])
     same = same.replace(mechanisms=[same.mechanisms[0], ahead._replace(ratio=0.3)])
     assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
+
+
+@pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
+def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
+    """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
+    ratios = {"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0}
+    elements = [ShiftElement(1, link) for link in range(2, 7)]
+    sets = [Mechanism(link, 7, 0, ratio) for link, ratio in enumerate(ratios.values(), 2)]
+    gears = [Gear([number], name=name) for number, name in enumerate(ratios, 1)]
+    gears[3] = gears[3]._replace(torques={2: 0.2})
+    case = Transmission(7, elements, sets, [*gears, Gear(name="N")], vehicle=CAR)
+    text = trace((0, 5, ""), (2, 6, ""))._replace(gears=[])
+    with pytest.raises(CaseError, match=f"the shift {shift} .* neighbours: 1-2, 2-3"):
+        drive(case, text, GearChoice(shifts=read_shifts(f"{shift}: 5 m/s/4 m/s")))
+    skipping = GearChoice(shifts=read_shifts("1-3: 5 m/s/4 m/s"))
+    assert drive(case, text, skipping).gears == ["3"]
 
 
 @pytest.mark.parametrize("number", range(5))
@@ -255,6 +275,14 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Pat
     ran = vstatics(*asked, "1000")
     assert ran.status == 2
     assert "read '1000', expected a speed with its unit" in ran.err
+
+
+def test_a_specific_consumption_is_told_how_it_becomes_a_rate() -> None:
+    """What 250 g/kWh take at 3000 rpm and 100 N*m, idle has no power to be multiplied by."""
+    with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
+        read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
+    rate = 250 * 3000 * 100 / 9549.3
+    assert rate == pytest.approx(250 * 100 * 3000 * math.pi / 30 / 1000, rel=1e-6)
 
 
 def test_fuel_is_bilinear() -> None:

@@ -149,21 +149,27 @@ def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
 
 @pytest.mark.parametrize("load", [400.0, 150.0])
 def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(load: float) -> None:
-    """A held ring bears 2.5*.96 times the sun; its capacity is in N*m, told by any load."""
+    """A held ring bears 2.5 times the sun, as in `run` that without losses, which is larger.
+
+    Its capacity is in N*m, told by any load.
+    """
     elements = [
         ShiftElement(1, 2, "C", capacity=9999 / load),
         ShiftElement(2, 0, "B", capacity=600 / load),
     ]
     gears = [Gear([2], name="low"), Gear([1], name="high")]
     case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5, 0.96)], gears, load=Load(None, load))
-    rows = points((200.0, 249.0, 1.0), (200.0, 260.0, 1.0), (200.0, 300.0, 1.0), (200.0, 900.0, 1))
+    rows = points((200.0, 239.0, 1.0), (200.0, -241.0, 1.0), (200.0, 300.0, 1.0), (200.0, 900.0, 1))
     rows = rows._replace(gears=np.array([0, 0, 0, 1]))
     [one] = spectrum(case, rows).messages
     assert (one.id, one.text) == (
         "W430",
-        f"in 2 of 4 rows B carries up to {2.5 * 0.96 * 300:.5g} of 600 N*m, more than its "
+        f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} of 600 N*m, more than its "
         "capacity, most in row 3, gear low",
     )
+    own = [gears[0]._replace(load=Load(1910.0, 300.0)), gears[1]]
+    [alone] = solve(case.replace(gears=own)).messages
+    assert (alone.id, alone.text) == ("W430", "B carries 750 of 600 N*m, more than its capacity")
     assert not spectrum(case.replace(allow=("W430",)), rows).messages
     assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
 
@@ -235,6 +241,17 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     said = "note: outside the points of a the last one counts"
     assert vstatics(*given).err.count(said) == is_outside
     assert said not in vstatics(*given, "--allow", "N414").err
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "csv"])
+def test_an_equivalent_torque_says_of_which_exponent(tmp_path: Path, form: str) -> None:
+    case, file = tmp_path / "case.yaml", tmp_path / "duty.csv"
+    case.write_text(BEYOND)
+    file.write_text("time [s],gear,speed [rad/s],torque [N*m]\n1,fast,100,40\n")
+    asked = ["summary", str(case), "--duty", str(file), "-f", form]
+    for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
+        found = vstatics(*asked, *given).out.replace("\\", "")
+        assert f"equivalent, p = {told}, N*m" in found
 
 
 def test_points_are_a_record_of_the_torques_of_devices() -> None:

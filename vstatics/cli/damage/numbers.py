@@ -29,12 +29,12 @@ def number(name: str, text: str, default: float | None = None) -> Option:
 
 
 def stress(name: str, text: str) -> Option:
-    """An option of a stress [Pa]."""
+    """An option of a stress [Pa], an `InUnit`."""
 
     def read(given: str) -> float:
-        from vstatics.readers.named.si_units import measured
+        from vstatics.readers.named.si_units import in_any_unit
 
-        return above_0(told(lambda text: measured(text, "stress"))(given))
+        return above_0(told(lambda text: in_any_unit(text, ["stress"]))(given))
 
     return click.option(
         f"--{name}", required=True, callback=value(read), metavar="STRESS", help=text

@@ -7,7 +7,7 @@ import click
 from vstatics.cli.damage.numbers import number, stress, write
 from vstatics.cli.frame import formats
 from vstatics.cli.frame.formats import OutputOptions
-from vstatics.cli.frame.options import gathered
+from vstatics.cli.frame.options import gathered, refuse
 from vstatics.cli.frame.scenario_run import needs
 from vstatics.cli.frame.values import above_0, from_0, value, wrong_value
 from vstatics.model.fatigue import Fatigue
@@ -44,7 +44,8 @@ def rayleigh(
     """Tell the life under a random stress whose amplitudes have Rayleigh's distribution.
 
     So they have under a stress of a narrow band of frequencies. Life is told in cycles,
-    with --per-km in km. Stresses are in Pa, or in their unit.
+    with --per-km in km. Both stresses have their units, or both are bare numbers of one
+    unit: only their quotient counts.
 
     \b
     Examples:
@@ -54,6 +55,8 @@ def rayleigh(
     \b
     Exit status: 0 done; 2 wrong use.
     """
+    one, other = (getattr(stress, "measure", None) for stress in (strength.endurance, deviation))
+    refuse((one != other, "--endurance, --deviation: expected a unit of both, or of none"))
     needs("torsion", "vstatics damage rayleigh")
     from vstatics.damage.grids import rayleigh_grid
     from vstatics.damage.rayleigh import rayleigh_life

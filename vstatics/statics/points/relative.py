@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 
@@ -102,25 +102,29 @@ def solve_points(case: Transmission, columns: Columns, variants: int) -> Results
 def loads_of(case: Transmission, columns: Columns, variants: int) -> list[GearLoad]:
     """The load of each gear: its own, filled up with that of the case."""
 
-    def half(index: int, quantity: OfLoads) -> Floats | None:
-        gear_load, case_load = case.gears[index].load or Load(), case.load or Load()
-        name = quantity.removeprefix("load.")
-        for place, load in ((index, gear_load), (None, case_load)):
-            column = columns.get(CaseNumber(place, quantity))
-            number = getattr(load, name)
-            if column is not None:
-                return column
-            if number is not None:
-                return np.full(variants, number / RPM if name == "speed" else float(number))
-        return None
+    def load(index: int, gear: Gear) -> GearLoad:
+        """The last of them counts; the torque of a power follows a later speed."""
+        speed: Floats | None = None
+        torque: Floats | None = None
+        power: float | None = None
+        for place, own in ((None, case.load), (index, gear.load)):
+            told = own or Load()
+            numbers = _filled(told.speed, RPM, variants), _filled(told.torque, 1, variants)
+            columns_here = [columns.get(CaseNumber(place, one)) for one in get_args(OfLoads)]
+            for (new_speed, new_torque), new_power in (numbers, told.power), (columns_here, None):
+                if new_torque is not None:
+                    torque, power = new_torque, new_power
+                elif new_speed is not None and power is not None:
+                    with np.errstate(divide="ignore"):
+                        torque = power / KW_OF_RPM_NM / (new_speed * RPM)
+                speed = speed if new_speed is None else new_speed
+        return GearLoad(speed, torque, case.gear_coast(gear)).turned()
 
-    gears = range(len(case.gears))
-    return [
-        GearLoad(
-            half(n, "load.speed"), half(n, "load.torque"), case.gear_coast(case.gears[n])
-        ).turned()
-        for n in gears
-    ]
+    return [load(index, gear) for index, gear in enumerate(case.gears)]
+
+
+def _filled(number: float | None, by: float, variants: int) -> Floats | None:
+    return None if number is None else np.full(variants, number / by)
 
 
 def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad]) -> None:

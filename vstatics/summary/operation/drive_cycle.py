@@ -26,7 +26,12 @@ from vstatics.statics.result_arrays import Message
 from vstatics.statics.solve import solve
 from vstatics.summary.operation.fuel_map import FuelMap
 from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
-from vstatics.summary.operation.shifting import ShiftSpeed, by_least_speed, by_shift_speeds
+from vstatics.summary.operation.shifting import (
+    ShiftSpeed,
+    by_least_speed,
+    by_shift_speeds,
+    directions,
+)
 from vstatics.summary.operation.trace import Trace
 from vstatics.summary.operation.traction import bare, engine_alone
 from vstatics.tables.answer import document, told
@@ -222,9 +227,12 @@ class _CycleSteps(NamedTuple):
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
-            why = beside_engine(gear, case.link_name) or "no ratio"
-            message = f"gear {gear.name} has {why}, expected one in which the engine alone drives"
-            raise CaseError([Problem("E428", f"{message} the wheels", (int(lacking[0]),))])
+            why = beside_engine(gear, case.link_name)
+            message = (
+                f"gear {gear.name} has {why or 'no ratio'}, expected one in which the engine alone "
+                "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
+            )
+            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
         return cls(case, vehicle, trace, gears, ratios)
 
     @property
@@ -379,12 +387,18 @@ def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
     Raises
     ------
     CaseError
-        If one is none of the case, nothing tells it, or shifts up go to a lower gear.
+        If one is none of the case, nothing tells it, or shifts are none of those up.
     """
     names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
+    ways = {
+        "the column `gear`": bool(trace.gears),
+        "--shift": bool(choice.shifts),
+        "--least-speed": choice.least_speed is not None,
+    }
+    if len(means := [name for name, given in ways.items() if given]) > 1:
+        raise CaseError("E426", f"{' and '.join(means)} tell the gears, expected one of them")
     if choice.least_speed is not None:
-        ways = np.sign(1 / ratios)
-        ahead = [n for n, way in enumerate(ways) if way == np.sign(np.nansum(np.sign(ways)) or 1)]
+        ahead = next(iter(directions(ratios)), [])
         return by_least_speed(engine, choice.least_speed, may, ahead)
     if choice.shifts:
         try:

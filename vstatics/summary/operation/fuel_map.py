@@ -15,7 +15,11 @@ from vstatics.readers.unit_table import TableColumn, read_unit_table
 COLUMNS = (
     TableColumn("speed", "si_speed"),
     TableColumn("torque", "si_torque"),
-    TableColumn("fuel", sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0}),
+    TableColumn(
+        "fuel",
+        sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0},
+        meaning="; g/kWh times speed [rpm] * torque [N*m]/9549.3 is g/h, idle has its own",
+    ),
 )
 
 

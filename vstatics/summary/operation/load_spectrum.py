@@ -18,7 +18,7 @@ from vstatics.errors import CaseError, Problem, not_allowed
 from vstatics.model.parts import Load
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats, Integers
-from vstatics.statics.carried import overloads_at_points
+from vstatics.statics.carried import larger_torques, overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.matrix import column_of, held_links
 from vstatics.statics.result_arrays import Message, row_names
@@ -82,7 +82,7 @@ class DutyEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@told("energy", "efficiency", "members")
+@told("energy", "efficiency", "exponent", "members")
 class Spectrum(NamedTuple):
     """What a duty cycle by points does."""
 
@@ -95,6 +95,8 @@ class Spectrum(NamedTuple):
     """Then energies are mean powers, and revolutions those of a second."""
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
     """Of devices with a fatigue strength, whose torques are those of the points in their order."""
+    exponent: float = EXPONENT
+    """Of the equivalent torques. [-]"""
 
 
 def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:
@@ -139,7 +141,7 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     energy = DutyEnergy(entering, leaving, lost)
     damage = damages(case, loads.device_torques())
     messages = not_allowed(_doubts(case, loads), case.untold)
-    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage)
+    return Spectrum(energy, efficiency, members, messages, points.are_shares, damage, exponent)
 
 
 def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
@@ -269,10 +271,10 @@ class PointLoads(NamedTuple):
 
     @property
     def held_torques(self) -> Floats:
-        """(points, shift elements): what those carry that hold, with losses; else 0 [N*m]."""
-        holds = self.taken(self.results.holds)
-        torques = self.taken(self.results.lossy_torques_Nm)[:, : holds.shape[1]]
-        return np.where(holds, torques, 0.0)
+        """(points, shift elements): what those carry that hold, without sign; else 0 [N*m]."""
+        holds, results = self.taken(self.results.holds), self.results
+        sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
+        return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
         """By shift element, mechanism and spring: its torque at each point [N*m]."""

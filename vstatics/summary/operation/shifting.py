@@ -11,11 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import quoted
+from vstatics.errors import listed, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.readers.named.si_units import measured
+from vstatics.summary.design_table import ranges_of
 
 
 class ShiftSpeed(NamedTuple):
@@ -74,6 +75,15 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
     return None, None
 
 
+def directions(ratios: Floats) -> list[list[int]]:
+    """The gears of each direction, the lower ones first; forward are those that are more.
+
+    >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]))
+    [[2, 1], [0]]
+    """
+    return ranges_of(ratios.tolist(), [True] * len(ratios))
+
+
 def by_shift_speeds(
     case: Transmission,
     shifts: Sequence[ShiftSpeed],
@@ -94,12 +104,13 @@ def by_shift_speeds(
     may : ndarray, shape (rows, gears)
         Whether the engine may turn as fast as it would.
     ratios : ndarray, shape (gears,)
-        Of the case. [-]
+        Of the case; NaN where the engine alone does not drive. [-]
 
     Raises
     ------
     ValueError
-        If there is no such gear, or a shift up goes to one of a larger ratio.
+        If there is no such gear, or a shift up goes to one of a larger ratio, of another
+        direction, or of none.
 
     Examples
     --------
@@ -114,8 +125,14 @@ def by_shift_speeds(
     for name in ladder:
         if name not in names:
             raise ValueError(f"there is no gear {quoted(name)} in the case")
+    alike = directions(ratios)
+    pairs = [f"{names[one]}-{names[other]}" for way in alike for one, other in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
     for low, high in pairwise(ladder):
+        both = {names.index(low), names.index(high)}
+        if len(both) == 1 or not any(both <= {*way} for way in alike):
+            message = f"the shift {low}-{high} is not from a gear to another one of its direction"
+            raise ValueError(f"{message}; neighbours: {listed(pairs, 20) or 'none'}")
         if size[high] > size[low] * (1 + SAME_RATIO):
             told = " and ".join(f"{quoted(one)} {size[one]:.6g}" for one in (low, high))
             message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"

@@ -15,7 +15,7 @@ COLUMNS = (
     TableColumn("time", "time"),
     TableColumn("speed", "velocity"),
     TableColumn("gear", is_text=True, optional=True),
-    TableColumn("slope", optional=True, meaning=SLOPE),
+    TableColumn("slope", optional=True, meaning=f", {SLOPE}"),
 )
 
 

@@ -203,7 +203,8 @@ def _own(case: Transmission, number: CaseNumber) -> Any:
     match quantity:
         case "load.speed" | "load.torque":
             load = case.load if index is None else gear.load
-            return getattr(load, quantity.removeprefix("load."), None)
+            follows = load is not None and load.power is not None and quantity == "load.torque"
+            return None if follows else getattr(load, quantity.removeprefix("load."), None)
         case "battery":
             return gear.balance and gear.balance.battery
         case "speed_ratios":
