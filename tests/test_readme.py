@@ -227,7 +227,7 @@ def test_every_document_is_reached_from_the_readme() -> None:
     linked = set(LINK.findall((ROOT / "README.md").read_text(encoding="utf-8")))
     for document in ("docs/cookbook/README.md", "docs/how-to/README.md", "docs/sources.md"):
         folder, pages = document.rpartition("/")[0], (ROOT / document).read_text(encoding="utf-8")
-        linked |= {f"{folder}/{page}" for page in LINK.findall(pages)}
+        linked |= {os.path.normpath(f"{folder}/{page}") for page in LINK.findall(pages)}
     assert {name for name in NAMES if name != "README.md"} <= {
         link.partition("#")[0] for link in linked
     }

@@ -43,6 +43,16 @@ def test_simpson_gears_in_one_ratio() -> None:
     assert formula("simpson.yaml", "R") == "u_P2"
 
 
+def test_a_ratio_that_is_set_is_no_other_one() -> None:
+    """A pair of -2 behind a variator: i = u_pair/speed ratio, also where this is -1/2 just then."""
+    pair = Mechanism(2, 3, 0, -2.0, name="pair")
+    variator = Mechanism(1, 2, 0, -0.5, name="variator", kind="variator")
+    found = explain_gear(solve(Transmission(3, [], [variator, pair], [Gear()])), 1).formula
+    assert found is not None
+    assert (found.text, found.value) == ("u_variator u_pair", pytest.approx(4))
+    assert (found.shared, found.shared_text) == ({}, "")
+
+
 def test_ravigneaux_gears_are_formulas_between_wheels() -> None:
     """Teeth 30, 36, 72: ring/small sun, then Willis for both suns; no planets in it."""
     first, second = (explained("ravigneaux-aod.yaml", gear).formula for gear in "12")

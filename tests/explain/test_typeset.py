@@ -79,6 +79,22 @@ def test_math_can_be_set_and_tables_have_all_their_cells() -> None:
         assert sum(widths) < 1
 
 
+def test_a_table_stays_below_its_title_and_begins_at_the_margin() -> None:
+    """Seen in print: titles alone at the foot of a page, empty lines below cells of two lines."""
+    name = str(CASES / "simpson-th400.yaml")
+    for lang in ("en", "de", "ru"):
+        options = ("--solution", "--seed", "3", "--lang", lang)
+        made = vstatics("explain", name, "--gear", "2", *options, "-f", "latex").out
+        assert made.count(r"\begin{tabular}") == made.count("\\nobreak\\smallskip\n")
+        assert made.count(r"\begin{tabular}") == made.count(r"\noindent\begin{tabular}")
+        assert r"\raggedright" in made
+        for line in made.splitlines():
+            if r"\raggedright" in line:  # it has another use for two backslashes
+                assert line.endswith(r"\tabularnewline")
+                assert r"\par" not in line
+        assert "(-{}-seed 3)" in made  # two hyphens are a dash
+
+
 def test_names_of_any_letters_are_set() -> None:
     """A name that is no plain word stands as text in its index."""
     assert typeset.symbol("w[Welle & 1]") == r"w_{\mbox{\scriptsize Welle \& 1}}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain, compress
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -131,7 +132,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    if any(one.kind for one in results.case.mechanisms):
+    are_set = [one.kind != "" for one in results.case.mechanisms]
+    if any(are_set):
         results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
     number = results.case.gear_number(gear) - 1
     state = results.gear_at(number)
@@ -147,6 +149,8 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     together = list(_together(own, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
     ratio, reason = _formula(state, names, own, bodies) if bodies else (None, fault)
+    if ratio and {*chain(*ratio.shared.values())} & {*compress(names.ratios, are_set)}:
+        ratio = ratio._replace(shared={}, shared_text="")  # a ratio that is set is equal by chance
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in actual.engaged if n not in state.holding],

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import groupby, starmap
 
 from vstatics.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
@@ -34,8 +34,8 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     >>> from vstatics.tables.grid import Column
     >>> grid = Grid("Gears", [Column("gear", is_number=False), Column("ratio")], [["R_1", "-3.5"]])
     >>> print(write([], [grid]), end="")
-    \noindent\textbf{Gears}\par
-    \begin{tabular}{lr}
+    \noindent\textbf{Gears}\par\nobreak\smallskip
+    \noindent\begin{tabular}{lr}
     \hline
     gear & ratio \\
     \hline
@@ -56,10 +56,10 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 def escaped(text: str) -> str:
     r"""A text in which no sign means anything to LaTeX.
 
-    >>> print(escaped("50 % of R_1"))
-    50 \% of R\_1
+    >>> print(escaped("50 % of R_1, --seed 3"))
+    50 \% of R\_1, -{}-seed 3
     """
-    return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text)
+    return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text).replace("--", "-{}-")
 
 
 PAGE, SMALL_PAGE = 66, 92
@@ -70,15 +70,17 @@ SHORT, ENOUGH = 20, 24
 
 def _lines(grid: Grid) -> Iterator[str]:
     grid = grid.spoken
-    yield rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
+    title = rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
     if not grid.rows:
+        yield title
         return
+    yield rf"{title}\nobreak\smallskip"
     lengths = [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
     is_wide = sum(lengths) > PAGE
     page, broken = _broken(grid, lengths) if is_wide else (PAGE, {})
     is_small = page > PAGE
     alignment = "".join(
-        rf"p{{{0.94 * broken[place] / page:.3f}\linewidth}}"
+        rf"p{{{0.89 * broken[place] / page:.3f}\linewidth}}"
         if place in broken
         else "r"
         if column.is_number
@@ -87,20 +89,18 @@ def _lines(grid: Grid) -> Iterator[str]:
     )
     if is_small:
         yield r"{\footnotesize\setlength{\tabcolsep}{3pt}"
-    yield rf"\begin{{tabular}}{{{alignment}}}"
+    yield rf"\noindent\begin{{tabular}}{{{alignment}}}"
     yield r"\hline"
     yield _row(
-        _heading(column.heading) if is_wide and column.is_number else escaped(column.heading)
-        for column in grid.columns
+        (
+            _heading(column.heading) if is_wide and column.is_number else escaped(column.heading)
+            for column in grid.columns
+        ),
+        broken,
     )
     yield r"\hline"
     for row in grid.cells:
-        yield _row(
-            rf"{{\raggedright {_cell(cell, column)}\par}}"
-            if place in broken
-            else _cell(cell, column)
-            for place, (cell, column) in enumerate(zip(row, grid.columns, strict=True))
-        )
+        yield _row(starmap(_cell, zip(row, grid.columns, strict=True)), broken)
     yield r"\hline"
     yield r"\end{tabular}" + "}" * is_small
 
@@ -151,5 +151,9 @@ def _number(cell: str) -> str:
     return f"${cell}$" if cell.startswith("-") else escaped(cell)
 
 
-def _row(cells: Iterable[str]) -> str:
-    return f"{' & '.join(cells)} \\\\"
+def _row(cells: Iterable[str], broken: Container[int]) -> str:
+    """A row, whose end is no sign of its own, as a ragged cell has another use for that."""
+    ragged = (
+        rf"\raggedright {cell}" if place in broken else cell for place, cell in enumerate(cells)
+    )
+    return f"{' & '.join(ragged)} " + (r"\tabularnewline" if broken else r"\\")
