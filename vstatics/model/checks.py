@@ -118,6 +118,10 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     """Notes on what a case leaves to be guessed."""
     yield from _sharing(case)
     yield from _turning(case)
+    if case.springs and case.vehicle is not None:
+        from vstatics.model.vehicle_checks import without_vehicle  # costs start-up time
+
+        yield from without_vehicle(case)
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:

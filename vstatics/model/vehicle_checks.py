@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from vstatics.errors import Problem, spoken
 from vstatics.model.fields import TransmissionFields
@@ -40,6 +40,13 @@ def doubts_of_vehicle(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Pr
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
+    converters = [one.name for one in case.mechanisms if one.kind == "converter"]
+    if converters:
+        message = (
+            f"{spoken(converters)} stays at its speed ratio at every speed, also at rest: forces "
+            "and the engine's speed are those at that ratio, not of a converter that finds its own"
+        )
+        yield Problem("W891", message, ("vehicle",))
 
 
 LARGEST_TYRE = 2.5
@@ -74,24 +81,45 @@ MASS_AGAIN = 0.5
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
     """Outputs, with what is geared to them, that have about the inertia of the vehicle."""
-    outputs = case.outputs or (case.output,)
-    mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
-    inertias = {
-        link: case.inertias[link] * speed**2
-        for link, speed in _speeds_behind(case, outputs).items()
-        if case.inertias.get(link)
-    }
+    mass, inertias = _at_output(case, vehicle)
     total = sum(inertias.values())
     if total >= MASS_AGAIN * mass:
         given = sorted(inertias, key=lambda link: -inertias[link])
         names = spoken([case.link_name(link) for link in given])
-        reduced = "" if {*given} <= {*outputs} else " by the speed of the output"
+        reduced = "" if {*given} <= {*(case.outputs or (case.output,))} else REDUCED
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
             "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
+
+
+REDUCED = " by the speed of the output"
+
+
+def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
+    """That runs and vibration leave the mass of a vehicle out, where inertias do not have it."""
+    if case.vehicle is None:
+        return
+    mass, inertias = _at_output(case, case.vehicle)
+    if sum(inertias.values()) < MASS_AGAIN * mass:
+        message = (
+            "runs and vibration leave it out, only `inertias` move there: its mass would be an "
+            f"inertia of {mass:.4g} kg*m^2 on the output, mass*(radius/final_drive)^2"
+        )
+        yield Problem("N607", message, ("vehicle",))
+
+
+def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mapping[int, float]]:
+    """The mass of a vehicle, and inertias geared to the outputs, by the output's speed [kg*m^2]."""
+    outputs = case.outputs or (case.output,)
+    mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
+    return mass, {
+        link: case.inertias[link] * speed**2
+        for link, speed in _speeds_behind(case, outputs).items()
+        if case.inertias.get(link)
+    }
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:

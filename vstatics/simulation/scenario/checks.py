@@ -20,6 +20,7 @@ from vstatics.model.parts import HOUSING
 from vstatics.model.springs import SpringLimit
 from vstatics.model.torsional_checks import of_converter
 from vstatics.model.transmission import Transmission
+from vstatics.model.vehicle_checks import without_vehicle
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
 from vstatics.simulation.scenario.formula import (
@@ -94,6 +95,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
+    yield from without_vehicle(case)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
