@@ -30,7 +30,7 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
-from vstatics.sweep.variants.table import load_table
+from vstatics.sweep.variants.table_file import load_table
 from vstatics.sweep.variants.targets import Target, Varied, refusal
 from vstatics.sweep.variants.variation import Variation, read_variation
 from vstatics.tables.written_results import GEAR

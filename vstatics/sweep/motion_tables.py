@@ -146,9 +146,9 @@ class MotionTables:
         if name == TIME:
             return motion.time[np.newaxis]
         if known.kind == "number":
-            if name in ASKED:
-                return _along_time(motion, name, [""])[..., 0][np.newaxis]
-            return np.full(axes, getattr(motion.energy, name))
+            of_run = name not in ASKED
+            along = getattr(motion.energy, name) if of_run else _along_time(motion, name, [""])
+            return np.full(axes, along) if of_run else along[..., 0][np.newaxis]
         if known.of_row is None:
             return _along_time(motion, name, names)[np.newaxis]
         numbers = [known.of_row(motion, row, place) for place, row in enumerate(names)]
