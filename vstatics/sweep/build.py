@@ -175,22 +175,12 @@ def _check_ratios(
 ) -> None:
     """Make sure that no ratio varies beside the teeth that it follows from.
 
-    Nor in a scenario in place of them, as its runs need the planets, too.
-
     Raises
     ------
     ReadError
     """
     if isinstance(subject, VariedScenario):
-        paths = [one for one in targets if isinstance(one, NumberPath)]
-        by_teeth = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
-        for path, place in zip_longest(paths, places):
-            if path.keys[-1] == "ratio" and subject.follows_teeth(path):
-                name = f"{path.keys[1]}.ratio"
-                if path.keys[1] in by_teeth:
-                    raise _beside_teeth(name, place)
-                message = f"{name} follows from teeth, and runs have their planets, too: expected"
-                raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
+        _check_ratios_of_runs(subject, targets, places)
         return
     case = subject
     parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
@@ -201,6 +191,21 @@ def _check_ratios(
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
             raise _beside_teeth(target.name, place)
+
+
+def _check_ratios_of_runs(
+    subject: VariedScenario, targets: Sequence[Varied], places: Sequence[Place | None]
+) -> None:
+    """The same for a scenario, whose runs have planets: there a ratio can't vary without teeth."""
+    paths = [one for one in targets if isinstance(one, NumberPath)]
+    toothed = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
+    for path, place in zip_longest(paths, places):
+        if path.keys[-1] == "ratio" and subject.follows_teeth(path):
+            name = f"{path.keys[1]}.ratio"
+            if path.keys[1] in toothed:
+                raise _beside_teeth(name, place)
+            message = f"{name} follows from teeth, and runs have their planets, too: expected"
+            raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
 
 
 def _beside_teeth(name: str, place: Place | None) -> ReadError:
