@@ -328,11 +328,19 @@ def path_text(path: Path) -> str:
     return text.removeprefix(".")
 
 
+_LEAST_PART = 4
+"""Letters of a part of a word by which it is found."""
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """A hint that names the known word nearest to a mistyped one, or nothing.
 
+    The shortest of which it is a part comes first.
+
     >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
     ('; did you mean `ratio`?', '; did you mean `ETA`?')
+    >>> nearest("wilson", ["simpson", "wilson-preselector"])
+    '; did you mean `wilson-preselector`?'
     >>> nearest("xyz", ["ratio", "efficiency"])
     ''
     """
@@ -341,7 +349,9 @@ def nearest(word: str, known: Iterable[str]) -> str:
     words: dict[str, list[str]] = {}
     for one in known:
         words.setdefault(one.casefold(), []).append(one)
-    matches = difflib.get_close_matches(word.casefold(), words, n=1)
+    asked = word.casefold()
+    longer = [one for one in words if asked in one and len(asked) >= _LEAST_PART]
+    matches = sorted(longer, key=len) or difflib.get_close_matches(asked, words, n=1)
     if not matches:
         return ""
     [match] = difflib.get_close_matches(word, words[matches[0]], n=1, cutoff=0)

@@ -288,8 +288,30 @@ def test_a_column_has_the_ratio_that_the_teeth_of_its_row_give(
 def test_a_ratio_and_the_teeth_that_give_it_are_one_number(case: vstatics.Transmission) -> None:
     with pytest.raises(vstatics.ReadError, match=r"P1\.ratio is varied beside teeth"):
         vstatics.sweep(case, ["P1.ratio=-3,-2", "P1.teeth.sun=25,30"])
-    [chunk] = vstatics.sweep(case, ["pair.ratio=2,3", "P1.teeth.sun=25,30"], out="P1.ratio")
+    [chunk] = vstatics.sweep(case, ["pair.ratio=-2,-3", "P1.teeth.sun=25,30"], out="P1.ratio")
     assert chunk.columns[:, 0].tolist() == [-3.0, -2.5, -3.0, -2.5]
+
+
+def test_a_ratio_that_no_teeth_give_is_none(case: vstatics.Transmission, tmp_path: Path) -> None:
+    """A ring is larger than its sun, and wheels beside one another turn in opposite ways.
+
+    Teeth that would give it are an error of a case; a mechanism given as such may have any.
+    """
+    numbers = [-2.5, -1.0, -0.5, 0.5, 2.5]
+    [chunk] = vstatics.sweep(case, {"P1.ratio": numbers}, out="ratio")
+    assert [STATUS[code] for code in chunk.status] == ["ok", *["invalid"] * 4]
+    [chunk] = vstatics.sweep(case, {"pair.ratio": numbers}, out="ratio")
+    assert [STATUS[code] for code in chunk.status] == [*["ok"] * 3, *["invalid"] * 2]
+    with pytest.raises(vstatics.CaseError, match=r"read -0\.5 in variant 1, expected .* below -1"):
+        solve(case, vary={"P1.ratio": [-2.5, -0.5]})
+    with pytest.raises(vstatics.ReadError, match="more teeth than the 75 of sun"):
+        changed((("elements", "P1", "teeth", "sun"), 75))
+    given = case.replace(drawing=None)
+    assert solve(given, vary={"P1.ratio": numbers}).ratio.shape == (5, 2)
+    (tmp_path / "case.json").write_text(json.dumps(CASE))
+    said = run("sweep", tmp_path / "case.json", "--vary", "P1.ratio=.5")
+    assert said.status == 1
+    assert "P1.ratio: read 0.5 in variant 0, expected a finite ratio below -1" in said.err
 
 
 def test_an_efficiency_that_follows_a_law_is_no_column() -> None:

@@ -62,13 +62,23 @@ def test_teeth_that_do_not_go_together_are_told_and_the_run_stands() -> None:
         b"elements: {set: {kind: planetary, sun: sun, ring: ring, carrier: carrier, planets: 3,"
         b" efficiency: 1, teeth: {sun: 40, ring: 60}}}",
     )
-    options = SweepOptions.of(vary=["set.teeth.ring=60:66:7"], out="locks[brake]")
+    options = SweepOptions.of(
+        vary=["set.teeth.ring=60:66:7"], out="locks[brake], set.ratio, set.efficiency"
+    )
     made = calculate(build.plan(subject(case=case), options), 0, 7)
     for ring, status in zip(made.values[:, 0].tolist(), made.status, strict=True):
         fits = (ring - 40) % 2 == 0 and (ring + 40) % 3 == 0
         assert STATUS[status] == ("ok" if fits else "not assembled")
     assert made.columns[0, 0] == pytest.approx(lock_time(120.0), rel=1e-6)
     assert np.isfinite(made.columns).all()
+    np.testing.assert_allclose(made.columns[:, 1], -made.values[:, 0] / 40, 1e-15)
+    assert (made.columns[:, 2] == 1).all()
+    for more, said in (
+        ([], r"set\.ratio follows from teeth, .* expected teeth such as set\.teeth\.sun"),
+        (["set.teeth.ring=60,62"], r"set\.ratio is varied beside teeth that it follows from"),
+    ):
+        with pytest.raises(ReadError, match=said):
+            build.plan(subject(case=case), SweepOptions.of(vary=["set.ratio=-2,-3", *more]))
 
 
 def test_variants_of_one_number_have_the_closed_form() -> None:

@@ -42,6 +42,18 @@ class Drawing(DrawingFields):
         """Elements and mechanisms, in the order of the mechanisms that they became."""
         return tuple(_devices(self.parts))
 
+    def ratio_range(self, index: int) -> tuple[float, float]:
+        """Between which ratios that of a mechanism is, by the kind of its element.
+
+        >>> from vstatics.elements.element import Element
+        >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
+        >>> Drawing(3, [Element("P", "planetary", members, teeth)]).ratio_range(0)
+        (-inf, -1.0)
+        """
+        drawn = [(part.element, lowered) for part in self.parts for lowered in part.lowered]
+        element, lowered = drawn[index]
+        return lowered.ratio_range(element) if element else (-math.inf, math.inf)
+
     def problems(self) -> Iterator[Problem]:
         """Every error of the elements, in their order."""
         from vstatics.elements.checks import problems  # costs start-up time

@@ -29,6 +29,20 @@ class Lowered(NamedTuple):
     members: tuple[str, str, str]
     """What its links are within the element: members, planets, or nothing."""
 
+    def ratio_range(self, element: Element) -> tuple[float, float]:
+        """Between which ratios its own is whatever teeth its element has, both ends left out.
+
+        It has the sign that the kind gives; of a sun and the ring around its planets the ring is
+        the larger one.
+        """
+        least, most = 0.0, math.inf
+        if isinstance(element.shape, Planetary):
+            wheels = {wheel.member: wheel for wheel in group_of(element).wheels}
+            first, second = (wheels.get(member) for member in self.members[:2])
+            if first and second and first.rim == second.rim and first.internal != second.internal:
+                least, most = (1.0, math.inf) if second.internal else (0.0, 1.0)
+        return (least, most) if self.mechanism.ratio > 0 else (-most, -least)
+
 
 class DrawnPart(NamedTuple):
     """An element, or a mechanism that was given as such, and what it became."""

@@ -52,6 +52,9 @@ class AnyDrawing(Protocol):
     def devices(self) -> Sequence[OwnDevice]:
         """Elements and mechanisms, in the order of the mechanisms that they became."""
 
+    def ratio_range(self, index: int) -> tuple[float, float]:
+        """Between which ratios that of a mechanism is, by the kind of its element."""
+
     def problems(self) -> Iterator[Problem]:
         """Every error of its elements."""
 
@@ -125,6 +128,10 @@ class TransmissionFields:
         if self.drawing is not None:
             return self.drawing.devices
         return [_own_device(number, one) for number, one in enumerate(self.mechanisms)]
+
+    def ratio_range(self, index: int) -> tuple[float, float]:
+        """Between which ratios that of a mechanism is: any, where that is given as such."""
+        return self.drawing.ratio_range(index) if self.drawing else (-math.inf, math.inf)
 
     def gear_number(self, asked: int | str) -> int:
         """The number of a gear from 1: the one of a name, else the one of a number.

@@ -488,5 +488,7 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     """A number that was written without its unit, it seems."""
-    message = f"read {value:g} {unit}, more than {what} has: a bare number is in {unit}"
+    other = "mm" if unit == "m" else "rpm"
+    hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
+    message = f"read {value:g} {unit}, more than {what} has: {hint}"
     return Problem("N205", message, path)

@@ -1,4 +1,4 @@
-"""Written sweeps, back to columns of numbers: CSV, JSON lines, NPZ and Parquet."""
+"""Written sweeps, back to columns of numbers: CSV, JSON lines, NPZ, Parquet, a workbook."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from vstatics.tables.csv import unguarded
 from vstatics.tables.written_results import GEAR, WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
-WORKBOOK = "xl/workbook.xml"
+SHEET = "Variants"
+_WORKBOOK = "xl/workbook.xml"
 """In every XLSX, which is an archive like NPZ."""
 
 
@@ -32,11 +33,26 @@ def read(data: bytes, file: str) -> WrittenSweep:
     ReadError
         If it can't be read, or a package is missing.
     """
+    found = columns(data, file)
+    try:
+        return _of_columns(found)
+    except (TypeError, ValueError) as error:
+        raise _none(file, error) from None
+
+
+def columns(data: bytes, file: str) -> dict[str, list[Any]]:
+    """The columns of a table, whatever they hold, by their names.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read, or a package is missing.
+    """
     try:
         if data.startswith(b"PK"):
-            return _of_columns(_npz(data))
+            return _workbook(data, file) if _WORKBOOK.encode() in data else _npz(data)
         if data.startswith(b"PAR1"):
-            return _of_columns(_parquet(data))
+            return _parquet(data)
         text = data.decode()
         records: Iterable[Mapping[str, Any]]
         if text.startswith("{"):
@@ -45,21 +61,40 @@ def read(data: bytes, file: str) -> WrittenSweep:
             lines = csv.reader(io.StringIO(text))
             heads = [unguarded(head) for head in next(lines)]
             records = [dict(zip(heads, line, strict=True)) for line in lines if line]
-        columns = {name: [one[name] for one in records] for name in records[0]} if records else {}
-        return _of_columns(columns)
+        return {name: [one[name] for one in records] for name in records[0]} if records else {}
     except ReadError:
         raise
     except Exception as error:  # noqa: BLE001 - four libraries with errors of their own
-        text = " ".join(str(error).split())
-        raise ReadError([of_file("E111", file, f"no table of variants: {text[:200]}")]) from None
+        raise _none(file, error) from None
+
+
+def _none(file: str, error: Exception) -> ReadError:
+    text = " ".join(str(error).split())
+    return ReadError([of_file("E111", file, f"no table of variants: {text[:200]}")])
+
+
+def _workbook(data: bytes, file: str) -> dict[str, list[Any]]:
+    """The columns of the sheet of a sweep, or of the only one."""
+    from vstatics.readers.workbook.cells import read_sheets
+
+    names = [sheet.name for sheet in read_sheets(data, file, ())]
+    wanted = SHEET if SHEET in names else names[0]
+    if wanted != SHEET and len(names) > 1:
+        raise ValueError(
+            f"a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
+        )
+    [rows] = (sheet.rows for sheet in read_sheets(data, file, [wanted]) if sheet.name == wanted)
+    if not rows:
+        raise ValueError("its sheet is empty")
+    heads = {cell.column: cell.text for cell in rows[0]}
+    found = [{cell.column: cell.text for cell in row} for row in rows[1:]]
+    return {name: [row.get(column) for row in found] for column, name in heads.items()}
 
 
 def _npz(data: bytes) -> dict[str, Any]:
     import numpy as np
 
     with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-        if WORKBOOK in archive.files:
-            raise ValueError("a workbook; expected NPZ, Parquet, CSV or JSON lines")
         columns = {name: archive[name].tolist() for name in archive.files}
     words = {STATUS: columns.pop("statuses")}
     if "gears" in columns:

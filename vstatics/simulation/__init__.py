@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.formula import Formula
     from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
     from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
-    from vstatics.simulation.stepping import begin
+    from vstatics.simulation.stepping import SteppedRun, begin
 
 _LATER = {
     "Capacity": "vstatics.simulation.scenario.parts",
@@ -51,6 +51,7 @@ _LATER = {
     "Scenario": "vstatics.simulation.scenario.parts",
     "Shift": "vstatics.simulation.scenario.parts",
     "Start": "vstatics.simulation.scenario.parts",
+    "SteppedRun": "vstatics.simulation.stepping",
     "begin": "vstatics.simulation.stepping",
     "constant": "vstatics.simulation.scenario.laws",
     "load_scenario": "vstatics.simulation.scenario.file",
@@ -70,6 +71,7 @@ __all__ = [
     "Scenario",
     "Shift",
     "Start",
+    "SteppedRun",
     "begin",
     "constant",
     "load_scenario",

@@ -211,13 +211,28 @@ EXPECTED = {
 }
 
 
-def impossible(quantity: Quantity, numbers: Floats) -> Booleans:
+def expected_ratio(between: tuple[float, float]) -> str:
+    """What a ratio can be between two, in words.
+
+    >>> expected_ratio((-math.inf, -1.0)), expected_ratio((-math.inf, math.inf))
+    ('a finite ratio below -1, as teeth give it', 'a finite ratio other than 0')
+    """
+    ends = zip(("above", "below"), between, strict=True)
+    bounds = ", ".join(f"{word} {end:g}" for word, end in ends if math.isfinite(end))
+    return f"a finite ratio {bounds}, as teeth give it" if bounds else EXPECTED["ratio"]
+
+
+def impossible(
+    quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
+) -> Booleans:
     """Which numbers can be no ratio, or no efficiency, of a mechanism.
 
     Parameters
     ----------
     numbers : ndarray, shape (variants,)
         [-]
+    between : (float, float)
+        Of ratios, as `Transmission.ratio_range` has them.
 
     Examples
     --------
@@ -227,10 +242,11 @@ def impossible(quantity: Quantity, numbers: Floats) -> Booleans:
     if quantity == "efficiency":
         return ~((numbers > 0) & (numbers <= 1))
     low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
-    if -math.inf < low <= high < 0 or 0 < low <= high < math.inf:  # as it is nearly always
-        return np.zeros_like(numbers, np.bool_)
-    wrong: Booleans = ~np.isfinite(numbers) | (numbers == 0)
-    return wrong
+    least, most = between
+    if least < low <= high < min(most, 0.0) or max(least, 0.0) < low <= high < most:
+        return np.zeros_like(numbers, np.bool_)  # as it is nearly always
+    possible: Booleans = (least < numbers) & (numbers < most) & (numbers != 0)
+    return ~possible
 
 
 def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from operator import add
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vstatics.model.parts import HOUSING, Planet
 from vstatics.model.transmission import Gear, Transmission
@@ -89,9 +89,10 @@ class GearState(NamedTuple):
         return self.speeds[self.case.gear_output(self.gear) - 1]
 
     @property
-    def ratio(self) -> Number:
+    def ratio(self) -> float:
         """``w_input/w_output`` [-]; NaN where the output stands."""
-        return math.nan if self.output_speed == 0 else 1 / self.output_speed
+        ratio: Any = math.nan if self.output_speed == 0 else 1 / self.output_speed
+        return ratio  # type: ignore[no-any-return] # of variants it is traced, which users see not
 
     @property
     def drag(self) -> Drag:

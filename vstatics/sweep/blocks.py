@@ -16,6 +16,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.gear_steps import spread, steps
+from vstatics.statics.matrix import expected_ratio
 from vstatics.statics.points.parts import alike_rows
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
@@ -95,7 +96,8 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
     """Which values can't be, and what stands in for them."""
     if isinstance(target, Target):
         own = own_number(case, target.owner, target.quantity)
-        return impossible(target.quantity, given), own
+        between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
+        return impossible(target.quantity, given, *between), own
     assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
     return target.impossible(given), 1.0
 
@@ -301,8 +303,14 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
 
 
 def reason(plan: SweepPlan) -> list[Problem]:
-    """Why the first variant is no case with what varies of its parts, if it is none."""
+    """Why the first variant is no case with what varies of it, if it is none."""
     values = plan.variants.block(0, 1)
+    for n, one in enumerate(plan.variants.targets):
+        if isinstance(one, Target) and one.quantity == "ratio":
+            between = plan.case.ratio_range(one.owner)
+            if impossible("ratio", values[:, n], between).any():
+                message = f"read {values[0, n]:g} in variant 0, expected {expected_ratio(between)}"
+                return [Problem("E415", message, (one.name,))]
     numbers: dict[PartNumber, float] = {}
     for n, path in plan.parts.items():
         given = path.in_si(values[:, n])

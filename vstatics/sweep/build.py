@@ -30,8 +30,8 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.samples import Method, Sample
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
-from vstatics.sweep.variants.table import load_table
-from vstatics.sweep.variants.targets import Target, Varied
+from vstatics.sweep.variants.table_file import load_table
+from vstatics.sweep.variants.targets import Target, Varied, refusal
 from vstatics.sweep.variants.variation import Variation, read_variation
 from vstatics.tables.written_results import GEAR
 
@@ -97,8 +97,7 @@ def plan(
     else:
         variants, places = _variants(subject, options, arrays or {})
     try:
-        if isinstance(subject, Transmission):
-            _check_ratios(subject, variants.targets, places)
+        _check_ratios(subject, variants.targets, places)
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
         made = _with_expressions(subject, options, variants)
@@ -172,7 +171,7 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
 
 
 def _check_ratios(
-    case: Transmission, targets: Sequence[Varied], places: Sequence[Place | None]
+    subject: Subject, targets: Sequence[Varied], places: Sequence[Place | None]
 ) -> None:
     """Make sure that no ratio varies beside the teeth that it follows from.
 
@@ -180,6 +179,10 @@ def _check_ratios(
     ------
     ReadError
     """
+    if isinstance(subject, VariedScenario):
+        _check_ratios_of_runs(subject, targets, places)
+        return
+    case = subject
     parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
     by_teeth = {part.way[1] for part in parts if part.way[0] == "elements" and "teeth" in part.way}
     drawing = drawing_of(case)
@@ -187,8 +190,27 @@ def _check_ratios(
     follow = {n for one in case.own_devices if one.name in names for n in one.mechanisms}
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
-            message = f"{target.name} is varied beside teeth that it follows from, expected one"
-            raise ReadError([Problem("E706", f"{message} of the two", place=place)])
+            raise _beside_teeth(target.name, place)
+
+
+def _check_ratios_of_runs(
+    subject: VariedScenario, targets: Sequence[Varied], places: Sequence[Place | None]
+) -> None:
+    """The same for a scenario, whose runs have planets: there a ratio can't vary without teeth."""
+    paths = [one for one in targets if isinstance(one, NumberPath)]
+    toothed = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
+    for path, place in zip_longest(paths, places):
+        if path.keys[-1] == "ratio" and subject.follows_teeth(path):
+            name = f"{path.keys[1]}.ratio"
+            if path.keys[1] in toothed:
+                raise _beside_teeth(name, place)
+            message = f"{name} follows from teeth, and runs have their planets, too: expected"
+            raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
+
+
+def _beside_teeth(name: str, place: Place | None) -> ReadError:
+    message = f"{name} is varied beside teeth that it follows from, expected one of the two"
+    return ReadError([Problem("E706", message, place=place)])
 
 
 def _check_slopes(made: SweepPlan) -> None:

@@ -16,6 +16,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.asked import TABLES as ASKED
 from vstatics.simulation.record.motion import EventKind, Motion
 from vstatics.simulation.record.rows import Kind
+from vstatics.sweep.kept.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
 """A number of a run by the name of a row, and its place."""
@@ -123,28 +124,42 @@ class MotionTables:
         None: nothing is known of the run, so there is NaN alone.
     rows : callable
         Gives the names of the rows of a kind.
+    mechanisms : int
+        How many the case has.
     """
 
-    def __init__(self, motion: Motion | None, rows: Callable[[Kind], Sequence[str]]) -> None:
+    def __init__(
+        self, motion: Motion | None, rows: Callable[[Kind], Sequence[str]], mechanisms: int = 0
+    ) -> None:
         self.motion = motion
         self.rows = rows
+        self.mechanisms = mechanisms
 
     def existing(self, name: str) -> Floats:
         """A table by its name; NaN where there is nothing to be said."""
+        if name in PART_NUMBERS.values():
+            return self._of_parts(name)
         known, motion, names = TABLES[name], self.motion, self.rows(TABLES[name].kind)
         axes = (1, 1) if known.kind == "number" else (1, 1, len(names))
         if motion is None:
             return np.full(axes, math.nan)
         if name == TIME:
             return motion.time[np.newaxis]
-        if known.kind == "number" and name in ASKED:
-            return _along_time(motion, name, [""])[..., 0][np.newaxis]
         if known.kind == "number":
-            return np.full(axes, getattr(motion.energy, name))
+            of_run = name not in ASKED
+            along = getattr(motion.energy, name) if of_run else _along_time(motion, name, [""])
+            return np.full(axes, along) if of_run else along[..., 0][np.newaxis]
         if known.of_row is None:
             return _along_time(motion, name, names)[np.newaxis]
         numbers = [known.of_row(motion, row, place) for place, row in enumerate(names)]
         return np.array(numbers).reshape(axes)
+
+    def _of_parts(self, name: str) -> Floats:
+        """What mechanisms have in the case of the run."""
+        [quantity] = (one for one, table in PART_NUMBERS.items() if table == name)
+        parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
+        own = [getattr(one, quantity) for one in parts] or [math.nan] * self.mechanisms
+        return np.array(own, float).reshape(1, 1, -1)
 
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:

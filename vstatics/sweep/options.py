@@ -115,7 +115,7 @@ class SweepOptions:
         "choice", "How they are picked.  [default: sobol]", choices=METHODS
     )
     seed: int | None = _option("count", "Of --sample.  [default: 0]", metavar="S", least=0)
-    variants: str | None = _option("path", "A CSV table of variants.", metavar="FILE")
+    variants: str | None = _option("path", "A table of variants.", metavar="FILE")
     out: Text | None = _option(  # noqa: RUF009 (a field)
         "list", "The columns.  [default: ratio,efficiency]", metavar="LIST"
     )

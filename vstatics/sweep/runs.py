@@ -75,7 +75,8 @@ def _row(
     if motion is not None and motion.case and not status[0]:
         varied = {str(path.keys[1]) for path in paths if path.keys[0] == "elements"}
         status[0] = 0 if are_assembled(motion.case, varied) else NOT_ASSEMBLED
-    tables = MotionTables(None if without[0] else motion, subject.rows)
+    mechanisms = len(subject.own.scenario.case.mechanisms)
+    tables = MotionTables(None if without[0] else motion, subject.rows, mechanisms)
     row = rows_of(plan, number, values, status, tables, without)
     told = [Noticed(one.id, one.text, number, 1) for one in (motion.messages if motion else ())]
     return row._replace(noticed=tuple({one.alike: one for one in reversed(told)}.values()))

@@ -22,25 +22,33 @@ wheels get `teeth`. `boxes` finds whole gearboxes at once.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from vstatics.extras import later
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.box import BoxSearch
-    from vstatics.synthesis.boxes.choice import BoxFilter, find_boxes
+    from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, find_boxes
     from vstatics.synthesis.boxes.figures.planar import box_is_planar
     from vstatics.synthesis.gears.case_of_scheme import scheme_case
+    from vstatics.synthesis.gears.kinds import EngagedSet
     from vstatics.synthesis.gears.search import combinations
-    from vstatics.synthesis.ratios.fitting import fit
+    from vstatics.synthesis.ratios.fitting import Fit, fit
     from vstatics.synthesis.structures.counts import count
     from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
     from vstatics.synthesis.structures.scheme import SetScheme
-    from vstatics.synthesis.teeth.finding import find_teeth
+    from vstatics.synthesis.teeth.finding import FoundTeeth, find_teeth
     from vstatics.synthesis.teeth.limits import TeethLimits
 
 __all__ = [
     "BoxFilter",
+    "BoxList",
     "BoxSearch",
+    "EngagedSet",
+    "Fit",
     "FoundScheme",
+    "FoundTeeth",
+    "RankedBox",
     "SetScheme",
     "StructureSearch",
     "TeethLimits",
@@ -54,25 +62,32 @@ __all__ = [
     "schemes",
 ]
 
+_LATER = {
+    "BoxFilter": "vstatics.synthesis.boxes.choice",
+    "BoxList": "vstatics.synthesis.boxes.choice",
+    "BoxSearch": "vstatics.synthesis.boxes.box",
+    "EngagedSet": "vstatics.synthesis.gears.kinds",
+    "Fit": "vstatics.synthesis.ratios.fitting",
+    "FoundScheme": "vstatics.synthesis.structures.growth",
+    "FoundTeeth": "vstatics.synthesis.teeth.finding",
+    "RankedBox": "vstatics.synthesis.boxes.choice",
+    "SetScheme": "vstatics.synthesis.structures.scheme",
+    "StructureSearch": "vstatics.synthesis.structures.growth",
+    "TeethLimits": "vstatics.synthesis.teeth.limits",
+    "box_is_planar": "vstatics.synthesis.boxes.figures.planar",
+    "combinations": "vstatics.synthesis.gears.search",
+    "count": "vstatics.synthesis.structures.counts",
+    "find_boxes": "vstatics.synthesis.boxes.choice",
+    "find_teeth": "vstatics.synthesis.teeth.finding",
+    "fit": "vstatics.synthesis.ratios.fitting",
+    "scheme_case": "vstatics.synthesis.gears.case_of_scheme",
+    "schemes": "vstatics.synthesis.structures.growth",
+}
+"""Names that are imported when somebody asks for them: the help of commands needs none."""
 
-def __getattr__(name: str) -> Any:
-    """What stands in `__all__`, imported when it is asked for: the help of commands needs none."""
-    if name not in __all__:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from vstatics.synthesis.boxes.box import BoxSearch
-    from vstatics.synthesis.boxes.choice import BoxFilter, find_boxes
-    from vstatics.synthesis.boxes.figures.planar import box_is_planar
-    from vstatics.synthesis.gears.case_of_scheme import scheme_case
-    from vstatics.synthesis.gears.search import combinations
-    from vstatics.synthesis.ratios.fitting import fit
-    from vstatics.synthesis.structures.counts import count
-    from vstatics.synthesis.structures.growth import FoundScheme, StructureSearch, schemes
-    from vstatics.synthesis.structures.scheme import SetScheme
-    from vstatics.synthesis.teeth.finding import find_teeth
-    from vstatics.synthesis.teeth.limits import TeethLimits
 
-    there = (
-        *(BoxFilter, BoxSearch, FoundScheme, SetScheme, StructureSearch, TeethLimits),
-        *(box_is_planar, combinations, count, find_boxes, find_teeth, fit, scheme_case, schemes),
-    )
-    return {one.__name__: one for one in there}[name]
+__getattr__ = later(__name__, _LATER)
+
+
+def __dir__() -> list[str]:
+    return __all__

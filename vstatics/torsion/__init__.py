@@ -25,23 +25,36 @@ from typing import TYPE_CHECKING
 from vstatics.extras import later
 
 if TYPE_CHECKING:
-    from vstatics.torsion.clutch.dumped import dump
-    from vstatics.torsion.clutch.gear_dump import gear_dumps
+    from vstatics.torsion.clutch.dumped import DumpTorque, dump
+    from vstatics.torsion.clutch.gear_dump import GearDump, gear_dumps
     from vstatics.torsion.clutch.given import Dump
-    from vstatics.torsion.forced.harmonic_torques import Harmonic, response
-    from vstatics.torsion.random.random_vibration import random_vibration
+    from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic, response
+    from vstatics.torsion.random.random_vibration import GearRandom, random_vibration
     from vstatics.torsion.random.spectra import Correlation, SpectrumPoints, White
     from vstatics.torsion.reduction.reduced_scheme import gear_scheme
-    from vstatics.torsion.reduction.reduced_values import reduce
-    from vstatics.torsion.reduction.simplification import simplify
-    from vstatics.torsion.vibration.gear_modes import modes
-    from vstatics.torsion.vibration.measured import damping, identify
+    from vstatics.torsion.reduction.reduced_values import GearReduction, reduce
+    from vstatics.torsion.reduction.scheme import TorsionScheme
+    from vstatics.torsion.reduction.simplification import Simplification, simplify
+    from vstatics.torsion.vibration.gear_modes import CaseModes, GearModes, Mode, modes
+    from vstatics.torsion.vibration.measured import Damped, Identified, damping, identify
 
 __all__ = [
+    "CaseModes",
     "Correlation",
+    "Damped",
     "Dump",
+    "DumpTorque",
+    "GearDump",
+    "GearModes",
+    "GearRandom",
+    "GearReduction",
+    "GearResponse",
     "Harmonic",
+    "Identified",
+    "Mode",
+    "Simplification",
     "SpectrumPoints",
+    "TorsionScheme",
     "White",
     "damping",
     "dump",
@@ -56,10 +69,22 @@ __all__ = [
 ]
 
 _LATER = {
+    "CaseModes": "vstatics.torsion.vibration.gear_modes",
     "Correlation": "vstatics.torsion.random.spectra",
+    "Damped": "vstatics.torsion.vibration.measured",
     "Dump": "vstatics.torsion.clutch.given",
+    "DumpTorque": "vstatics.torsion.clutch.dumped",
+    "GearDump": "vstatics.torsion.clutch.gear_dump",
+    "GearModes": "vstatics.torsion.vibration.gear_modes",
+    "GearRandom": "vstatics.torsion.random.random_vibration",
+    "GearReduction": "vstatics.torsion.reduction.reduced_values",
+    "GearResponse": "vstatics.torsion.forced.harmonic_torques",
     "Harmonic": "vstatics.torsion.forced.harmonic_torques",
+    "Identified": "vstatics.torsion.vibration.measured",
+    "Mode": "vstatics.torsion.vibration.gear_modes",
+    "Simplification": "vstatics.torsion.reduction.simplification",
     "SpectrumPoints": "vstatics.torsion.random.spectra",
+    "TorsionScheme": "vstatics.torsion.reduction.scheme",
     "White": "vstatics.torsion.random.spectra",
     "damping": "vstatics.torsion.vibration.measured",
     "dump": "vstatics.torsion.clutch.dumped",

@@ -95,7 +95,10 @@ def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
     assert said.status == 0
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=0,1")
     assert said.status == 1
-    assert said.err.endswith("no variant has a solution in every gear that is asked for\n")
+    assert said.err.endswith(
+        "no variant has a solution in every gear that is asked for\n"
+        "D.ratio: read 0 in variant 0, expected a finite ratio other than 0\n"
+    )
     locked = CASES / "self-locking.yaml"
     name = load(locked).mechanisms[0].name
     said = vstatics("sweep", locked, "--vary", f"{name}.efficiency=.5,.6")

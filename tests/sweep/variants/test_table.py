@@ -13,18 +13,23 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import vstatics
 from tests.chance import count
+from tests.commands import CASES
+from tests.commands import vstatics as command
 from tests.sweep.sweeps import CASE, in_parts
 from vstatics.errors import Place, ReadError
 from vstatics.jobs.spool import PREFIX, Spool
 from vstatics.numerics.arrays import Floats
 from vstatics.sweep.variants import table as tables
 from vstatics.sweep.variants.numbered import VariantPart, VariantTable
-from vstatics.sweep.variants.table import load_table, read_table
+from vstatics.sweep.variants.table import read_table
+from vstatics.sweep.variants.table_file import load_table
 from vstatics.sweep.variants.targets import Target
 
 
@@ -154,6 +159,33 @@ def test_all_that_is_wrong_is_told() -> None:
 def test_other_encodings_are_refused(data: bytes, place: tuple[int, int]) -> None:
     told = refusal(data)
     assert told[0] == (*place, "the file is not UTF-8; save the table as CSV in UTF-8")
+
+
+@pytest.mark.parametrize("suffix", ["csv", "parquet", "xlsx", "npz", "jsonl"])
+def test_what_a_sweep_wrote_are_the_variants_of_the_next(tmp_path: Path, suffix: str) -> None:
+    """In every format, with the same numbers; so is what pandas writes."""
+    file = str(tmp_path / f"own.{suffix}")
+    case = CASES / "zf-8hp70.yaml"
+    asked = ("--vary", "P1.teeth.sun=47,48", "--vary", "P1.efficiency=.9,1.5", "--out", "ratio[5]")
+    command("sweep", case, *asked, "-o", file)
+    table = load_table(file, vstatics.example("zf-8hp70"))
+    assert [one.name for one in table.targets] == ["P1.teeth.sun", "P1.efficiency"]
+    assert table.block(0, 4).tolist() == [[47, 0.9], [47, 1.5], [48, 0.9], [48, 1.5]]
+    assert command("sweep", case, "--variants", file).status == 0
+
+
+def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
+    frame = pd.DataFrame({"D1.ratio": [-2.5, -3.0]}, index=["a", "b"])
+    frame.to_parquet(tmp_path / "own.parquet")
+    frame.to_csv(tmp_path / "own.csv")
+    frame.to_excel(tmp_path / "own.xlsx", index=False)
+    for suffix in ("parquet", "csv", "xlsx"):
+        read_back = load_table(str(tmp_path / f"own.{suffix}"), CASE)
+        assert read_back.block(0, 2).tolist() == [[-2.5], [-3.0]], suffix
+    frame["note"] = ["first", "second"]
+    frame.to_parquet(tmp_path / "own.parquet")
+    with pytest.raises(ReadError, match=r"read `note`.*leave out what is no number of the case"):
+        load_table(str(tmp_path / "own.parquet"), CASE)
 
 
 def test_a_workbook_is_no_table_and_not_shown() -> None:

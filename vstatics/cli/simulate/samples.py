@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import cast
+from typing import TypeAlias, cast
 
 import click
 import numpy as np
@@ -17,7 +17,7 @@ from vstatics.cli.frame.strengths import expect_fatigue
 from vstatics.cli.simulate.options import SimulateOptions
 from vstatics.cli.sweep.run import SweepRun, carry_out, tell_noticed, tell_reason
 from vstatics.cli.sweep.subject import read_scenario_subject, spare
-from vstatics.errors import CaseError, ReadError
+from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.jobs.files import is_stream
 from vstatics.jobs.stopping import StoppedError
 from vstatics.numerics.arrays import Floats
@@ -64,9 +64,8 @@ def run_samples(asked: SimulateOptions) -> int:
             sampling.sharing,
             wanted.style.raw,
             telling,
-            problems,
         )
-        found = _written(run) if form else _collected(run)
+        found, told = _written(run) if form else _collected(run)
     except CaseError as error:
         raise ReadError(error.problems) from error
     if isinstance(found, int):
@@ -75,7 +74,7 @@ def run_samples(asked: SimulateOptions) -> int:
     to = Destination("text", None, wanted.style) if form else wanted.destination([])
     shown = CaseAnswer(lambda: statistics_grids(answer), answer)
     show(scenario.file, to, varied.own.name or varied.own.scenario.case.name, shown)
-    return FAILED if telling.fails(problems) else DONE
+    return FAILED if telling.fails([*problems, *told]) else DONE
 
 
 def _format(wanted: OutputOptions) -> Format | None:
@@ -89,18 +88,23 @@ def _format(wanted: OutputOptions) -> Format | None:
     return cast("Format", told)
 
 
-def _written(run: SweepRun) -> Mapping[str, Floats] | int:
-    """The columns of the variants, which lie in a file then; else an exit status."""
+Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
+"""Columns of variants, or an exit status; and what was said of their runs."""
+
+
+def _written(run: SweepRun) -> Collected:
+    """The columns of the variants, which lie in a file then."""
     from vstatics.readers import sweep_tables
 
-    if status := carry_out(run):
-        return status
+    status, told = carry_out(run)
+    if status:
+        return status, told
     read = sweep_tables.read(*files.read_input(str(run.output)))
-    return {name: np.array(numbers) for name, numbers in read.columns.items()}
+    return {name: np.array(numbers) for name, numbers in read.columns.items()}, told
 
 
-def _collected(run: SweepRun) -> Mapping[str, Floats] | int:
-    """The columns of the variants in memory; or an exit status."""
+def _collected(run: SweepRun) -> Collected:
+    """The columns of the variants in memory."""
     from vstatics.cli.frame.progress import progress
     from vstatics.sweep.chunk import joined
 
@@ -115,15 +119,15 @@ def _collected(run: SweepRun) -> Mapping[str, Floats] | int:
                 advance(len(chunk.variants))
     except StoppedError as stopped:
         files.say(f"stopped after {sum(len(one.variants) for one in chunks)} of {count} runs")
-        return stopped_by(stopped.signal)
+        return stopped_by(stopped.signal), ()
     made = joined(chunks)
     reasons = [f"{number} {status}" for status, number in made.counts.items() if status != "ok"]
     if reasons:
         files.say(f"{count} runs, of which {' and '.join(reasons)}")
-    tell_noticed(run, made.noticed)
+    told = tell_noticed(run, made.noticed)
     if not made.counts.get("ok"):
         files.say("no run has a result")
         tell_reason(plan)
-        return FAILED
+        return FAILED, told
     tables = np.concatenate([made.values, made.columns], axis=1)
-    return dict(zip((*plan.names, *plan.headings), tables.T, strict=True))
+    return dict(zip((*plan.names, *plan.headings), tables.T, strict=True)), told

@@ -138,7 +138,7 @@ def sweep(
     2 wrong use; 3 no row, with --fail-empty; 130 or 143 stopped by Ctrl-C or
     SIGTERM.
     """
-    own, of_file = SweepOptions.of(**said), SweepOptions()
+    own, of_file = SweepOptions.of(**dict(map(_unquoted, said, said.values()))), SweepOptions()
     if sweep_file is not None:
         of_file = read_sweep_file(*files.read_input(sweep_file))
     options = own.over(of_file)
@@ -167,11 +167,24 @@ def sweep(
             status = DONE
         else:
             fails = effort.fail_empty
-            run = SweepRun(plan, form, options.output, sharing, raw, telling, problems, fails)
-            status = carry_out(run)
+            run = SweepRun(plan, form, options.output, sharing, raw, telling, fails)
+            status, told = carry_out(run)
+            problems = [*problems, *told]
         return status or (FAILED if telling.fails(problems) else DONE)
     except CaseError as error:  # is shown as what ends a reading
         raise ReadError(error.problems) from error
+
+
+def _unquoted(name: str, said: Any) -> tuple[str, Any]:
+    """An option without marks around all of it, which only some shells take away.
+
+    >>> _unquoted("vary", ("'P1.ratio=-2,-3'", "'a b'.ratio=-2")), _unquoted("best", 5)
+    (('vary', ('P1.ratio=-2,-3', "'a b'.ratio=-2")), ('best', 5))
+    """
+    if isinstance(said, tuple):
+        return name, tuple(_unquoted(name, one)[1] for one in said)
+    is_whole = isinstance(said, str) and said[:1] == said[-1:] == "'" and said.count("'") == 2
+    return name, said[1:-1] if is_whole else said
 
 
 def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Sharing) -> Format:

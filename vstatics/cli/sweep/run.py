@@ -41,8 +41,6 @@ class SweepRun(NamedTuple):
     sharing: Sharing
     raw: bool
     telling: Telling
-    problems: list[Problem]
-    """What is doubtful of the case; messages of runs come behind it."""
     fail_empty: bool = False
     """Whether a sweep without rows fails."""
 
@@ -57,8 +55,17 @@ class SweepRun(NamedTuple):
         return SweepTask(self.plan, self.form, raw=self.raw)
 
 
-def carry_out(run: SweepRun) -> int:
-    """Carry out a sweep; its exit status."""
+class Ended(NamedTuple):
+    """How a sweep ended."""
+
+    status: int
+    """Of the command, so far."""
+    told: Sequence[Problem] = ()
+    """What was said of its runs."""
+
+
+def carry_out(run: SweepRun) -> Ended:
+    """Carry out a sweep."""
     try:
         if run.output is None or is_stream(run.output):
             return to_stream(run)
@@ -68,8 +75,8 @@ def carry_out(run: SweepRun) -> int:
             run.plan.variants.close()
 
 
-def to_file(run: SweepRun, output: str) -> int:
-    """Write the output file, whole or not at all; the exit status."""
+def to_file(run: SweepRun, output: str) -> Ended:
+    """Write the output file, whole or not at all."""
     from vstatics.cli.frame.progress import progress
 
     plan, sharing, quiet = run.plan, run.sharing, run.quiet
@@ -93,8 +100,8 @@ def to_file(run: SweepRun, output: str) -> int:
     return _summary(run, report, time.perf_counter() - began, kept)
 
 
-def to_stream(run: SweepRun) -> int:
-    """Write rows to stdout, or to what is no file, as they come; the exit status."""
+def to_stream(run: SweepRun) -> Ended:
+    """Write rows to stdout, or to what is no file, as they come."""
     from vstatics.cli.frame.progress import progress
 
     plan, sharing = run.plan, run.sharing
@@ -116,7 +123,7 @@ def to_stream(run: SweepRun) -> int:
             report = stream(task, called, advanced, write)
     except StoppedError as stopped:
         files.say(f"stopped after {done} of {plan.count} {_counted(plan)}")
-        return stopped_by(stopped.signal)
+        return Ended(stopped_by(stopped.signal))
     return _summary(run, report, time.perf_counter() - began)
 
 
@@ -127,8 +134,8 @@ def _where_solved(plan: SweepPlan) -> str:
     return " in every gear that is asked for"
 
 
-def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> int:
-    """Say what became of the variants; the exit status."""
+def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> Ended:
+    """Say what became of the variants."""
     what = _counted(run.plan)
     output = "<stdout>" if run.output in (None, STDOUT) else run.output
     reasons = [
@@ -146,24 +153,22 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
-    tell_noticed(run, report.noticed)
+    told = tell_noticed(run, report.noticed)
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say(f"no variant has a solution{_where_solved(run.plan)}")
         tell_reason(run.plan)
-        return FAILED
-    if report.rows:
-        return DONE
-    if run.plan.where is not None:
+        return Ended(FAILED, told)
+    if run.plan.where is not None and not report.rows:
         _tell_removed(run.plan.where, report)
-    return EMPTY if run.fail_empty else DONE
+    return Ended(EMPTY if run.fail_empty and not report.rows else DONE, told)
 
 
-def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> None:
-    """Tell the messages of runs, each once for all variants."""
+def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]:
+    """Tell the messages of runs, each once for all variants; they are returned."""
     plan, telling = run.plan, run.telling._replace(notes=True)  # as `simulate` tells them
     if isinstance(plan.subject, Transmission):
-        return
+        return ()
     file, count = plan.subject.scenario.file, plan.variants.count
     told = [
         of_file(
@@ -175,7 +180,7 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> None:
         for one in not_allowed(noticed, telling.allow)
     ]
     show_problems(told, telling, file)
-    run.problems.extend(told)
+    return told
 
 
 def _counted(plan: SweepPlan) -> str:

@@ -20,9 +20,9 @@ from vstatics.readers.named.nodes import Mapping, Node, Scalar
 from vstatics.readers.reading import Reading
 from vstatics.sweep.options import PlacedFile, SweepOptions
 from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
+from vstatics.sweep.variants.table_file import headings
 
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
-_LONGEST = 2**16
 _STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
 ReadSubject = tuple[Subject, list[Problem]]
 """A case or a scenario, and what is doubtful of the case."""
@@ -68,8 +68,7 @@ def _with_load(
     varied = [text.text for text in options.vary]
     with suppress(OSError, ReadError):
         if options.variants is not None:
-            with open(options.variants, encoding="utf-8", errors="replace") as table:  # noqa: PTH123
-                varied.append(table.readline(_LONGEST))
+            varied.append(headings(options.variants))
         halves = sorted({half for text in varied for half in _LOAD.findall(text)})
         document = case_document(*case, input_format) if halves else None
         root = document and document.root

@@ -97,7 +97,7 @@ def columns_of(
         if not numbers:
             message = f"the case has no number {quoted(path)}{nearest(path, [*known, *others])}"
             raise CaseError([Problem("E421", message, ("vary",))])
-        _check(path, numbers[0].quantity, column)
+        _check(case, path, numbers[0], column)
         for number in numbers:
             if number in columns:
                 message = f"{quoted(path)} is varied twice, expected each number once"
@@ -190,9 +190,16 @@ def _of_balances(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
         yield f"gears.{name}.balance.battery", [CaseNumber(n, "battery") for n in numbers]
 
 
-def _check(path: str, quantity: str, column: Floats) -> None:
+def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) -> None:
     """Raise the first number that can't be."""
-    wrong, expected = _wrong(quantity, column)
+    if number.quantity == "ratio":
+        between = case.ratio_range(number.owner)
+        wrong, expected = (
+            matrix.impossible("ratio", column, between),
+            matrix.expected_ratio(between),
+        )
+    else:
+        wrong, expected = _wrong(number.quantity, column)
     if wrong.any():
         variant = int(np.flatnonzero(wrong)[0])
         message = f"read {column[variant]:g} in variant {variant}, expected {expected}"

@@ -10,10 +10,10 @@ from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Language
 from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.simulation.record.rows import Kind
-from vstatics.sweep.kept.meanings import Selection, VariedNumber
+from vstatics.sweep.kept.meanings import PART_NUMBERS, Selection, VariedNumber
 from vstatics.sweep.motion_tables import TABLES, along_time
 from vstatics.sweep.variants.subject import VariedScenario
-from vstatics.sweep.variants.targets import Varied
+from vstatics.sweep.variants.targets import Varied, target
 from vstatics.tables.names import written
 
 LANGUAGE = Language(
@@ -130,17 +130,26 @@ class MotionNames(RunNames):
         self.subject = subject
         self.targets = targets
 
-    def number(self, name: DottedName) -> VariedNumber | Constant:
-        """A number of the scenario or its case: varied, or else as it is written."""
+    def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
+        """A number of the scenario or its case: varied, or as it is written or follows of teeth."""
         place = self.source.place(name.at)
         return self._number(name.written, place)
 
-    def _number(self, written: str, place: Place) -> VariedNumber | Constant:
+    def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
         found = self.subject.target(written, place)
         for column, varied in enumerate(self.targets):
             if varied.numbers == found.numbers:
                 return VariedNumber(column)
+        if self.subject.follows_teeth(found):
+            case = self.subject.own.scenario.case
+            of_mechanism = target(".".join(found.keys[1:]), case, place)
+            table = PART_NUMBERS[of_mechanism.quantity]
+            return Selection(table, 0, of_mechanism.owner, len(case.mechanisms))
         return Constant(self.subject.written_number(found, place))
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows; none if it has no rows."""
+        return [] if table in PART_NUMBERS.values() else super().rows(table)
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
         """A table, or a part of it; or the duration."""

@@ -31,6 +31,10 @@ _ROOTS = ("load", "gears", "drag", "mesh_efficiency")
 """First words of paths that are no names."""
 
 
+_FIXED = ("vehicle", "cylinders", "fatigue", "dump")
+"""Keys of a case whose numbers no table of a gear depends on."""
+
+
 class CasePath(NamedTuple):
     """A number of the case that is varied by its path: of its gears and loads, or of a part."""
 
@@ -136,6 +140,11 @@ def known_paths(case: Transmission) -> list[str]:
     return [*numbers_of(case), *part_numbers(case)]
 
 
+def _names_in(case: Transmission) -> set[str]:
+    """The names of links and devices."""
+    return {*case.link_names, *case.devices}
+
+
 def no_path(text: str, case: Transmission) -> str:
     """What to say of a path that names nothing; nothing where it may be a name and a quantity.
 
@@ -149,6 +158,9 @@ def no_path(text: str, case: Transmission) -> str:
     """
     parts = _QUOTED.sub(lambda found: found[1] or found[2] or "", text).split(".")
     paths = known_paths(case)
+    if len(parts) > 1 and parts[0] in _FIXED and parts[0] not in _names_in(case):
+        message = f"numbers of {quoted(parts[0])} don't vary in a sweep of a case, which is of"
+        return f"{message} tables of gears: expected one of those, such as `load.speed`"
     known = [path.split(".") for path in paths]
     depth = max(n for n in range(len(parts) + 1) if any(one[:n] == parts[:n] for one in known))
     if len(parts) == 1 or (len(parts) == 2 and parts[0] not in _ROOTS and depth < 2):

@@ -207,6 +207,12 @@ class VariedScenario:
             raise refusal(f"{quoted(path.name)} is not written in the document", place)
         return known.value
 
+    def follows_teeth(self, path: NumberPath) -> bool:
+        """Whether it is a ratio or an efficiency of an element that the document has not."""
+        of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
+        is_such = of_element and path.keys[2] in OF_MECHANISM
+        return is_such and written_number(path, self.trees) is None
+
     def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
         """Make sure that numbers which the documents have not may stand there.
 

@@ -6,7 +6,7 @@ import hashlib
 import io
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain
 from typing import IO, NamedTuple
 
@@ -23,6 +23,7 @@ from vstatics.readers.named.csv_rows import (
     separator_of,
 )
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.readers.sweep_tables import NUMBER, STATUS
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import Subject, target_of
@@ -30,8 +31,12 @@ from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
 from vstatics.tables.csv import unguarded
 
-NUMBER_COLUMN = "variant"
-"""A column that the program's own tables have; it is passed over."""
+_OF_PANDAS = "__index_level_0__"
+"""With this it numbers rows in Parquet, in CSV with a first column without a name."""
+_NO_OTHERS = (
+    "; leave out what is no number of the case: only `variant`, a first column without "
+    "a name, and what a sweep wrote from `status` on are passed over"
+)
 
 _PIECE = 4 * 2**20
 _LONGEST = 16 * 2**20
@@ -53,29 +58,13 @@ class _Columns(NamedTuple):
     """Which column holds each target."""
 
 
-def load_table(path: str, subject: Subject) -> VariantTable:
-    """Read a table of variants from a file; see `read_table`.
-
-    Raises
-    ------
-    ReadError
-        With every problem and its place.
-    """
-    try:
-        with open(path, "rb") as opened:  # noqa: PTH123
-            return read_table(opened, path, subject)
-    except OSError as error:
-        raise ReadError(
-            [of_file("E006", path, f"can't be read: {error.strerror or error}")]
-        ) from None
-
-
 def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
-    Columns stand in any order; one of the name `variant` is passed over. Commas or
-    semicolons separate; between semicolons a comma is a decimal one (see `Decimals`). An
-    apostrophe that keeps a spreadsheet from calculating a cell is passed over. UTF-8.
+    Columns stand in any order. One of the name `variant`, or a first one without a name, is
+    passed over, and of a table that a sweep wrote all from `status` on. Commas or semicolons
+    separate; between semicolons a comma is a decimal one (see `Decimals`). An apostrophe that
+    keeps a spreadsheet from calculating a cell is passed over. UTF-8.
 
     Parameters
     ----------
@@ -158,26 +147,53 @@ def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:
     line = _text(head, file, number)
     start = Place(file, number, 1, line)
     separator = _separator(line, start)
-    names: list[str] = []
+    cells = _cells(line, separator)
+    cells = cells[: len(headings_of([text for text, _ in cells]))]
+    placed = [(unguarded(name), start._replace(column=column)) for name, column in cells]
+    names = [name for name, _ in placed]
+    found = targets_of(placed, subject)
+    return _Columns(file, number, separator, Decimals(separator), names, *found)
+
+
+def _separator(line: str, place: Place) -> str:
+    if not line.strip():
+        raise refusal("read an empty line, expected names such as D1.ratio", place)
+    try:
+        return separator_of(line)
+    except ValueError as error:
+        raise refusal(str(error), place) from None
+
+
+def targets_of(
+    cells: Sequence[tuple[str, Place]], subject: Subject
+) -> tuple[list[Varied], list[int]]:
+    """What the headings of a table name, and which columns these are.
+
+    What a spreadsheet or pandas numbers rows with is passed over, and of a table that a sweep
+    wrote all from `status` on.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    names = [name for name, _ in cells]
+    is_own = {NUMBER, STATUS} <= {*names}
     targets: list[Varied] = []
     chosen: list[int] = []
     problems: list[Problem] = []
-    cells = _cells(line, separator)
-    cells = cells[: len(headings_of([text for text, _ in cells]))]
-    for index, (name, column) in enumerate(cells):
+    for index, (name, place) in enumerate(cells[: names.index(STATUS) if is_own else None]):
         if len(problems) >= MOST_PROBLEMS:
             break
-        name = unguarded(name)  # noqa: PLW2901 - without what a spreadsheet may ask for
-        names.append(name)
-        if name == NUMBER_COLUMN:
+        if name in (NUMBER, _OF_PANDAS) or (not name and not index):
             continue
-        place = start._replace(column=column)
         try:
             varied = target_of(name, subject, place)
             if isinstance(varied, CasePath):
                 varied = _with_unit(varied, place)
         except ReadError as error:
-            hint = nearest(name, [NUMBER_COLUMN])
+            hint = nearest(name, [NUMBER])
+            hint += _NO_OTHERS if "." not in name and not hint else ""
             problems += [
                 problem._replace(message=problem.message + hint) for problem in error.problems
             ]
@@ -189,19 +205,10 @@ def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:
         chosen.append(index)
     if not (targets or problems):
         message = "no column is a number of the case, expected names such as D1.ratio"
-        problems.append(Problem("E715", message, place=start))
+        problems.append(Problem("E715", message, place=cells[0][1]))
     if problems:
         raise ReadError(problems)
-    return _Columns(file, number, separator, Decimals(separator), names, targets, chosen)
-
-
-def _separator(line: str, place: Place) -> str:
-    if not line.strip():
-        raise refusal("read an empty line, expected names such as D1.ratio", place)
-    try:
-        return separator_of(line)
-    except ValueError as error:
-        raise refusal(str(error), place) from None
+    return targets, chosen
 
 
 def _with_unit(varied: CasePath, place: Place) -> CasePath:
@@ -235,15 +242,22 @@ def _fast(piece: bytes, columns: _Columns) -> Floats | None:
             return None  # each is looked at
         columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
+    is_own = STATUS in columns.names  # with words behind the numbers
     try:
         rows = np.loadtxt(
-            io.BytesIO(piece), delimiter=columns.separator, comments=None, ndmin=2, dtype=np.float64
+            io.BytesIO(piece),
+            delimiter=columns.separator,
+            comments=None,
+            usecols=columns.chosen if is_own else None,
+            ndmin=2,
+            dtype=np.float64,
         )
     except ValueError:
         return None
-    if rows.shape[1] != len(columns.names) or not np.isfinite(rows).all():
+    if rows.shape[1] != len(columns.chosen if is_own else columns.names):
         return None
-    return np.ascontiguousarray(rows[:, columns.chosen])
+    rows = np.ascontiguousarray(rows if is_own else rows[:, columns.chosen])
+    return rows if np.isfinite(rows).all() else None
 
 
 def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
@@ -278,7 +292,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
         cell, column = cells[index]
         plain = unguarded(cell)
         try:
-            row.append(_finite(columns.decimals.with_points(plain, place.line)))
+            row.append(finite(columns.decimals.with_points(plain, place.line)))
         except ValueError as error:
             message = f"{columns.names[index]}: read {shown(cell)}, {error}"
             problems.append(Problem("E718", message, place=place._replace(column=column)))
@@ -287,8 +301,8 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
     return row
 
 
-def _finite(text: str) -> float:
-    """A number; a ValueError says what was expected."""
+def finite(text: str) -> float:
+    """The number of a cell; a ValueError says what was expected."""
     number = read_value(text)
     if not math.isfinite(number):
         raise ValueError("expected a finite number")

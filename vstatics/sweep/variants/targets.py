@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Hashable, Mapping, Sequence
 from typing import Literal, NamedTuple, Protocol, get_args
 
@@ -263,13 +264,17 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
     return stiffness if quantity == "stiffness" else 1 / stiffness
 
 
-def impossible(quantity: str, numbers: Floats) -> Booleans:
+def impossible(
+    quantity: str, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
+) -> Booleans:
     """Which numbers can't be those of any case, as its checks say.
 
     Parameters
     ----------
     quantity : str
     numbers : ndarray, shape (variants,)
+    between : (float, float)
+        Of ratios, as `Transmission.ratio_range` has them.
 
     Examples
     --------
@@ -283,4 +288,4 @@ def impossible(quantity: str, numbers: Floats) -> Booleans:
             return ~((numbers > 0) & np.isfinite(numbers) & np.isfinite(1 / numbers))
     if quantity in ("damping", "inertia"):
         return ~((numbers >= 0) & np.isfinite(numbers))
-    return impossible_of_mechanism(quantity, numbers)  # type: ignore[arg-type] # one of the two
+    return impossible_of_mechanism(quantity, numbers, between)  # type: ignore[arg-type] # one of the two

@@ -95,7 +95,9 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
     if not values.strip():
         raise refusal(f"read no values, expected {FORMS}", begin)
     if _DOTS in values:
-        message = f"read {shown(values)}, expected {FORMS}"
+        start, _, stop = map(str.strip, values.partition(_DOTS))
+        hint = f"; such as `{start}:{stop}:50`" if start and stop else ""
+        message = f"read {shown(values)}, expected {FORMS}{hint}"
         raise refusal(message, begin, len(values) - len(values.lstrip()))
     try:
         values, unit = (

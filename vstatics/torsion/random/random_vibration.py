@@ -74,7 +74,7 @@ class GearRandom(NamedTuple):
     devices: Mapping[str, RandomDevice] = MappingProxyType({})
     links: Mapping[str, RandomLink] = MappingProxyType({})
     half_widths: Sequence[float] = ()
-    """Of each mode, half the width of its peak of |H|^2 at half its height, ``-Re s``. [1/s]"""
+    """Of each mode, half the width of its peak of ``|H|^2`` at half its height, ``-Re s``. [1/s]"""
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None

@@ -1,0 +1,80 @@
+"""A file of variants, in any format that a sweep writes -> VariantTable."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice
+from typing import Any
+
+import numpy as np
+
+from vstatics.errors import Place, Problem, ReadError, of_file
+from vstatics.numerics.arrays import Floats
+from vstatics.readers import sweep_tables
+from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.sweep.variants.numbered import VariantTable
+from vstatics.sweep.variants.subject import Subject
+from vstatics.sweep.variants.table import finite, read_table, targets_of
+from vstatics.sweep.variants.targets import shown
+
+_OTHERS = (b"PK", b"PAR1", b'{"')
+"""How files begin that are no CSV: workbooks and NPZ, Parquet, JSON lines."""
+_LONGEST = 2**16
+
+
+def load_table(path: str, subject: Subject) -> VariantTable:
+    """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ or JSON lines.
+
+    What its columns may be: see `table.read_table`.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    try:
+        with open(path, "rb") as opened:  # noqa: PTH123
+            if not opened.peek(4).startswith(_OTHERS):
+                return read_table(opened, path, subject)
+            columns = sweep_tables.columns(opened.read(), path)
+    except OSError as error:
+        raise ReadError(
+            [of_file("E006", path, f"can't be read: {error.strerror or error}")]
+        ) from None
+    place = Place(path, 1, 1)
+    targets, chosen = targets_of([(name, place) for name in columns], subject)
+    names = list(columns)
+    rows = np.column_stack([_numbers(names[n], columns[names[n]], place) for n in chosen])
+    if not len(rows):
+        message = "there is no variant, expected a row of numbers below the names"
+        raise ReadError([of_file("E713", path, message)])
+    return VariantTable(targets, rows)
+
+
+def headings(path: str) -> str:
+    """What the columns of a file of variants are called, in one text.
+
+    Raises
+    ------
+    OSError
+    ReadError
+        If it can't be read.
+    """
+    with open(path, "rb") as opened:  # noqa: PTH123
+        if not opened.peek(4).startswith(_OTHERS):
+            return opened.readline(_LONGEST).decode(errors="replace")
+        return ",".join(sweep_tables.columns(opened.read(), path))
+
+
+def _numbers(name: str, column: Sequence[Any], place: Place) -> Floats:
+    """A column; a text is calculated as in CSV."""
+    read, problems = np.empty(len(column)), []
+    for row, cell in enumerate(column):
+        try:
+            read[row] = finite("" if cell is None else str(cell))
+        except ValueError as error:
+            message = f"{name}: read {shown('' if cell is None else str(cell))} in row {row + 1}"
+            problems.append(Problem("E718", f"{message}, {error}", place=place))
+    if problems:
+        raise ReadError(islice(problems, MOST_PROBLEMS))
+    return read
