@@ -13,7 +13,7 @@ from tests.commands import CASES, vstatics
 from vstatics import compare, load, solve
 from vstatics.comparison.verdicts import Verdict
 
-NAMED = ("mechanisms", "elements", "shift_elements", "gears")
+NAMED = ("mechanisms", "elements", "shift_elements", "springs", "gears")
 """What a case has by name."""
 
 
@@ -57,7 +57,13 @@ def told(said: Verdict) -> list[str]:
 
 
 @pytest.mark.parametrize("form", ["json", "csv", "txt"])
-@pytest.mark.parametrize("name", ["simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"),
+        *("tarasik-truck", "moskvich-start"),  # with springs, which no deck has
+    ],
+)
 def test_no_number_differs_by_the_order_of_parts(name: str, form: str, tmp_path: Path) -> None:
     data = parts(name)
     before = written(data, tmp_path / "before", form)
