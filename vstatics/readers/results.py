@@ -20,12 +20,16 @@ from vstatics.tables.quantities import PRINTED, QUANTITIES
 from vstatics.tables.written_results import Figure, Figures, WrittenResult
 
 FORMAT = "vstatics-result"
-TAKEN = "results of run and of sweep are compared"
+TAKEN = (
+    "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
+    "(CSV, JSON lines, NPZ, Parquet)"
+)
+CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
 OTHERS = {
     "cure": "a message that check explains",
     "severity": "a problem that check tells",
     "changed": "what compare told",
-    "gears": "a case, of which run makes a result",
+    "gears": CASE,
 }
 """What has no format in it, by a key that a result has not."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
@@ -192,7 +196,8 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 tables[table].append(figures)
                 names.setdefault(table, []).extend([name.strip()] * bool(is_named))
     if not reports:
-        raise no_result(f"no table of results found; {TAKEN}", file)
+        is_case = any(head(line) or line.startswith("gears:") for line in lines)
+        raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
     return reports
 
 

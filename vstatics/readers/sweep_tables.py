@@ -15,13 +15,18 @@ from vstatics.tables.csv import unguarded
 from vstatics.tables.written_results import GEAR, WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
-WORKBOOK = "xl/workbook.xml"
+WORKBOOK = b"xl/workbook.xml"
 """In every XLSX, which is an archive like NPZ."""
 
 
 def is_sweep(data: bytes) -> bool:
     """Whether a file begins as a table of variants does."""
     return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
+
+
+def is_workbook(data: bytes) -> bool:
+    """Whether a file is XLSX, of whatever."""
+    return data.startswith(b"PK") and WORKBOOK in data
 
 
 def read(data: bytes, file: str) -> WrittenSweep:
@@ -32,6 +37,9 @@ def read(data: bytes, file: str) -> WrittenSweep:
     ReadError
         If it can't be read, or a package is missing.
     """
+    if is_workbook(data):
+        message = "no table of variants: a workbook; expected NPZ, Parquet, CSV or JSON lines"
+        raise ReadError([of_file("E111", file, message)])
     try:
         if data.startswith(b"PK"):
             return _of_columns(_npz(data))
@@ -58,8 +66,6 @@ def _npz(data: bytes) -> dict[str, Any]:
     import numpy as np
 
     with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-        if WORKBOOK in archive.files:
-            raise ValueError("a workbook; expected NPZ, Parquet, CSV or JSON lines")
         columns = {name: archive[name].tolist() for name in archive.files}
     words = {STATUS: columns.pop("statuses")}
     if "gears" in columns:
