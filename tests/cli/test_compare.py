@@ -120,7 +120,8 @@ def test_a_golden_result_of_python_is_that_of_the_command(tmp_path: Path) -> Non
 
 def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -> None:
     """Of drawn elements it has the mechanisms: their rows are not those of the members."""
-    for case, is_drawn in ((CASES / "umdm.yaml", True), (CASES / "mzkt7922.dat", False)):
+    for name, is_drawn in (("umdm.yaml", True), ("mzkt7922.dat", False), ("simpson.yaml", False)):
+        case = CASES / name
         said = vstatics("run", case, "-q", "--lang", "source")
         Path("source.lst").write_text(said.out, encoding="utf-8")
         for form in ("json", "csv"):
