@@ -120,7 +120,8 @@ def test_a_golden_result_of_python_is_that_of_the_command(tmp_path: Path) -> Non
 
 def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -> None:
     """Of drawn elements it has the mechanisms: their rows are not those of the members."""
-    for case, is_drawn in ((CASES / "umdm.yaml", True), (CASES / "mzkt7922.dat", False)):
+    for name, is_drawn in (("umdm.yaml", True), ("mzkt7922.dat", False), ("simpson.yaml", False)):
+        case = CASES / name
         said = vstatics("run", case, "-q", "--lang", "source")
         Path("source.lst").write_text(said.out, encoding="utf-8")
         for form in ("json", "csv"):
@@ -141,14 +142,20 @@ def test_a_deviation_of_rounding_noise_is_none() -> None:
 def test_a_result_of_another_command_is_named() -> None:
     Path("x.json").write_text(vstatics("summary", "neutral.yaml", "-f", "json").out, "utf-8")
     said = vstatics("compare", "x.json", "x.json")
-    assert (said.status, "result 1 is one of summary; results of run" in said.err) == (1, True)
+    assert (said.status, "result 1 is one of summary; expected a result of" in said.err) == (
+        1,
+        True,
+    )
 
 
-def test_json_that_is_no_result_is_told_by_what_it_is() -> None:
+def test_what_is_no_result_is_told_by_what_it_is() -> None:
     told = {
         "a problem that check tells": vstatics("check", "open.yaml", "-f", "json").out,
         "a message that check explains": vstatics("check", "--explain", "W201", "-f", "json").out,
-        "a case, of which run makes": vstatics("convert", "open.yaml", "-", "--to", "json").out,
+        "is a case, of which": vstatics("convert", "open.yaml", "-", "--to", "json").out,
+        "error: a case, of which": Path("open.yaml").read_text("utf-8"),
+        ": a case, of which `vstatics run": Path(MZKT).read_text("utf-8"),
+        "no table of results": vstatics("run", "open.yaml", "-f", "markdown").out,
         "of check where all is well": "[]",
         "has keys `a`, `b`, `c`, ..., none": '{"a": 1, "b": 2, "c": 3, "d": 4}',
     }
@@ -157,7 +164,7 @@ def test_json_that_is_no_result_is_told_by_what_it_is() -> None:
         said = vstatics("compare", "x.json", "x.json")
         assert said.status == 1
         assert words in said.err
-        assert "results of run and of sweep are compared" in said.err
+        assert "expected a result of `vstatics run` (listing, JSON" in said.err
 
 
 def test_a_case_that_is_there_again_is_named() -> None:
@@ -327,7 +334,7 @@ def test_an_empty_line_of_a_sweep_is_none_and_a_workbook_is_told() -> None:
     Path("b.csv").write_text(text.replace("\n", "\n\n", 2), encoding="utf-8")
     assert lines("b.csv", name) == []
     said = vstatics("compare", results("a.xlsx", "neutral.yaml"), name)
-    assert (said.status, "a workbook" in said.err) == (1, True)
+    assert (said.status, "a workbook; expected a result of `vstatics run`" in said.err) == (1, True)
 
 
 def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
@@ -340,7 +347,7 @@ def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
 def test_a_sweep_is_no_result() -> None:
     said = vstatics("compare", sweep("a.csv"), results("x.csv", "neutral.yaml"))
     assert said.status == 2
-    assert "expected two of a kind" in said.err
+    assert "a.csv is a sweep, x.csv is not: expected two of a kind" in said.err
 
 
 @pytest.mark.parametrize(

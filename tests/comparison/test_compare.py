@@ -190,8 +190,8 @@ def test_tables_of_other_shapes_are_named(written: Callable[..., Path]) -> None:
     assert ("AMWZ", None, None, "there", "not there") in numbers(said)
 
 
-@pytest.mark.parametrize("form", ["json", "listing"])
-def test_rows_of_elements_are_paired_by_their_names(
+@pytest.mark.parametrize("form", ["json", "listing", "csv"])
+def test_rows_of_an_element_of_another_name_are_the_same_where_the_case_tells_it(
     form: str, written: Callable[..., Path], tmp_path: Path
 ) -> None:
     case = (CASES / "wheel-hub.yaml").read_text(encoding="utf-8")
@@ -200,8 +200,10 @@ def test_rows_of_elements_are_paired_by_their_names(
     name = next(line for line in case.splitlines() if "kind: " in line).split(":")[0].strip()
     renamed.write_text(case.replace(f"  {name}:", "  other:"), encoding="utf-8")
     said = vstatics("compare", actual, written(result(renamed, "-f", form)), "-f", "json")
-    assert said.status == 1
     found = numbers(said)
+    if form != "csv":
+        assert (said.status, found) == (0, [])
+        return
     assert ("AMLG", f"{name}.sun", None, "not there", "there") in found
     assert ("AMLG", "other.sun", None, "there", "not there") in found
     assert "Mx" not in [row for _, row, *_ in found]

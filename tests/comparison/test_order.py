@@ -13,7 +13,7 @@ from tests.commands import CASES, vstatics
 from vstatics import compare, load, solve
 from vstatics.comparison.verdicts import Verdict
 
-NAMED = ("mechanisms", "elements", "shift_elements", "gears")
+NAMED = ("mechanisms", "elements", "shift_elements", "springs", "gears")
 """What a case has by name."""
 
 
@@ -50,6 +50,24 @@ def shuffled(data: dict[str, Any], seed: int) -> dict[str, Any]:
     return made
 
 
+def renamed(data: dict[str, Any]) -> dict[str, Any]:
+    """The same case with other names of all its links and parts."""
+    kinds = [key for key in (*NAMED[:-1], "inertias") if key in data]
+    names = {name: f"another {name}" for key in kinds for name in data[key]}
+    names |= {name: f"another {name}" for name in data["links"]}
+
+    def with_names(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: with_names(one) for key, one in value.items()}
+        if isinstance(value, list):
+            return [with_names(one) for one in value]
+        return names.get(value, value) if isinstance(value, str) else value
+
+    made: dict[str, Any] = with_names(data)
+    parts = {key: {names[name]: one for name, one in made[key].items()} for key in kinds}
+    return made | parts
+
+
 def told(said: Verdict) -> list[str]:
     """What differs, in words."""
     [one] = said.cases
@@ -57,7 +75,13 @@ def told(said: Verdict) -> list[str]:
 
 
 @pytest.mark.parametrize("form", ["json", "csv", "txt"])
-@pytest.mark.parametrize("name", ["simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"),
+        *("tarasik-truck", "moskvich-start"),  # with springs, which no deck has
+    ],
+)
 def test_no_number_differs_by_the_order_of_parts(name: str, form: str, tmp_path: Path) -> None:
     data = parts(name)
     before = written(data, tmp_path / "before", form)
@@ -66,6 +90,24 @@ def test_no_number_differs_by_the_order_of_parts(name: str, form: str, tmp_path:
         said = compare(after, before)
         assert not told(said), seed
         assert not said.differs
+
+
+@pytest.mark.parametrize("form", ["json", "txt"])
+@pytest.mark.parametrize("name", ["simpson", "ford-6r80", "umdm", "wilson-preselector"])
+def test_parts_of_other_names_are_the_same_by_what_they_join(
+    name: str, form: str, tmp_path: Path
+) -> None:
+    """In any order, and with a gear less; the case tells what they are called."""
+    data = parts(name)
+    before = written(data, tmp_path / "before", form)
+    gears = list(data["gears"])
+    for seed in range(3):
+        after = shuffled(renamed(data), seed)
+        if seed:
+            del after["gears"][gears[seed]]
+        said = compare(written(after, tmp_path / "after", form), before)
+        assert {one.split()[0] for one in told(said)} <= {"step"}, seed
+        assert said.differs == bool(seed)
 
 
 @pytest.mark.parametrize("form", ["json", "csv"])

@@ -14,13 +14,18 @@ from vstatics.cli.frame.options import Command, completing, refuse
 from vstatics.cli.frame.values import value
 from vstatics.comparison import layout
 from vstatics.comparison.numbers import ATOL, RTOL
-from vstatics.comparison.pairs import content, file_stem, verdicts_of_directories, verdicts_of_files
+from vstatics.comparison.pairs import (
+    content,
+    file_stem,
+    sweep_alone,
+    verdicts_of_directories,
+    verdicts_of_files,
+)
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.errors import ReadError, plural
 from vstatics.tables.answer import plain_data
 from vstatics.tables.quantities import QUANTITIES
-from vstatics.tables.written_results import WrittenSweep
 from vstatics.writers.junit import CaseOutcome, junit
 
 FORMATS = ("text", "markdown", "json", "junit")
@@ -118,10 +123,9 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
     """What is said of two files."""
     read = [files.read_input(file) for file in (actual, expected)]
     here, there = (content(*file) for file in read)
-    sweeps = [isinstance(one, WrittenSweep) for one in (here, there)]
-    mixed = any(sweeps) and not all(sweeps)
-    refuse((mixed, "one is a sweep, the other is not: expected two of a kind"))
-    return verdict(verdicts_of_files(here, there, (read[0][1], read[1][1]), how))
+    names = read[0][1], read[1][1]
+    refuse((message := sweep_alone(here, there, names), message))
+    return verdict(verdicts_of_files(here, there, names, how))
 
 
 def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:

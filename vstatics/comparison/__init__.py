@@ -1,8 +1,9 @@
 """Two written results of one case: what changed in the case, and which numbers differ by that.
 
-`numbers` holds tables against tables, `steps` makes steps of their ratios, `case_changes` tells
-what is other in the case by its paths. `verdicts` puts these together for one case or many,
-`layout` lays them out. Sweeps are held against sweeps in `sweeps`.
+`numbers` holds tables against tables, whose rows `namesakes` finds under other names; `steps`
+makes steps of their ratios, `case_changes` tells what is other in the case by its paths.
+`verdicts` puts these together for one case or many, `layout` lays them out. Sweeps are held
+against sweeps in `sweeps`.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.comparison.case_changes import case_changes

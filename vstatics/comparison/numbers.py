@@ -6,6 +6,7 @@ import math
 from collections.abc import Container, Generator, Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.comparison.namesakes import renaming
 from vstatics.model.transmission import Transmission
 from vstatics.statics.result_arrays import row_names
 from vstatics.tables.quantities import BY_NAME, QUANTITIES, Quantity
@@ -80,6 +81,7 @@ def differences(
     gears = expected.gear_names or actual.gear_names
     if set(actual.gear_names) & set(expected.gear_names):
         actual, expected, gears = yield from same_gears(actual, expected)
+    called = renaming(actual, expected)
     for quantity in QUANTITIES:
         if quantity.key in leave_out:
             continue
@@ -88,14 +90,13 @@ def differences(
             yield from _lacking(quantity, actual, expected)
         else:
             names = _PlaceNames(quantity, expected.case or actual.case, gears)
-            rows, by_case = _rows(quantity, actual, expected)
+            rows = _rows(quantity, actual, expected)
             if all(rows):
-                paired = _by_name(quantity.key, rows, (here, there), renamed=by_case)
-                names.rows, here, there = yield from paired
-            devices = actual.device_names, expected.device_names
+                rows[0] = [called(name, quantity.rows) for name in rows[0]]
+                names.rows, here, there = yield from _by_name(quantity.key, rows, (here, there))
+            devices = [called(name) for name in actual.device_names], expected.device_names
             if quantity.columns == "devices" and all(devices):
-                renamed = not (actual.devices or expected.devices)  # else no case tells the names
-                paired = _same_devices(quantity.key, devices, (here, there), renamed=renamed)
+                paired = _same_devices(quantity.key, devices, (here, there))
                 names.columns, here, there = yield from paired
             yield from _table(names, here, there, atol, rtol)
 
@@ -130,43 +131,34 @@ def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
 
 def _rows(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
-) -> tuple[list[Sequence[str]], bool]:
-    """The names of a table's rows in both results; whether they are those of the cases.
+) -> list[Sequence[str]]:
+    """The names of a table's rows in both results.
 
     A drawn case has rows of its own, which are not those of mechanisms.
     """
     both = actual, expected
     rows = [one.rows.get(quantity.key, ()) for one in both]
-    by_case = not any(rows) and all(one.case for one in both)
-    if any(rows) or by_case:
+    if any(rows) or all(one.case for one in both):
         rows = [own or _named(one, quantity) for own, one in zip(rows, both, strict=True)]
     if any(len({*names}) != len(names) for names in rows):
         rows = [(), ()]
-    return rows, by_case
+    return rows
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """The rows of a table by the case, where they are as many."""
-    names = row_names(result.case, quantity.rows) if result.case else ()
+    """The rows of a table by the case, where they are as many; the source has numbers only."""
+    case = None if result.is_of_source else result.case
+    names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.key]) else ()
 
 
 def _by_name(
-    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures], *, renamed: bool
+    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """The rows that both results have, in one order, after those that only one has.
-
-    Parameters
-    ----------
-    renamed : bool
-        Whether as many rows with other names are the same ones in turn: the case tells the names.
-    """
+    """The rows that both results have, in one order, after those that only one has."""
     found, wanted = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
     new = [name for name in found if name not in wanted]
     gone = [name for name in wanted if name not in found]
-    if renamed and len(new) == len(gone):
-        found |= {now: found[before] for before, now in zip(new, gone, strict=True)}
-        new = gone = []
     for name in new:
         yield Difference(table, name, "", THERE, NOT_THERE)
     for name in gone:
@@ -176,7 +168,7 @@ def _by_name(
 
 
 def _same_devices(
-    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures], *, renamed: bool
+    table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
     """The columns that both results have, in one order, after those that only one has."""
     is_whole = all(
@@ -186,7 +178,7 @@ def _same_devices(
     if not is_whole:
         return names[1], figures[0], figures[1]
     turned = [[list(column) for column in zip(*rows, strict=True)] for rows in figures]
-    both, *same = yield from _by_name(table, names, turned, renamed=renamed)
+    both, *same = yield from _by_name(table, names, turned)
     here, there = ([list(row) for row in zip(*columns, strict=True)] for columns in same)
     return both, here, there
 

@@ -13,8 +13,8 @@ from vstatics.comparison.verdicts import CaseVerdict, compared, largest_first, u
 from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
 from vstatics.readers import sweep_tables
-from vstatics.readers.result_rows import is_parquet
-from vstatics.readers.results import read_results
+from vstatics.readers.result_rows import is_parquet, no_result
+from vstatics.readers.results import TAKEN, read_results
 from vstatics.tables.suffixes import known, suffix_of
 from vstatics.tables.written_results import WrittenResult, WrittenSweep
 
@@ -36,6 +36,11 @@ def content(data: bytes, file: str) -> Content:
     ReadError
         If it holds neither.
     """
+    if sweep_tables.is_workbook(data):
+        try:
+            return sweep_tables.read(data, file)
+        except ReadError:
+            raise no_result(f"a workbook; {TAKEN}", file) from None
     if sweep_tables.is_sweep(data) and not is_parquet(data):
         return sweep_tables.read(data, file)
     return read_results(data, file)
@@ -62,7 +67,7 @@ def verdicts_of_files(
     of_file_names = [file_stem(name) for name in names if name != STDIN_NAME]
     if isinstance(actual, WrittenSweep) or isinstance(expected, WrittenSweep):
         name = next(filter(None, of_file_names), "sweep")
-        return [_sweeps_compared(name, actual, expected, names[0], how)]
+        return [_sweeps_compared(name, actual, expected, names, how)]
     if max(len(actual), len(expected)) == 1:
         one, other = (next(iter(side), None) for side in (actual, expected))
         told = [_called(result) for result in (one, other) if result]
@@ -82,14 +87,22 @@ def verdicts_of_files(
     ]
 
 
+def sweep_alone(actual: Content, expected: Content, names: tuple[str, str]) -> str:
+    """What is said where one is a sweep, the other is not; else nothing."""
+    sweeps = [isinstance(one, WrittenSweep) for one in (actual, expected)]
+    if sweeps[0] == sweeps[1]:
+        return ""
+    one, other = names if sweeps[0] else names[::-1]
+    return f"{one} is a sweep, {other} is not: expected two of a kind"
+
+
 def _sweeps_compared(
-    name: str, actual: Content, expected: Content, file: str, how: Tolerances
+    name: str, actual: Content, expected: Content, names: tuple[str, str], how: Tolerances
 ) -> CaseVerdict:
     if not (actual and expected):
         return CaseVerdict(name, "added" if actual else "gone", differs=True)
     if not (isinstance(actual, WrittenSweep) and isinstance(expected, WrittenSweep)):
-        message = "one is a sweep, the other is not: expected two of a kind"
-        raise ReadError([of_file("E050", file, message)])
+        raise ReadError([of_file("E050", names[0], sweep_alone(actual, expected, names))])
     found = largest_first(sweep_places(actual, expected, **how._asdict()))
     counts = sweep_counts(actual, expected, how.leave_out)
     return CaseVerdict(name, "changed" if found else "same", None, found, counts, bool(found))

@@ -9,9 +9,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vstatics.errors import ReadError, plural, quoted
+from vstatics.model.parts import mechanism_name
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
-from vstatics.readers.deck.text import decode, head
+from vstatics.readers.deck.text import SPRING, decode, head, scan
 from vstatics.readers.reading import Source
 from vstatics.readers.result_rows import is_csv, is_parquet, no_result, read_csv, read_parquet
 from vstatics.tables.names import BEFORE_NAME
@@ -19,12 +20,16 @@ from vstatics.tables.quantities import PRINTED, QUANTITIES
 from vstatics.tables.written_results import Figure, Figures, WrittenResult
 
 FORMAT = "vstatics-result"
-TAKEN = "results of run and of sweep are compared"
+TAKEN = (
+    "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
+    "(CSV, JSON lines, NPZ, Parquet)"
+)
+CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
 OTHERS = {
     "cure": "a message that check explains",
     "severity": "a problem that check tells",
     "changed": "what compare told",
-    "gears": "a case, of which run makes a result",
+    "gears": CASE,
 }
 """What has no format in it, by a key that a result has not."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
@@ -172,9 +177,9 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
         field = head(line)
         if field == "KJG":
             if tables:
-                case = _case("\n".join(lines[first:number]), "deck")
                 named = _row_names(names, tables)
-                reports.append(WrittenResult(tables, case, printed=True, rows=named, file=of_case))
+                made = WrittenResult(tables, None, printed=True, rows=named, file=of_case)
+                reports.append(_with_case(made, lines[first:number]))
                 tables, names, first, table, of_case = {}, {}, number, "", ""
             of_case, coming = coming or of_case, ""
         elif named_file := NAMED_FILE.match(line):
@@ -191,8 +196,25 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
                 tables[table].append(figures)
                 names.setdefault(table, []).extend([name.strip()] * bool(is_named))
     if not reports:
-        raise no_result(f"no table of results found; {TAKEN}", file)
+        is_case = any(head(line) or line.startswith("gears:") for line in lines)
+        raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
     return reports
+
+
+def _with_case(made: WrittenResult, lines: Sequence[str]) -> WrittenResult:
+    """A listing with the case at its head; of one with springs, which no deck has, the names."""
+    springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
+    if not springs:
+        return made._replace(case=_case("\n".join(lines), "deck"))
+    given = {one[:2]: one[2] for one in scan(Source("", "\n".join(lines))).names}
+    elements = made.rows.get("WFRI", ())
+    columns, gears = (max(map(len, made.tables.get(key, ())), default=0) for key in ("AJK", "W"))
+    sets = range(1, columns - len(elements) - len(springs) + 1)
+    mechanisms = [given.get(("D", str(number)), mechanism_name(number)) for number in sets]
+    return made._replace(
+        gears=[given.get(("P", str(number)), str(number)) for number in range(1, gears + 1)],
+        devices=[*elements, *mechanisms, *springs],
+    )
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:

@@ -16,13 +16,18 @@ from vstatics.tables.written_results import GEAR, WrittenSweep
 
 NUMBER, STATUS = "variant", "status"
 SHEET = "Variants"
-_WORKBOOK = "xl/workbook.xml"
+WORKBOOK = b"xl/workbook.xml"
 """In every XLSX, which is an archive like NPZ."""
 
 
 def is_sweep(data: bytes) -> bool:
     """Whether a file begins as a table of variants does."""
     return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
+
+
+def is_workbook(data: bytes) -> bool:
+    """Whether a file is XLSX, of whatever."""
+    return data.startswith(b"PK") and WORKBOOK in data
 
 
 def read(data: bytes, file: str) -> WrittenSweep:
@@ -50,7 +55,7 @@ def columns(data: bytes, file: str) -> dict[str, list[Any]]:
     """
     try:
         if data.startswith(b"PK"):
-            return _workbook(data, file) if _WORKBOOK.encode() in data else _npz(data)
+            return _workbook(data, file) if is_workbook(data) else _npz(data)
         if data.startswith(b"PAR1"):
             return _parquet(data)
         text = data.decode()

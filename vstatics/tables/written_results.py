@@ -60,6 +60,8 @@ class WrittenResult(NamedTuple):
     @property
     def device_names(self) -> Sequence[str]:
         """Names of its devices; none where it does not tell."""
+        if self.is_of_source:
+            return ()
         return self.devices or (self.case.devices if self.case else ())
 
     @property

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from vstatics.model.parts import element_name, mechanism_name
 from vstatics.model.transmission import SpeedOf, Transmission
 from vstatics.readers.deck.table import FIELDS
+from vstatics.readers.deck.text import SPRING
+from vstatics.readers.deck.text import SPRINGS as KSPR
 from vstatics.tables.numbers import exponent
 from vstatics.texts import Language, translated
 
@@ -115,10 +117,10 @@ def _structure(case: Transmission) -> Iterator[str]:
         yield _row("", map(exponent, planets.values()))
     if case.springs:
         yield SPRINGS
-        yield f"KSPR= {len(case.springs)}"
+        yield f"{KSPR}= {len(case.springs)}"
         for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
             form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
-            yield f"SPRING {' '.join(form)}: {spring.name}"
+            yield f"{SPRING}{' '.join(form)}: {spring.name}"
 
 
 def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:

@@ -18,6 +18,8 @@ from vstatics.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"
 """How many springs a case has: only listings tell it, of cases that no deck holds."""
+SPRING = "SPRING "
+"""Begins a line of each below it."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
 """Fields of one value; they have no index list, and may share a line."""
 
