@@ -7,6 +7,7 @@ import json
 import math
 import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -84,12 +85,13 @@ def test_a_text_reads_no_files_but_beside_a_name_with_a_folder(tmp_path: Path) -
     load = {"speed": "900 rpm", "torque": "40 N*m"}
     data = {**PAIR, "load": load, "drag": {"out": {"file": str(drag)}}}
     text = json.dumps(data)
-    for read in (
+    reads: list[Callable[[], Transmission]] = [
         lambda: vstatics.loads(text),
         lambda: vstatics.loads(text, name="upload.yaml"),
         lambda: vstatics.load(io.StringIO(text)),
         lambda: Transmission.from_dict(data),
-    ):
+    ]
+    for read in reads:
         with pytest.raises(ReadError, match=r"drag.out: read `.*`, expected the points themselves"):
             read()
     beside = text.replace(str(drag), "drag.csv")

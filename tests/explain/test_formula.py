@@ -49,7 +49,8 @@ def test_a_ratio_that_is_set_is_no_other_one() -> None:
     variator = Mechanism(1, 2, 0, -0.5, name="variator", kind="variator")
     found = explain_gear(solve(Transmission(3, [], [variator, pair], [Gear()])), 1).formula
     assert found is not None
-    assert (found.text, found.value) == ("u_variator u_pair", pytest.approx(4))
+    assert found.text == "u_variator u_pair"
+    assert found.value == pytest.approx(4)
     assert (found.shared, found.shared_text) == ({}, "")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -70,7 +71,7 @@ def test_the_state_of_a_gear_is_what_the_arrays_say(path: Path, coast: bool) -> 
     case = results.case
     for index in range(len(case.gears)):
         state = results.gear(index + 1)
-        found = {
+        found: dict[str, Any] = {
             "speeds": state.speeds[: case.own_links],
             "slip_speeds": state.slip_speeds,
             "ratio": [state.ratio],
