@@ -168,6 +168,7 @@ DOUBTS = {
     "N412": "several sets of directions of power agree with the losses",
     "N413": "a differential turns as one piece: torques with losses depend on a direction",
     "N414": "a drag, efficiency or converter is asked outside its points: the last one counts",
+    "N416": "power enters at a further output, whose torque drives",
     "N501": "a case of clutch dump is on the safe side",
     "N502": "a case of clutch dump does not come",
     "N503": "the torque with a clutch that stays stuck",

@@ -192,9 +192,20 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
 
 
 def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Outputs of which nothing is given, so that they give no torque."""
+    """Outputs of which nothing is given, so that they give no torque, or whose torque drives."""
     case = results.case
     given = {*gear.speeds, *gear.torques}
+    driving = [
+        case.link_name(link)
+        for link in case.further_outputs(gear)
+        if gear.torques.get(link, 0.0) * results.speeds[number, link - 1] > 0
+    ]
+    if driving and not case.coasts(gear):
+        yield Said(
+            "N416",
+            f"power enters at output{_s(len(driving))} {spoken(driving)}: a torque that is taken "
+            "there has the other sign than the speed",
+        )
     idle = [link for link in case.further_outputs(gear) if link not in given]
     if not idle:
         return
