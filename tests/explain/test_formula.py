@@ -7,8 +7,8 @@ import importlib.util
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.explain.explained import explained, formula
-from vstatics import load, solve
+from tests.explain.explained import check, explained, formula
+from vstatics import load, loads, solve
 from vstatics.explain import explain_gear
 from vstatics.model.transmission import Gear, Mechanism, Transmission
 
@@ -52,6 +52,38 @@ def test_a_ratio_that_is_set_is_no_other_one() -> None:
     assert found.text == "u_variator u_pair"
     assert found.value == pytest.approx(4)
     assert (found.shared, found.shared_text) == ({}, "")
+
+
+CVT = """
+links: [engine, first, second, sun, ring, out]
+mechanisms:
+  variator: {kind: variator, first: first, second: second, speed_ratio: 1}
+  reduction: {first: second, second: sun, ratio: 1.6}
+elements:
+  set: {kind: planetary, sun: sun, ring: ring, carrier: engine, teeth: {sun: 30, ring: 70}}
+  final: {kind: gear_pair, first: ring, second: out, teeth: {first: 20, second: 61}}
+shift_elements: {C: [engine, first]}
+gears: {own: {engaged: [C], speed_ratios: {variator: 0.5}}, even: [C]}
+"""
+
+
+@pytest.mark.parametrize(("gear", "x"), [("own", 0.5), ("even", 1.0)])
+def test_a_variator_beside_drawn_elements_is_in_the_formula(gear: str, x: float) -> None:
+    """Willis: w_sun - 1 = u (w_ring - 1); x = 1 is set, so nothing turns together by it."""
+    ring = 1 + (x / 1.6 - 1) / (-70 / 30)
+    found = explain_gear(solve(loads(CVT)), gear)
+    assert found.formula is not None
+    assert found.formula.value == pytest.approx(-61 / 20 / ring, rel=1e-12)
+    assert {one.name: one.value for one in found.formula.symbols}["u_variator"] == 1 / x
+    assert [body.links for body in found.together] == [["engine", "first"]]
+
+
+def test_ratios_that_are_replaced_alone_are_those_of_the_formula() -> None:
+    """Teeth of the drawing would give others: planets that are links, too."""
+    for name in ("simpson.yaml", "ravigneaux-aod.yaml"):
+        case = load(CASES / name)
+        others = [1.1 * one.ratio for one in case.mechanisms]
+        check(solve(case, ratios=others), range(len(case.gears)))
 
 
 def test_ravigneaux_gears_are_formulas_between_wheels() -> None:

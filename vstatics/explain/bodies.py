@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -36,14 +36,19 @@ class OwnLinks(NamedTuple):
     case: Transmission
     parts: Sequence[DrawnPart]
     """What its elements are then, and its mechanisms."""
+    variators: Collection[str] = ()
+    """Names of pairs that stand for variators."""
 
     def is_fixed(self, number: int) -> bool:
         """Whether a mechanism, by its index, has a ratio that is no matter of teeth.
 
         So it is of a shaft, and of a symmetrical differential, whose ratio is -1; a group of
         planets comes to -1 by its teeth. A ratio of 1 counts too: the third link does not act then.
+        That of a variator is set, and by chance the one or the other.
         """
         mechanism = self.case.mechanisms[number]
+        if mechanism.name in self.variators:
+            return False
         if mechanism.ratio != -1 or mechanism.third == HOUSING:
             return mechanism.ratio == 1
         elements = [part.element for part in self.parts for _ in part.lowered]
@@ -51,12 +56,27 @@ class OwnLinks(NamedTuple):
         return element is None or not isinstance(element.shape, Planetary)
 
 
+def as_solved(case: Transmission) -> Transmission:
+    """The case, without its drawing where mechanisms of elements were replaced alone.
+
+    >>> from vstatics import example, solve
+    >>> case = example("simpson")
+    >>> as_solved(case) is case, as_solved(solve(case, ratios=[-2.0, -3.0]).case).drawing
+    (True, None)
+    """
+    drawn = [lowered.mechanism for part in parts_of(case) for lowered in part.lowered]
+    drawn[case.own_mechanisms] = case.mechanisms[case.own_mechanisms]
+    alike = [one.ratio for one in drawn] == [one.ratio for one in case.mechanisms]
+    return case if alike else replace(case, drawing=None)
+
+
 def on_own_links(case: Transmission) -> OwnLinks:
     """The case on its own links, its elements reduced to mechanisms between their wheels."""
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))
-    reduced = parts(replace(drawing, losses="reduced"))
+    given = case.mechanisms[case.own_mechanisms]  # pairs for variators, too, not those drawn
+    reduced = parts(replace(drawing, mechanisms=given, losses="reduced"))
     plain = replace(
         case,
         links=drawing.links,

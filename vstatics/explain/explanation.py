@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import chain, compress
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from vstatics.arguments import refusing
 from vstatics.errors import CaseError
-from vstatics.explain.bodies import OwnLinks, Structure, on_own_links, structure
+from vstatics.explain.bodies import OwnLinks, Structure, as_solved, on_own_links, structure
 from vstatics.explain.equations import speed_system, torque_system
-from vstatics.explain.formula import RatioFormula, formula, symbols_of
+from vstatics.explain.formula import RatioFormula, Symbol, formula, symbols_of
 from vstatics.explain.machines import MachineBalance, machine_balance
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
@@ -132,25 +131,24 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    are_set = [one.kind != "" for one in results.case.mechanisms]
-    if any(are_set):
+    variators = {one.name: one.kind for one in results.case.mechanisms if one.kind}
+    if variators:
         results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
     number = results.case.gear_number(gear) - 1
     state = results.gear_at(number)
-    case, actual = state.case, state.gear
+    case, actual = as_solved(state.case), state.gear
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
     loaded = sorted(n - 1 for n in actual.engaged) + list(range(len(elements), len(case.devices)))
     torques, lossy = _torques(state, names, matrix)
     fault = FAULTS.get(state.status, "")
-    own = on_own_links(case)
+    own = on_own_links(case)._replace(variators=variators)
     bodies = None if fault else structure(own, actual)
     together = list(_together(own, actual, bodies)) if bodies else []
     one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
-    ratio, reason = _formula(state, names, own, bodies) if bodies else (None, fault)
-    if ratio and {*chain(*ratio.shared.values())} & {*compress(names.ratios, are_set)}:
-        ratio = ratio._replace(shared={}, shared_text="")  # a ratio that is set is equal by chance
+    symbols = symbols_of(case, names, own)
+    ratio, reason = _formula(state, names, symbols, own, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in actual.engaged if n not in state.holding],
@@ -225,14 +223,16 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 
 
 def _formula(
-    state: GearState, names: Names, own: OwnLinks, bodies: Structure
+    state: GearState, names: Names, symbols: Sequence[Symbol], own: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
-    """The formula, or why there is none."""
+    """The formula, which gives what is calculated, or why there is none."""
     try:
-        ratio = formula(own, state.gear, names, symbols_of(state.case, names, own), bodies)
+        ratio = formula(own, state.gear, names, symbols, bodies)
     except NoFormula as none:
         return None, str(none)
-    if math.isnan(ratio.value) or (ratio.left == "i" and math.isnan(plain(state.ratio))):
+    output = state.speeds[own.case.gear_output(state.gear) - 1]
+    calculated = plain(state.ratio if ratio.left == "i" else output)
+    if not math.isclose(ratio.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
         return None, "the mechanisms happen to have ratios at which the gear has none"
     return ratio, ""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -151,14 +151,14 @@ def formula(
         raise NoFormula("the output stands still: there is no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
-        return _of_ratio(1 / next(iter(parts.values())), symbols)
+        return _of_ratio(1 / next(iter(parts.values())), symbols, own.variators)
     return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
 
 
-def _of_ratio(ratio: Any, symbols: Sequence[Symbol]) -> RatioFormula:
+def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str]) -> RatioFormula:
     kept, [renamed] = _in_occurring([ratio], symbols)
     text = factored.fraction(renamed, factored.Notation([one.name for one in kept]))
-    shared, shorter = _shared(renamed, kept)
+    shared, shorter = _shared(renamed, kept, variators)
     return RatioFormula(
         left="i",
         text=text,
@@ -226,11 +226,14 @@ def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
     return fractions(image(value.numer)) / fractions(below) if below else None
 
 
-def _shared(value: Any, symbols: Sequence[Symbol]) -> tuple[dict[str, list[str]], str]:
-    """The formula where symbols of the same value are one."""
+def _shared(
+    value: Any, symbols: Sequence[Symbol], variators: Collection[str]
+) -> tuple[dict[str, list[str]], str]:
+    """The formula where symbols of the same value are one; that of a variator is so by chance."""
     by_value: dict[float, list[int]] = {}
     for number, symbol in enumerate(symbols):
-        by_value.setdefault(symbol.value, []).append(number)
+        if symbol.meaning not in variators:
+            by_value.setdefault(symbol.value, []).append(number)
     groups = [numbers for numbers in by_value.values() if len(numbers) > 1]
     if not 0 < len(groups) <= len(SHARED):
         return {}, ""
