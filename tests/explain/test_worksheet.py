@@ -138,6 +138,52 @@ def test_seeds_give_boxes_of_their_own_while_there_are_some() -> None:
         assert drawn_numbers(case, 1 + rounds * len(fit)).drawing == drawn_numbers(case, 1).drawing
 
 
+HOIST = """
+links: [in, a, b, c, d, e, f, out]
+elements:
+  worm: {kind: worm, worm: in, wheel: a, teeth: {worm: 1, wheel: 40}, efficiency: {worm: 0.7, wheel: 0.4}}
+  chain: {kind: chain, first: a, second: b, teeth: {first: 19, second: 57}}
+  belt: {kind: belt, first: b, second: c, diameters: {first: 120, second: 90.5}}
+  axle: {kind: bevel_pair, first: c, second: d, teeth: {first: 11, second: 41}}
+  odd: {kind: gear_pair, first: d, second: e, teeth: {first: 6, second: 125}}
+mechanisms:
+  back: {first: e, second: f, ratio: -1}
+  variator: {kind: variator, first: f, second: out, speed_ratio: 1}
+gears: {low: {engaged: [], speed_ratios: {variator: 0.5}}, even: []}
+"""
+
+
+def test_a_seed_draws_whatever_has_numbers() -> None:
+    """Starts and wheel of a worm, chains, belts, bevel pairs, speed ratios; what stays is named."""
+    case = loads(HOIST)
+    made = [exercise(solve(case), "even", seed=seed) for seed in range(9)]
+    cases = [one.results.case for one in made]
+    ratios = np.array([[abs(one.ratio) for one in each.mechanisms] for each in cases])
+    own = np.array([abs(one.ratio) for one in case.mechanisms])
+    ways = [len({*column}) for column in ratios.T.tolist()]
+    assert [way > 5 for way in ways] == [True] * 4 + [False] * 2 + [True]
+    assert (np.abs(np.log(ratios / own)) < 0.36).all()
+    assert len({each.gears[0].speed_ratios[2] for each in cases}) > 5
+    for each in cases:
+        assert isinstance(each.drawing, Drawing)
+        worm, chain, _, axle, _ = (one.teeth for one in each.drawing.elements)
+        assert 1 <= worm["worm"] <= 4
+        assert worm["wheel"] >= 28
+        assert min(chain.values()) >= 17
+        assert min(axle.values()) >= 11
+    assert made[3].titles("hoist.yaml") == ["hoist.yaml (--seed 3; as before: odd)"]
+    assert repr(made[3]) == f"<GearExercise 'even': {len(made[3].blanks)} blanks, seed 3>"
+
+
+def test_a_drawn_ravigneaux_set_of_ratios_is_one_still() -> None:
+    members = {"small_sun": 1, "large_sun": 2, "ring": 3, "carrier": 4}
+    ratios = {"small_sun": 2.4, "large_sun": -2.0}
+    bare = Element("R", "ravigneaux", members, ratios=ratios, efficiency=0.97)
+    case = transmission(Drawing(4, [bare]), shift_elements=[ShiftElement(4)], gears=[Gear([1])])
+    drawn = [drawn_numbers(case, seed).mechanisms[0].ratio for seed in range(9)]
+    assert len({*drawn}) == 9
+
+
 def test_a_seed_gives_the_same_again_and_another_one_other_numbers() -> None:
     one, again, other = (
         vstatics("explain", SHOWN[1], "--gear", "2", "--solution", "--seed", seed).out

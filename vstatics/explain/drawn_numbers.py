@@ -15,7 +15,7 @@ from vstatics.elements.element import Element
 from vstatics.elements.group import group_of
 from vstatics.elements.teeth.doubtful_teeth import fitting
 from vstatics.elements.teeth.layout import Teeth
-from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement
+from vstatics.model.parts import Gear, Mechanism, OfLoad, ShiftElement
 from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics.carried import carried_torques
@@ -69,8 +69,9 @@ def _with_capacity(one: ShiftElement, factor: float) -> ShiftElement:
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     """The same structure with other teeth, and other ratios of what has none.
 
-    Ratios of 1 stay, as shafts have them; so do those that follow a law. Seeds one after the
-    other give other teeth each, until all that fit have been given.
+    Ratios of 1 and -1 stay, as shafts and reversing wheels have them. Speed ratios of variators
+    and converters are drawn for each gear. Seeds one after the other give other teeth each, until
+    all that fit have been given.
 
     Examples
     --------
@@ -83,19 +84,72 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     random = Random(seed)  # noqa: S311 - for exercises
     drawing = drawing_of(case)
     if not isinstance(drawing, Drawing):
-        return case.replace(mechanisms=[_with_ratio(one, random) for one in case.mechanisms])
-    elements = [_with_teeth(one, place, seed) for place, one in enumerate(drawing.elements)]
+        mechanisms = [_with_ratio(one, random) for one in case.mechanisms]
+        return case.replace(mechanisms=mechanisms, gears=_gears(case, random))
+    elements = [_with_sizes(one, place, seed) for place, one in enumerate(drawing.elements)]
     own = [_with_ratio(one, random) for one in drawing.mechanisms]
-    return case.replace(drawing=replace(drawing, elements=elements, mechanisms=own))
+    made = replace(drawing, elements=elements, mechanisms=own)
+    return case.replace(drawing=made, gears=_gears(case, random))
+
+
+def unchanged(case: Transmission, made: Transmission) -> list[str]:
+    """Names of elements and mechanisms that keep ratios other than 1 and -1, as no others fit."""
+    before, after = ([one.ratio for one in each.mechanisms] for each in (case, made))
+    return [
+        one.name
+        for one in case.own_devices
+        if all(before[n] == after[n] and abs(before[n]) not in (0, 1) for n in one.mechanisms)
+    ]
+
+
+def _gears(case: Transmission, random: Random) -> list[Gear]:
+    """The gears with other speed ratios of their own."""
+    own = case.mechanisms[case.own_mechanisms]
+    gears = []
+    for gear in case.gears:
+        ratios = {
+            number: _speed_ratio(own[number - 1].kind, ratio, random)
+            if number <= len(own)  # else of one of the converters
+            else ratio
+            for number, ratio in gear.speed_ratios.items()
+        }
+        gears.append(gear._replace(speed_ratios=ratios))
+    return gears
+
+
+def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
+    """One near it; of a converter a lower one, as the highest ones have no torque to speak of."""
+    return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)
+
+
+def _near(number: float, random: Random, least: float = -FARTHEST, most: float = FARTHEST) -> float:
+    return float(f"{number * (1 + random.uniform(least, most)):.3g}")
 
 
 def _with_ratio(one: Mechanism, random: Random) -> Mechanism:
-    if isinstance(one.ratio, Law) or abs(one.ratio) == 1 or one.kind:
+    if one.kind:
+        return one._replace(ratio=_speed_ratio(one.kind, one.ratio, random))
+    if abs(one.ratio) == 1:
         return one
-    drawn = one.ratio * (1 + random.uniform(-FARTHEST, FARTHEST))
+    drawn = _near(one.ratio, random)
     if (abs(drawn) > 1) != (abs(one.ratio) > 1):  # what is reduced stays so
-        drawn = 2 * one.ratio - drawn
-    return one._replace(ratio=float(f"{drawn:.3g}"))
+        drawn = float(f"{2 * one.ratio - drawn:.3g}")
+    return one._replace(ratio=drawn)
+
+
+def _with_sizes(element: Element, place: int, seed: int) -> Element:
+    """An element with other teeth, or other diameters or ratios where it has such."""
+    random = Random(f"{seed} {place}")  # noqa: S311 - equal elements are not drawn alike
+    if element.kind == "belt":
+        half = FARTHEST / 2  # of each, so that the ratio changes by as much as others
+        teeth = {name: _near(own, random, -half, half) for name, own in element.teeth.items()}
+        return replace(element, teeth=teeth)
+    if element.ratios:  # of both suns: 1 < -large < small
+        large = 1 + _near(-element.ratios["large_sun"] - 1, random)
+        more = _near(element.ratios["small_sun"] + element.ratios["large_sun"], random)
+        ratios = {"small_sun": round(large + more, 6), "large_sun": round(-large, 6)}
+        return replace(element, ratios=ratios)
+    return _with_teeth(element, place, seed)
 
 
 def _with_teeth(element: Element, place: int, seed: int) -> Element:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vstatics.arguments import refusing
-from vstatics.explain.drawn_numbers import drawn
+from vstatics.explain.drawn_numbers import drawn, unchanged
 from vstatics.explain.worksheet import GearExercise, worksheet
 from vstatics.statics.results import Results, expect_one_case
 
@@ -48,5 +48,6 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     if seed is not None:
         if seed < 0:
             raise ValueError(f"seed is {seed}, expected 0 or more")
-        results = drawn(results, seed)
-    return worksheet(results, index, seed)
+        given, results = results.case, drawn(results, seed)
+        return worksheet(results, index, seed, unchanged(given, results.case))
+    return worksheet(results, index)

@@ -18,7 +18,7 @@ from vstatics.tables.html import shown
 from vstatics.tables.names import ROWS
 from vstatics.tables.quantities import Quantity, Table
 from vstatics.tables.values import tables
-from vstatics.texts import Language, speaking
+from vstatics.texts import Language, speaking, tr
 from vstatics.writers import result_json
 
 ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
@@ -68,6 +68,8 @@ class GearExercise(NamedTuple):
     asked: Sequence[Table]
     """The tables that have a blank."""
     blanks: Sequence[Blank]
+    unchanged: Sequence[str] = ()
+    """What keeps its numbers, although others were drawn."""
 
     @property
     def gear(self) -> str:
@@ -76,7 +78,8 @@ class GearExercise(NamedTuple):
 
     def titles(self, file: str = "") -> list[str]:
         """What stands over it: the case, or its file; the seed finds sheet and solution."""
-        seed = "" if self.seed is None else f" (--seed {self.seed})"
+        kept = tr("; as before: {names}", names=", ".join(self.unchanged)) if self.unchanged else ""
+        seed = "" if self.seed is None else f" (--seed {self.seed}{kept})"
         return [f"{self.results.case.name or file}{seed}"]
 
     @refusing()
@@ -95,6 +98,11 @@ class GearExercise(NamedTuple):
             made: str = writer.write(self.titles(), grids(self, solved=solved))
         return made
 
+    def __repr__(self) -> str:
+        """Of which gear, and how many blanks; not all its results."""
+        seed = "" if self.seed is None else f", seed {self.seed}"
+        return f"<GearExercise {self.gear!r}: {len(self.blanks)} blanks{seed}>"
+
     def _repr_html_(self) -> str:
         """The exercise with blanks, for a notebook."""
         return shown(grids(self, solved=False))
@@ -107,7 +115,9 @@ class GearExercise(NamedTuple):
         return made
 
 
-def worksheet(results: Results, index: int, seed: int | None = None) -> GearExercise:
+def worksheet(
+    results: Results, index: int, seed: int | None = None, unchanged: Sequence[str] = ()
+) -> GearExercise:
     """The exercise of a gear of one case.
 
     Given speeds are not asked for, nor signs that are told; nor what the scheme makes 0, unless
@@ -119,6 +129,8 @@ def worksheet(results: Results, index: int, seed: int | None = None) -> GearExer
         Of the gear, from 0.
     seed : int, optional
         By which numbers of the case were drawn.
+    unchanged : sequence of str
+        What kept its numbers then.
 
     Raises
     ------
@@ -146,7 +158,7 @@ def worksheet(results: Results, index: int, seed: int | None = None) -> GearExer
         raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
     keys = {one.table for one in found}
     asked = [one for one in wanted if one.quantity.key in keys]
-    return GearExercise(results, index, seed, asked, found)
+    return GearExercise(results, index, seed, asked, found, unchanged)
 
 
 def asked_keys(*, no_torque: bool) -> Iterator[str]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from random import Random
 
 from vstatics.elements.drawing import Drawing
@@ -26,6 +27,12 @@ TOUCHING = "N315"
 USUAL_PLANETS = range(3, 7)
 """Numbers of planets, one of which must go in where the element tells none."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
+_UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
+    "chain": [(UNCUT, math.inf)] * 2,
+    "bevel_pair": [(UNCUT, math.inf)] * 2,
+    "worm": [(1, 4), (28, math.inf)],
+}
+"""Teeth that are usual where none are checked: of each wheel the least and the most."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
@@ -117,8 +124,8 @@ def _place(element: Element, about: Key | None) -> Path:
 def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     """Teeth around those of an element with which it can be put together, in random order.
 
-    With its number of planets, or, where it tells none, with 3 to 6 of them. Nothing for what
-    has no teeth that are checked.
+    With its number of planets, or, where it tells none, with 3 to 6 of them. Of chains, worms and
+    bevel pairs no wheel has less than is usual, or than its own; nothing for what has no teeth.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 24, "ring": 72}
     >>> found = list(fitting(Element("P", "planetary", members, teeth, planets=5), Random(1)))
@@ -127,6 +134,7 @@ def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     """
     subject = _subject(element)
     if subject is None:
+        yield from _usual(element, random)
         return
     is_right = _rule(subject)
     layout = subject.layout if element.planets is None and isinstance(subject, OfPlanets) else None
@@ -134,6 +142,23 @@ def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     random.shuffle(choices)
     for teeth in that_go_in(subject, choices):
         if is_right(teeth) and (layout is None or those_that_go_in(layout(teeth), USUAL_PLANETS)):
+            yield teeth
+
+
+def _usual(element: Element, random: Random) -> Iterator[Teeth]:
+    """Teeth around those of a chain, a worm or a bevel pair, in random order."""
+    if not element.teeth or not _whole(element) or element.kind not in _UNCHECKED:
+        return
+    usual = _UNCHECKED[element.kind]
+    limits = [
+        (min(least, own), max(most, own))
+        for own, (least, most) in zip(element.teeth.values(), usual, strict=True)
+    ]
+    choices = list(nearest(OfWheels(element).space, wide=True))
+    random.shuffle(choices)
+    for teeth in choices:
+        pairs = zip(teeth.values(), limits, strict=True)
+        if all(least <= count <= most for count, (least, most) in pairs):
             yield teeth
 
 

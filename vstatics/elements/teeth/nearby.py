@@ -81,7 +81,7 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
             if step:
                 for key, change in move.items():
                     teeth[key] += step * change
-        if min(teeth.values()) > 1:
+        if min(teeth.values()) > 0:
             distance = _distance(space, logs, teeth)
             if distance < math.inf:
                 found.append((distance, number, teeth))
