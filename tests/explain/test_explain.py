@@ -20,6 +20,18 @@ def test_a_tied_up_gear_has_equations_but_no_solution() -> None:
     assert "the gear is tied up" in said.out
 
 
+def test_speeds_that_follow_one_another_have_no_formula_and_it_says_so() -> None:
+    """On a curve the right wheel turns at 1.05 of the left: i = 2.05/2."""
+    curve = """
+links: [in, left, right]
+output: left
+mechanisms: {axle: {first: left, second: right, third: in, ratio: -1}}
+gears: {g: {speeds: {right: 1.05*left}}}
+"""
+    said = vstatics("explain", "-", "--lang", "ru", stdin=curve.encode()).out
+    assert "i = w_in/w_left = 1.025\n  формулы нет, так как скорость звена right" in said
+
+
 def test_a_gear_locked_by_friction_has_no_solution_with_losses() -> None:
     said = vstatics("explain", "-", stdin=LOCKED.encode())
     assert said.status == 0

@@ -147,7 +147,8 @@ def test_a_converter_is_solved_from_its_sheet() -> None:
     )
     sheet = worksheet(solve(case), 0)
     told, _ = said_and_asked(case, 0)
-    assert "| TC | converter | pump | turbine | - | - | 0.3 | (i, K): (0, 2.2), (0.6, 1) |" in told
+    points = "(speed ratio, K): (0, 2.2), (0.6, 1)"
+    assert f"| TC | converter | pump | turbine | - | - | 0.3 | {points} |" in told
     assert "Losses, third link held" not in told
     k = 2.2 + (1 - 2.2) * 0.3 / 0.6
     blanks = {(one.table, one.row): one.value for one in sheet.blanks}
@@ -155,6 +156,19 @@ def test_a_converter_is_solved_from_its_sheet() -> None:
     assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
     with pytest.raises(CaseError, match="gear g: TC is a converter"):
         explain_gear(solve(case), "g")
+
+
+def test_a_sheet_tells_over_what_a_law_goes() -> None:
+    """Those of efficiency and drag, each where the case has such; a belt has no teeth."""
+    told = said_and_asked(loads(LAWFUL), 0)[0]
+    plain = said_and_asked(load(CASES / "differential.yaml"), 0)[0]
+    for law in ("over the torque on the first link with losses", "w in a formula, in rad/s"):
+        assert law in told
+        assert law not in plain
+    belt = "{B: {kind: belt, first: in, second: out, diameters: {first: 120, second: 90}}}"
+    told = said_and_asked(loads(f"links: [in, out]\nelements: {belt}\ngears: {{g: []}}\n"), 0)[0]
+    assert "| B | belt | first in, second out | diameters: first 120, second 90 |" in told
+    assert told.count("120") == 1
 
 
 def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:

@@ -16,6 +16,8 @@ from vstatics import Gear, Mechanism, Transmission, load, solve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers import loads
 from vstatics.statics.results import Results
+from vstatics.summary import summarize
+from vstatics.summary.grids import summary_grids
 from vstatics.summary.sensitivity import efficiency_sensitivities, sensitivities
 
 
@@ -93,6 +95,8 @@ gears: {back: [], ahead: {speed_ratios: {hydro: .3}}}
 """)
     found = sensitivities(solve(case))[:, 1]
     assert found == pytest.approx([-x / (x + 2) for x in (-0.3, 0.3)])
+    said = {one.key: one.title for one in summary_grids(summarize(solve(case)))}["sensitivity"]
+    assert said.endswith("of variators and converters to their speed ratio")
 
 
 def test_wheels_on_a_curve_follow_one_another() -> None:

@@ -17,6 +17,8 @@ from vstatics.extras import missing
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.tables.answer import Flat, told
 
+FOLLOWS = "there is no formula, as the speed of link {link} is given by that of {other}"
+"""Why a gear with tied speeds has none."""
 SHARED = ("u", "v")
 """Symbols for ratios that several mechanisms have."""
 
@@ -138,8 +140,9 @@ def formula(
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
         if isinstance(speed, SpeedOf):
-            followed = f"{case.link_name(link)} is given by that of {case.link_name(speed.link)}"
-            raise NoFormula(f"the speed of link {followed}")
+            raise NoFormula(
+                FOLLOWS.format(link=case.link_name(link), other=case.link_name(speed.link))
+            )
         if structure.body[link] != HOUSING:
             given.setdefault(structure.body[link], names.speeds[link])
             numbers.setdefault(given[structure.body[link]], speed)

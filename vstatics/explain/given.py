@@ -26,7 +26,7 @@ from vstatics.explain.given_parts import (
 )
 from vstatics.explain.machines import MACHINES
 from vstatics.explain.text import engaged, rule
-from vstatics.model.parts import HOUSING
+from vstatics.model.parts import HOUSING, Law
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.traced import plain
 from vstatics.statics.results import Results
@@ -128,19 +128,32 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
     kinds = {one.kind for one in case.mechanisms}
     if "variator" in kinds:
         yield tr(
-            "A variator of the speed ratio i = w_second/w_first has u = 1/i; with i = 0 its "
-            "second link stands, and the first has no torque."
+            "A variator of the speed ratio w_second/w_first has the inverse of it as u; with the "
+            "speed ratio 0 its second link stands, and the first has no torque."
         )
     if "converter" in kinds:
         yield tr(
-            "A converter of the speed ratio i = w_second/w_first has the torques M and -K M on its "
-            "links, with losses and without; K is straight between the points (i, K), constant "
-            "outside. It loses M w_first (1 - K i)."
+            "A converter has the torques M and -K M on its links, with losses and without; K is "
+            "straight between its points over the speed ratio w_second/w_first, constant outside. "
+            "It loses M (w_first - K w_second)."
+        )
+    efficiencies = (n for one in case.mechanisms for n in (one.efficiency, one.back_efficiency))
+    if any(isinstance(one, Law) for one in efficiencies):
+        yield tr(
+            "An efficiency over speed is over that of the first link against the third, one over "
+            "torque over the torque on the first link with losses; both without sign, straight "
+            "between the points, constant outside."
         )
     if case.has_drag:
         yield tr(
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
+        )
+    drags = *state.gear.drag.values(), *state.gear.open_drag.values()
+    if any(isinstance(one, Law) for one in (*drags, *(one.drag for one in case.shift_elements))):
+        yield tr(
+            "Drag over speed is over that of its link, of an open shift element over its slip, "
+            "without sign: w in a formula, in rad/s; straight between points, constant outside."
         )
 
 

@@ -26,7 +26,7 @@ UNREAD = frozenset(
 """Keys of a case and of its parts that no blank depends on; other gears do not count, either."""
 _TOLD = frozenset(
     (
-        *("kind", "teeth", "planets", "suns", "rings", "rims", "meshes"),
+        *("kind", "teeth", "diameters", "planets", "suns", "rings", "rims", "meshes"),
         *("efficiency", "back_efficiency", "mesh_efficiency"),
     )
 )
@@ -95,8 +95,10 @@ def _own_wheels(element: Element) -> Sequence[Any]:
 
 def _teeth(element: Element) -> Iterator[str]:
     """Teeth of wheels and rims; of a group also what meshes with what."""
+    front = f"{tr('diameters')}: " if getattr(element.shape, "size", "") == "diameters" else ""
     for name, count in element.teeth.items():
-        yield f"{in_words(name)} {count:g}"
+        yield f"{front}{in_words(name)} {count:g}"
+        front = ""
     for wheel in element.wheels:
         kind = tr("ring" if wheel.internal else "sun")
         yield f"{kind} {wheel.member} {wheel.teeth} ({wheel.rim})"
@@ -143,7 +145,7 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
 def _points(one: Mechanism) -> str:
     """Of a converter: speed ratio and torque ratio."""
     points = ", ".join(f"({i:.6g}, {k:.6g})" for i, k, *_ in one.points)
-    return f"(i, K): {points}" if points else ""
+    return f"({tr('speed ratio')}, K): {points}" if points else ""
 
 
 def losses(case: Transmission) -> Grid:

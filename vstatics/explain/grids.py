@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from vstatics.explain import typeset
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import Equation, System, in_numbers, in_symbols
-from vstatics.explain.text import symbol_meaning
+from vstatics.explain.text import reason, symbol_meaning
 from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole, word
 from vstatics.texts import tr
 
@@ -96,7 +96,7 @@ def _ratio(one: Explanation) -> Grid:
     ends = [typeset.symbol(name) for name in (one.input, one.output)]
     ratio = Cell(f"{one.input}/{one.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}")
     rows: list[Values] = [
-        (Cell("i", math="i"), word(one.reason) if one.reason else ratio, one.ratio)
+        (Cell("i", math="i"), Cell(reason(one.reason)) if one.reason else ratio, one.ratio)
     ]
     if one.formula is not None:
         right = Cell(one.formula.text, math=typeset.formula(one.formula))

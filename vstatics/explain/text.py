@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from vstatics.explain.explanation import Explanation
+from vstatics.explain.formula import FOLLOWS
 from vstatics.explain.machines import MACHINES
 from vstatics.explain.signs import PowerSign
 from vstatics.explain.sums import (
@@ -270,7 +271,7 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     if formula is None:
         if not math.isnan(one.ratio):
             yield f"{ratio}{short(one.ratio, digits)}"
-        yield from _wrapped(tr(one.reason))
+        yield from _wrapped(reason(one.reason))
         return
     yield from _formula(
         ratio if formula.left == "i" else f"{INDENT}{formula.left} = ", formula.text
@@ -288,6 +289,15 @@ def _ratio(one: Explanation, digits: int | None) -> Iterator[str]:
     yield f"{INDENT}{formula.left} = {short(formula.value, digits)}{tr(', as calculated')}"
     if formula.left != "i" and not math.isnan(one.ratio):
         yield f"{ratio}{short(one.ratio, digits)}"
+
+
+_FOLLOWS = re.compile(re.sub(r"\\{(\w+)\\}", r"(?P<\1>.+)", re.escape(FOLLOWS)))
+
+
+def reason(text: str) -> str:
+    """Why there is no formula, in the language that is spoken."""
+    found = _FOLLOWS.fullmatch(text)
+    return tr(FOLLOWS, **found.groupdict()) if found else tr(text)
 
 
 _BETWEEN_WHEELS = re.compile(r"(?P<part>.+): (?P<first>.+) to (?P<second>.+), (?P<third>.+) held")

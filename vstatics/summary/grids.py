@@ -161,9 +161,12 @@ def _cells(shown: Quantity, line: Largest) -> Row:
 
 
 def _sensitivities(summary: Summary) -> Grid:
-    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
+    mechanisms = summary.results.case.mechanisms
+    names = [one.name for one in mechanisms]
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
+    if any(one.kind for one in mechanisms):
+        title += ", of variators and converters to their speed ratio"
     return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
 
 
