@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.commands import CASES, LOCKED, NEUTRAL, TIED_UP, vstatics
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, exercise, solve
+from vstatics.explain import explain_gear
 
 
 def test_a_neutral_gear_says_what_is_not_determined() -> None:
@@ -38,6 +42,18 @@ def test_a_gear_locked_by_friction_has_no_solution_with_losses() -> None:
     assert "locked by friction" in said.out
     assert "there is no solution with losses" in said.out
     assert "1 - 1/u_D" in said.out
+
+
+def test_all_signs_of_a_locked_gear_are_shown_with_what_speaks_against_them() -> None:
+    """One link drives the carrier over u = .995: Mx = 1 - u', at -199 of the unit speed."""
+    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, 0.995, 0.98)], [Gear([1])])
+    results = solve(case)
+    tried = explain_gear(results, 1).tried
+    assert tried is not None
+    torques = [1 - 0.995 / 0.98, 1 - 0.995 * 0.98]
+    assert [one.output_torque for one in tried] == pytest.approx(torques)
+    assert [one.against for one in tried] == ["", "D1"]  # the output drives; x is not that of M w
+    assert {one.table for one in exercise(results, 1).blanks}.isdisjoint({"IX", "ETA"})
 
 
 FREEWHEEL = """\

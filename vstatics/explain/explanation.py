@@ -16,7 +16,7 @@ from vstatics.explain.formula import RatioFormula, Symbol, formula, symbols_of
 from vstatics.explain.machines import MachineBalance, machine_balance
 from vstatics.explain.names import Names, names_of
 from vstatics.explain.shares import NoFormula
-from vstatics.explain.signs import PowerSign, signs_of
+from vstatics.explain.signs import PowerSign, TriedSigns, signs_of, tried_signs
 from vstatics.explain.sums import System
 from vstatics.extras import higher
 from vstatics.model.springs import ends
@@ -87,6 +87,8 @@ class Explanation(NamedTuple):
     """What was noticed in this gear."""
     balance: Sometimes[MachineBalance] = None
     """Of machines and a battery, where the gear has one."""
+    tried: Sometimes[Sequence[TriedSigns]] = None
+    """Signs and why none agrees, where friction locks the gear."""
 
     def __repr__(self) -> str:
         """Of which gear, its ratio; not all its equations."""
@@ -178,6 +180,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
             if message.gear == actual.name
         ],
         balance=machine_balance(results, number),
+        tried=tried_signs(state) or None,
     )
 
 

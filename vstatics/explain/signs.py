@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
+from itertools import product
 from typing import NamedTuple
 
 from vstatics.numerics.traced import is_nan, plain
+from vstatics.statics.efficiency import lossy_ratios
+from vstatics.statics.losses import torques_for_signs
 from vstatics.statics.roles import IDLE, ONE_PIECE, mechanism_roles
 from vstatics.statics.speeds import is_tie
 from vstatics.statics.state import GearState
+from vstatics.tables.answer import Known
 from vstatics.texts import tr
 
 
@@ -65,6 +70,59 @@ def signs_of(state: GearState) -> list[PowerSign]:
             )
         )
     return signs
+
+
+MOST_TRIED = 3
+"""Of more mechanisms there are too many sets of signs to look at."""
+
+
+class TriedSigns(NamedTuple):
+    """Signs that do not agree with the power that flows by them."""
+
+    signs: Mapping[str, float]
+    """By mechanism."""
+    lossy_ratios: Mapping[str, float]
+    """By mechanism: u eta^x. [-]"""
+    output_torque: Known
+    """What the output would give to the load. [-]"""
+    against: str
+    """The mechanism by which power flows the other way; empty where it enters at the output."""
+
+
+def tried_signs(state: GearState) -> list[TriedSigns]:
+    """All signs of a gear that is locked by friction, each with what speaks against them.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, 0.995, 0.98)], [Gear([1])])
+    >>> tried = tried_signs(solve(case).gear_at(0))
+    >>> [(*one.signs.values(), round(one.output_torque, 4), one.against) for one in tried]
+    [(-1.0, -0.0153, ''), (1.0, 0.0249, 'D1')]
+    """
+    ideal, names = state.ideal, [one.name for one in state.case.mechanisms]
+    efficiencies = ideal.variant.efficiencies
+    moving = zip(efficiencies, ideal.speeds.relative_speeds, strict=True)
+    free = [place for place, (own, speed) in enumerate(moving) if own.lossy and speed]
+    if not state.search.locked or len(free) > MOST_TRIED:
+        return []
+    tried = []
+    for own in product((-1.0, 1.0), repeat=len(free)):
+        signs = list(state.signs)
+        for place, x in zip(free, own, strict=True):
+            signs[place] = x
+        lossy = torques_for_signs(ideal, tuple(signs))
+        ratios = lossy_ratios(ideal.variant.ratios, efficiencies, signs)
+        against = (names[place] for place in free if signs[place] * lossy.directions[place] < 0)
+        tried.append(
+            TriedSigns(
+                {names[place]: plain(signs[place]) for place in free},
+                {names[place]: plain(ratios[place]) for place in free},
+                plain(lossy.torques.on_first_link[-1]),
+                next(against, ""),
+            )
+        )
+    return [one for one in tried if not math.isnan(one.output_torque)]
 
 
 def _why(state: GearState, place: int, motion: float, power: float) -> str:

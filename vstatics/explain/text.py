@@ -11,7 +11,7 @@ from typing import NamedTuple
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.formula import FOLLOWS
 from vstatics.explain.machines import MACHINES
-from vstatics.explain.signs import PowerSign
+from vstatics.explain.signs import PowerSign, TriedSigns
 from vstatics.explain.sums import (
     EQUATION_WIDTH,
     INDENT,
@@ -185,6 +185,8 @@ def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
         yield from _sign(sign, digits)
     if one.lossy is None:
         yield INDENT + tr("there is no solution with losses")
+        for tried in one.tried or ():
+            yield from _tried(tried, digits)
     elif any(sign.lossy_ratio != sign.ratio for sign in one.signs) or _drags(one):
         if _drags(one):
             yield INDENT + tr("drag stands on the right sides")
@@ -192,6 +194,24 @@ def _losses(one: Explanation, digits: int | None) -> Iterator[str]:
         yield INDENT + _efficiency(one, digits)
     else:
         yield INDENT + tr("all u stay as they are, and so do the torques")
+
+
+def _tried(one: TriedSigns, digits: int | None) -> Iterator[str]:
+    """Signs of mechanisms, where they lead and what speaks against it."""
+    given = (
+        f"{name} x = {sign:+.0f}, u eta^x = {short(one.lossy_ratios[name], digits)}"
+        for name, sign in one.signs.items()
+    )
+    said = tr("power enters at the output, too")
+    if one.against:
+        x = one.signs[one.against]
+        leaves, enters = "power leaves by the first link", "power enters by the first link"
+        said = f"{one.against}: {tr(leaves if x > 0 else enters)}"
+    torque = f"Mx = {short(one.output_torque, digits)}"
+    yield from _wrapped(
+        tr("with {signs}: {torque}, but {said}", signs="; ".join(given), torque=torque, said=said),
+        2,
+    )
 
 
 def _efficiency(one: Explanation, digits: int | None) -> str:

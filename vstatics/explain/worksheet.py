@@ -148,6 +148,8 @@ def worksheet(
     by_key = {one.quantity.key: one for one in tables(results)}
     case = results.case
     no_torque = not case.input_torque(case.gears[index])
+    if results.locked[index]:  # no sign agrees with the losses
+        del by_key["IX"]
     wanted = [by_key[key] for key in asked_keys(no_torque=no_torque) if key in by_key]
     found = list(_blanks(results, index, wanted, telling=True))
     if len(found) < LEAST:

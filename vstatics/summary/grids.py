@@ -166,7 +166,10 @@ def _sensitivities(summary: Summary) -> Grid:
     by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
     if any(one.kind for one in mechanisms):
-        title += ", of variators and converters to their speed ratio"
+        title = (
+            "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u, of "
+            "variators and converters to their speed ratio"
+        )
     return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
 
 
