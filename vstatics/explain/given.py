@@ -149,8 +149,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
         )
-    drags = *state.gear.drag.values(), *state.gear.open_drag.values()
-    if any(isinstance(one, Law) for one in (*drags, *(one.drag for one in case.shift_elements))):
+    own = *state.gear.drag.values(), *state.gear.open_drag.values()
+    if any(isinstance(one, Law) for one in (*own, *(one.drag for one in case.shift_elements))):
         yield tr(
             "Drag over speed is over that of its link, of an open shift element over its slip, "
             "without sign: w in a formula, in rad/s; straight between points, constant outside."

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from vstatics.explain import typeset
 from vstatics.explain.explanation import Explanation
 from vstatics.explain.sums import Equation, System, in_numbers, in_symbols
-from vstatics.explain.text import reason, symbol_meaning
+from vstatics.explain.text import reason, speaks_against, symbol_meaning
 from vstatics.tables.grid import Cell, Column, Grid, Values, grid_of, whole, word
 from vstatics.texts import tr
 
@@ -33,7 +33,8 @@ def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
 
 
 def _grids(one: Explanation) -> Iterator[Grid]:
-    yield from (matrix(one), _equations(one), _solution(one), _signs(one), _machines(one))
+    yield from (matrix(one), _equations(one), _solution(one), _signs(one), _tried(one))
+    yield _machines(one)
     yield _ratio(one)
 
 
@@ -79,6 +80,17 @@ def _signs(one: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
     rows = [(*sign[:4], whole(sign.sign), *sign[5:-1], sign.told) for sign in one.signs]
     return grid_of("power signs", ["mechanism", *headings, "why"], rows)
+
+
+def _tried(one: Explanation) -> Grid:
+    """All signs of a gear that is locked by friction."""
+    rows: list[Values] = [
+        (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
+        for tried in one.tried or ()
+        for name, sign in tried.signs.items()
+    ]
+    headings = ["mechanism", "sign", "ratio with losses", "Mx", "but"]
+    return grid_of("signs that do not agree", headings, rows)
 
 
 def _machines(one: Explanation) -> Grid:

@@ -202,16 +202,17 @@ def _tried(one: TriedSigns, digits: int | None) -> Iterator[str]:
         f"{name} x = {sign:+.0f}, u eta^x = {short(one.lossy_ratios[name], digits)}"
         for name, sign in one.signs.items()
     )
-    said = tr("power enters at the output, too")
-    if one.against:
-        x = one.signs[one.against]
-        leaves, enters = "power leaves by the first link", "power enters by the first link"
-        said = f"{one.against}: {tr(leaves if x > 0 else enters)}"
     torque = f"Mx = {short(one.output_torque, digits)}"
-    yield from _wrapped(
-        tr("with {signs}: {torque}, but {said}", signs="; ".join(given), torque=torque, said=said),
-        2,
-    )
+    places = {"signs": "; ".join(given), "torque": torque, "said": speaks_against(one)}
+    yield from _wrapped(tr("with {signs}: {torque}, but {said}", **places), 2)
+
+
+def speaks_against(one: TriedSigns) -> str:
+    """What does not agree with signs, in the language that is spoken."""
+    if not one.against:
+        return tr("power enters at the output, too")
+    leaves, enters = "power leaves by the first link", "power enters by the first link"
+    return f"{one.against}: {tr(leaves if one.signs[one.against] > 0 else enters)}"
 
 
 def _efficiency(one: Explanation, digits: int | None) -> str:
