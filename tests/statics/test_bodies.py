@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tests.statics.differential import texts, train
 from vstatics import Gear, Mechanism, Transmission, solve
-from vstatics.statics.bodies import held_as_one, join, joined_by_elements
+from vstatics.statics.bodies import held_as_one, join
 
 
 def test_a_set_that_clutches_hold_as_one_piece_is_idle_without_a_word() -> None:
@@ -17,14 +17,14 @@ def test_a_direct_gear_is_one_body() -> None:
     """The clutch makes sun and ring one piece; by Willis the carrier turns with them."""
     case = train([(1, 2), (2, 0)], Gear([1]))
     assert solve(case).gear(1).bodies == [0, 1, 1, 1]
-    assert joined_by_elements(case, case.gears[0]) == [0, 1, 1, 3]
+    assert case.bodies(case.gears[0]) == [0, 1, 1, 3]
 
 
 def test_what_stands_joins_no_bodies() -> None:
     """Ring held: it is one piece with the housing by its brake, yet turns with no link."""
     case = train([(1, 2), (2, 0)], Gear([2]))
     assert solve(case).gear(1).bodies == [0, 1, 2, 3]
-    assert joined_by_elements(case, case.gears[0]) == [0, 1, 0, 3]
+    assert case.bodies(case.gears[0]) == [0, 1, 0, 3]
 
 
 def test_one_piece_by_its_speeds_is_one_body_without_a_clutch() -> None:

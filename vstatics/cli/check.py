@@ -22,6 +22,7 @@ from vstatics.cli.frame.values import separated
 from vstatics.elements.drawing import drawing_of
 from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
 from vstatics.statics.diagnosis import freedom, given_conditions
+from vstatics.statics.freewheels import with_engaged
 from vstatics.statics.results import Results
 from vstatics.statics.status import CONFLICT, TIED_UP
 from vstatics.tables.answer import Words, as_json, line, plain_data
@@ -108,7 +109,9 @@ def conditions(file: str, results: Results) -> Grid:
         verdict += [TIED_UP.english] * bool(tied_up)
         verdict += [CONFLICT.english] * bool(conflict)
         count = given_conditions(gear) + len(held)
-        state = f"{count} of {free} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        bypassed = case.bypassed(with_engaged(gear, held))  # which give none
+        needed = free + len(bypassed)
+        state = f"{count} of {needed} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
     return grid_of(title, ["", ""], rows)

@@ -110,7 +110,10 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
     """
     case = own.case
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    numbers = _independent(_rows(case, gear, ratios), len(ratios))
+    devices = matrix.always_loaded(case, gear)
+    first = len(case.shift_elements) + len(ratios)
+    mechanisms = [device for device in devices if device < first]
+    numbers = _independent(_rows(case, gear, ratios), len(mechanisms))
     shifted = [
         ratio if own.is_fixed(number) else ratio * (1 + SHIFTED * ((number + 1) * GOLDEN % 1))
         for number, ratio in enumerate(ratios)
@@ -126,11 +129,11 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
     for (one, other), value in zip(pairs, solution.values[case.links :], strict=True):
         if value == 0:
             body[one] = min(body[one], body[other])
-    last = len(ratios) + len(case.springs)
+    involved = [devices[number] for number in numbers if number < len(devices)]
     return Structure(
         body,
-        [number for number in numbers if number < len(ratios)],
-        [number - len(ratios) for number in numbers if len(ratios) <= number < last],
+        [device - len(case.shift_elements) for device in involved if device < first],
+        [device - first for device in involved if device >= first],
     )
 
 

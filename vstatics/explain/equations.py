@@ -14,7 +14,13 @@ from vstatics.explain.sums import Equation, System, Term
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
-from vstatics.statics.matrix import external_torques, held_links, loaded_devices, speed_row_names
+from vstatics.statics.matrix import (
+    always_loaded,
+    external_torques,
+    held_links,
+    loaded_devices,
+    speed_row_names,
+)
 from vstatics.statics.torques import Torques
 
 
@@ -32,8 +38,7 @@ def speed_system(
     speeds : sequence of float
         By link. [-]
     """
-    elements = len(case.shift_elements)
-    devices = [*range(elements, matrix.shape[1]), *(number - 1 for number in gear.engaged)]
+    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
     rows: list[tuple[list[Term], float]] = [
         (
             [

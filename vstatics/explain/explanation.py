@@ -23,7 +23,7 @@ from vstatics.model.springs import ends
 from vstatics.model.transmission import HOUSING, Gear, Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.traced import plain
-from vstatics.statics.matrix import distribution_matrix
+from vstatics.statics.matrix import distribution_matrix, loaded_devices
 from vstatics.statics.results import Results, expect_one_case
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
@@ -142,7 +142,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     names = names_of(case)
     matrix = distribution_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
-    loaded = sorted(n - 1 for n in actual.engaged) + list(range(len(elements), len(case.devices)))
+    loaded = loaded_devices(case, actual)
     torques, lossy = _torques(state, names, matrix)
     fault = FAULTS.get(state.status, "")
     own = on_own_links(case)._replace(variators=variators)
@@ -192,8 +192,9 @@ def _pairs(case: Transmission, place: int) -> Transmission:
     ratios = case.gear_ratios(gear)
     name, what = next(
         (one.name, "is a converter" if one.kind == "converter" else "has the speed ratio 0")
-        for one, ratio in zip(case.mechanisms, ratios, strict=True)
-        if one.kind == "converter" or (one.kind and not ratio)
+        for place, (one, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
+        if place not in case.bypassed(gear)
+        and (one.kind == "converter" or (one.kind and not ratio))
     )
     raise CaseError(
         "E279",

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from vstatics.errors import Problem, listed, nearest, typed_number
+from vstatics.model.bodies import Bodies, join
 from vstatics.model.parts import (
     Direction,
     Gear,
@@ -21,7 +22,7 @@ from vstatics.model.parts import (
     ShiftElement,
     SpeedOf,
 )
-from vstatics.model.springs import Spring
+from vstatics.model.springs import Spring, ends
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.model.clutch_dump import ClutchDump
@@ -250,6 +251,48 @@ class TransmissionFields:
         """Whether output torque by input torque is not the ratio, even without losses."""
         return any(one.kind == "converter" for one in self.mechanisms)
 
+    def bodies(self, gear: Gear) -> Bodies:
+        """The bodies that the engaged elements, and springs as shafts, make of the links.
+
+        Examples
+        --------
+        >>> from vstatics.model.transmission import Transmission
+        >>> case = Transmission(3, [ShiftElement(2), ShiftElement(3, 1)],
+        ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
+        >>> [case.bodies(gear) for gear in case.gears]
+        [[0, 1, 0, 3], [0, 1, 2, 1]]
+        """
+        bodies = list(range(self.links + 1))
+        for number in gear.engaged:
+            element = self.shift_elements[number - 1]
+            join(bodies, element.first, element.second)
+        for spring in self.springs:  # a shaft is not twisted further at mean speeds
+            join(bodies, *(ends(spring.twist) or ()))
+        return bodies
+
+    def bypassed(self, gear: Gear) -> set[int]:
+        """Indices of the converters whose links turn as one body, as by a lock-up clutch.
+
+        Such a one carries no torque, whatever its speed ratio is in other gears: it has no
+        equation in this gear.
+
+        Examples
+        --------
+        >>> from vstatics.model.transmission import Transmission
+        >>> converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
+        >>> case = Transmission(2, [ShiftElement(1, 2)], [converter], [Gear([]), Gear([1])])
+        >>> [case.bypassed(gear) for gear in case.gears]
+        [set(), {0}]
+        """
+        if not self.has_converter:
+            return set()
+        bodies = self.bodies(gear)
+        return {
+            number
+            for number, one in enumerate(self.mechanisms)
+            if one.kind == "converter" and bodies[one.first] == bodies[one.second]
+        }
+
     @property
     def own_mechanisms(self) -> slice:
         """Where the mechanisms stand that the case gives: behind those of drawn elements."""
@@ -258,6 +301,8 @@ class TransmissionFields:
 
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
         """The ratio of each mechanism in a gear [-]: its speed ratios in place of others.
+
+        That of a bypassed converter is 1.
 
         Parameters
         ----------
@@ -269,6 +314,8 @@ class TransmissionFields:
             place = self.own_mechanisms.start + number - 1
             if place < len(own):  # else of one of the converters
                 own[place] = ratio
+        for place in self.bypassed(gear):
+            own[place] = 1.0
         return own
 
     def link_name(self, link: int) -> str:

@@ -266,6 +266,22 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
             yield Problem("E276", message, inner)
         elif not math.isfinite(ratio):
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
+        elif ratio != 1 and _is_bypassed(case, gear, number):
+            name = own[number - 1].name or number
+            message = (
+                f"read {ratio:g}, but what is engaged joins the links of converter {name}, so that "
+                "it turns as one: expected 1, or none; release its lock-up clutch, or leave the "
+                "speed ratio out"
+            )
+            yield Problem("E455", message, inner)
+
+
+def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
+    """Whether a mechanism, by its number among the case's own, is a bypassed converter."""
+    elements = len(case.shift_elements)
+    if not all(is_number(one, elements, 1) for one in gear.engaged):
+        return False  # said already
+    return case.own_mechanisms.start + number - 1 in case.bypassed(gear)
 
 
 def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[Problem]:
@@ -283,7 +299,7 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                 "gear under `speed_ratios`, or in the mechanism for all gears"
             )
             for place, gear in enumerate(case.gears, 1):
-                if number not in gear.speed_ratios:
+                if number not in gear.speed_ratios and not _is_bypassed(case, gear, number):
                     yield Problem("E277", message, ("gears", place))
 
 

@@ -146,7 +146,8 @@ class Transmission(TransmissionFields):
     def as_pairs(self, gear: Gear) -> Transmission | None:
         """The case whose variators are pairs of the ratios that they have in a gear.
 
-        None where that cannot be: of a converter, or of a variator at a speed ratio of 0.
+        None where that cannot be: of a converter that is not bypassed, or of a variator at a
+        speed ratio of 0.
 
         Examples
         --------
@@ -156,8 +157,11 @@ class Transmission(TransmissionFields):
         2.5
         """
         ratios = self.gear_ratios(gear)
-        pairs = []
-        for one, ratio in zip(self.mechanisms, ratios, strict=True):
+        pairs, bypassed = list[Mechanism](), self.bypassed(gear)
+        for place, (one, ratio) in enumerate(zip(self.mechanisms, ratios, strict=True)):
+            if place in bypassed:
+                pairs.append(one._replace(ratio=ratio))
+                continue
             if one.kind == "converter" or (one.kind and not ratio):
                 return None
             pairs.append(one._replace(kind="", ratio=1 / ratio, points=()) if one.kind else one)

@@ -4,42 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from vstatics.model.bodies import Bodies, join
 from vstatics.model.parts import OwnDevice
-from vstatics.model.springs import Spring, ends
+from vstatics.model.springs import Spring
 from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
 from vstatics.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.numerics.traced import Number, absolute
 from vstatics.statics.matrix import row_of, value
 from vstatics.statics.speeds import is_tie
-
-Bodies = list[int]
-"""By link, the housing first: the least link of those that turn as one with it."""
-
-
-def joined_by_elements(case: Transmission, gear: Gear) -> Bodies:
-    """The bodies that the engaged elements, and springs as shafts, make of the links.
-
-    >>> from vstatics.model.transmission import Mechanism, ShiftElement
-    >>> case = Transmission(3, [ShiftElement(2), ShiftElement(3, 1)],
-    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
-    >>> [joined_by_elements(case, gear) for gear in case.gears]
-    [[0, 1, 0, 3], [0, 1, 2, 1]]
-    """
-    bodies = list(range(case.links + 1))
-    for number in gear.engaged:
-        element = case.shift_elements[number - 1]
-        join(bodies, element.first, element.second)
-    for spring in case.springs:  # a shaft is not twisted further at mean speeds
-        join(bodies, *(ends(spring.twist) or ()))
-    return bodies
-
-
-def join(bodies: Bodies, *links: int) -> None:
-    """Make some links one body, in place."""
-    joined = {bodies[link] for link in links}
-    if len(joined) > 1:
-        least = min(joined)
-        bodies[:] = [least if body in joined else body for body in bodies]
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
@@ -92,7 +64,7 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
     so is the third; and two mechanisms of different ratios that join the same three
     bodies leave them one.
     """
-    bodies = joined_by_elements(case, gear)
+    bodies = case.bodies(gear)
     held: set[int] = set()
     while free := [index for index in range(len(case.mechanisms)) if index not in held]:
         found = _held(case, free, bodies)

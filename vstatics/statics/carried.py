@@ -1,4 +1,4 @@
-"""What shift elements carry by the loads of their gears, and whether they can."""
+"""What shift elements and converters carry by the loads of their gears, and whether they can."""
 
 from __future__ import annotations
 
@@ -7,14 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vstatics.model.parts import RAD_PER_RPM
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.numerics.traced import plain
 from vstatics.statics.result_arrays import Message
 
 if TYPE_CHECKING:
-    from vstatics.model.transmission import Transmission
+    from vstatics.model.transmission import Mechanism, Transmission
     from vstatics.statics.results import Results
 
+SAME_TORQUE = 0.05
+"""So much a converter's torque may be off, of the larger one: points are read from diagrams."""
 MORE = 1e-4
 """So much above its capacity shows in the digits that are told."""
 
@@ -52,6 +56,63 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     torques = sizes * np.array(units)[:, np.newaxis]
     carrying = results.holds & (sizes > SAME_RATIO)  # relative to the input torque
     return torques, carrying
+
+
+def torque_of_pump(converter: Mechanism, speed_ratio: float, speed: float) -> float:
+    """``lambda w |w|`` that a converter takes, straight between its points, constant outside.
+
+    Parameters
+    ----------
+    speed : float
+        Of the pump. [rad/s]
+
+    Returns
+    -------
+    float
+        [N*m]
+
+    Source
+    ------
+    (1.38) of Tsitovich and Algin, 1981.
+
+    Examples
+    --------
+    >>> from vstatics import Mechanism
+    >>> points = ((0, 2, 0.01), (1, 1, 0.0))
+    >>> torque_of_pump(Mechanism(1, 2, kind="converter", points=points), 0.5, -100.0)
+    -50.0
+    """
+    by_ratio, _, factors = np.transpose(converter.points)
+    return float(np.interp(speed_ratio, by_ratio, factors)) * speed * abs(speed)
+
+
+def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
+    """Of one case each gear's index, and what a converter can't take at its speed ratio.
+
+    That is known where its points have lambda, and the load has a speed and a torque.
+    """
+    case = results.case
+    for index, given in enumerate(case.gears):
+        load = case.gear_load(given)
+        if not (case.has_converter and load.speed and load.torque and results.consistent[index]):
+            continue
+        state = results.gear_at(index)
+        bypassed, ratios = case.bypassed(state.gear), state.ideal.variant.ratios
+        for place, one in enumerate(case.mechanisms):
+            if not one.can_be_open or place in bypassed:
+                continue
+            speed = plain(state.speeds[one.first - 1]) * load.speed * RAD_PER_RPM
+            able = torque_of_pump(one, plain(ratios[place]), speed)
+            on_pump = state.lossy_torques.on_first_link[len(case.shift_elements) + place]
+            brought = plain(on_pump) * load.torque
+            if abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able)):
+                yield (
+                    index,
+                    f"the load brings {_told(brought)} N*m to the pump of {one.name}, which at the "
+                    f"speed ratio {plain(ratios[place]):.4g} and {speed / RAD_PER_RPM:.5g} rpm "
+                    f"takes {_told(able)} N*m: give the speed ratio or the load at which they "
+                    "agree",
+                )
 
 
 def overloads(results: Results) -> Iterator[tuple[int, str]]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from vstatics.errors import not_allowed, path_text, spoken
 from vstatics.model.checks import doubts
-from vstatics.model.transmission import Gear, SpeedOf, Transmission
+from vstatics.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.numerics import elimination
 from vstatics.numerics.tolerances import UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
@@ -65,6 +65,7 @@ def _messages(results: Results) -> Iterator[Message]:
         yield Message("W401", text)
     wheels, has_drag = case.freewheels, case.has_drag
     above = list(carried.overloads(results))
+    off = list(carried.out_of_balance(results))
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):
@@ -80,9 +81,34 @@ def _messages(results: Results) -> Iterator[Message]:
             *(_drag_messages(results, number, gear) if has_drag else ()),
             *_outside_messages(results, number, gear),
             *(Said("W430", text) for index, text in above if index == number),
+            *(Said("W431", text) for index, text in off if index == number),
+            *_open_converters(case, given),
         )
         for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
             yield Message(identity, text, gear.name)
+
+
+def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
+    """Those that a gear does not bypass, each with its speed ratio [-]."""
+    bypassed = case.bypassed(gear)
+    for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
+        if pair[0].kind == "converter" and place not in bypassed:
+            yield pair
+
+
+def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Speed ratios of a gear that are those of `converters`, which are open in statics."""
+    last = len(case.mechanisms[case.own_mechanisms])
+    bodies = case.bodies(gear)
+    for number, ratio in gear.speed_ratios.items():
+        one = case.converters[number - last - 1] if number > last else None
+        if one and bodies[one.pump] != bodies[one.turbine]:
+            yield Said(
+                "N415",
+                f"converter {one.name} is open here, its speed ratio {ratio:g} counts in `torsion` "
+                "only: what statics is to take stands under `mechanisms`, as `kind: converter` "
+                "with `first` and `second`",
+            )
 
 
 def outside_message(names: Sequence[str]) -> Message:
@@ -93,11 +119,7 @@ def outside_message(names: Sequence[str]) -> Message:
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """That converters and laws are asked outside their points."""
     case = results.case
-    names = [
-        one.name
-        for one, ratio in zip(case.mechanisms, case.gear_ratios(gear), strict=True)
-        if one.kind == "converter" and one.is_outside(ratio)
-    ]
+    names = [one.name for one, ratio in _converters(case, gear) if one.is_outside(ratio)]
     laws = results.points.outside if results.points else {}
     names += [name for name, at in laws.items() if at[number]]
     if names:
@@ -266,11 +288,13 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
-    always = len(case.mechanisms) + len(case.springs)
+    always = len(matrix.always_loaded(case, gear))
+    at_ratios = _at_speed_ratios(case, gear)
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
-        springs = [names[i] for i in involved if len(case.mechanisms) <= i < always]
+        springs = [names[i] for i in involved if always - len(case.springs) <= i < always]
+        free = [names[i] for i in involved if i < always and names[i] in at_ratios]
         every = [names[i] for i in involved]
         conditions = spoken(engaged + springs + others if engaged or others else every)
         if not agrees:
@@ -278,7 +302,11 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
             cures = [
                 "release one of the engaged elements" * bool(engaged),
                 "leave out a given speed" * bool(given),
+                f"give {spoken(free)} another speed ratio" * bool(free),
             ]
+            if free:
+                told = [f"{name} at the speed ratio {at_ratios[name]:g}" for name in free]
+                conditions = spoken([*engaged, *springs, *told, *others])
             cure = " or ".join(filter(None, cures))
             if not cure:
                 conditions, cure = spoken(every), "check which links these join and their ratios"
@@ -303,6 +331,12 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for text in same:
         yield Said("W416", text + shared)
         shared = ""  # once is enough
+
+
+def _at_speed_ratios(case: Transmission, gear: Gear) -> dict[str, float]:
+    """Variators and converters by their names, with the speed ratios of a gear [-]."""
+    pairs = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
+    return {one.name: ratio for one, ratio in pairs if one.kind}
 
 
 def _digit_messages(results: Results, number: int) -> Iterator[Said]:

@@ -255,17 +255,16 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
     The row of a mechanism, of a spring, or of an engaged element, is its equation, ``w_f -
     u w_s + (u - 1) w_h = 0`` and ``w_a - w_b = 0``: at mean speeds no twist grows. The input has
     speed 1; then one equation for each further given speed (figure 3), a number or that of
-    another link.
+    another link. A bypassed converter has none.
 
     Parameters
     ----------
     rows : sequence of Column
         See `rows`.
     """
-    elements = len(case.shift_elements)
-    held = [rows[number - 1] for number in gear.engaged]
+    devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
     equations: list[Equation] = [
-        {link - 1: part for link, part in one.items()} for one in (*rows[elements:], *held)
+        {link - 1: part for link, part in rows[device].items()} for device in devices
     ]
     equations.append({case.gear_input(gear) - 1: 1.0, RIGHT: 1.0})
     equations += [_given_speed(link, speed) for link, speed in gear.speeds.items()]
@@ -282,8 +281,7 @@ def _given_speed(link: int, speed: float | SpeedOf) -> Equation:
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     """What each equation of `speed_rows` stands for."""
     return [
-        *(mechanism.name for mechanism in case.mechanisms),
-        *(spring.name for spring in case.springs),
+        *(case.devices[device] for device in always_loaded(case, gear)),
         *(case.shift_elements[number - 1].name for number in gear.engaged),
         INPUT_SPEED,
         *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
@@ -292,8 +290,15 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
 
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
     """Indices of the devices that can carry torque: engaged elements, mechanisms, springs."""
-    engaged = sorted(number - 1 for number in gear.engaged)
-    return engaged + list(range(len(case.shift_elements), len(case.devices)))
+    return sorted(number - 1 for number in gear.engaged) + always_loaded(case, gear)
+
+
+def always_loaded(case: Transmission, gear: Gear) -> list[int]:
+    """Those of mechanisms and springs, without converters that are bypassed in the gear."""
+    elements = len(case.shift_elements)
+    bypassed = case.bypassed(gear)
+    number = elements + len(case.mechanisms) + len(case.springs)
+    return [device for device in range(elements, number) if device - elements not in bypassed]
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:

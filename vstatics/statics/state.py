@@ -8,13 +8,14 @@ from functools import reduce
 from operator import add
 from typing import Any, NamedTuple
 
+from vstatics.model.bodies import Bodies
 from vstatics.model.parts import HOUSING, Planet
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
 from vstatics.numerics.tolerances import CLOSED
 from vstatics.numerics.traced import Number, guard_within, is_traced, plain, residual, where
-from vstatics.statics.bodies import Bodies, turning_as_one
+from vstatics.statics.bodies import turning_as_one
 from vstatics.statics.efficiency import Signs, lossy_ratios
 from vstatics.statics.ideal import IdealGear
 from vstatics.statics.matrix import column_of, columns, value

@@ -12,7 +12,7 @@ from vstatics.numerics import elimination
 from vstatics.numerics.arrays import Floats
 from vstatics.numerics.elimination import RIGHT, Coefficient
 from vstatics.numerics.traced import plain
-from vstatics.statics.matrix import speed_rows
+from vstatics.statics.matrix import always_loaded, speed_rows
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.statics.state import GearState
@@ -60,12 +60,17 @@ def _of_speeds(state: GearState) -> list[float]:
             if place != RIGHT:
                 by_link[place][number] = part
     by_link[output - 1][RIGHT] = 1.0
-    weights = elimination.solve(by_link, len(equations)).values  # mechanisms stand first
+    weights = elimination.solve(by_link, len(equations)).values
+    by_device = dict(
+        zip(always_loaded(case, state.gear), weights, strict=False)
+    )  # they stand first
     found = []
-    for one, u, weight, motion in zip(
-        case.mechanisms, state.ideal.variant.ratios, weights, state.relative_speeds, strict=False
+    for place, (one, u, motion) in enumerate(
+        zip(case.mechanisms, state.ideal.variant.ratios, state.relative_speeds, strict=True),
+        len(case.shift_elements),
     ):
         by_ratio = u * motion if one.kind else -motion
+        weight = by_device.get(place, 0.0)
         found.append(float(plain(times(weight, by_ratio) * state.ratio)))
     return found
 
@@ -135,5 +140,6 @@ def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) ->
     efficiencies = np.tile(own, (count, steps, 1))
     lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)
     efficiencies[range(count), :, range(count)] = own[:, np.newaxis] * lower
+    efficiencies[[one.kind == "converter" for one in mechanisms]] = own  # loses by its points
     found = solve(case.with_numbers(mechanisms), efficiencies=efficiencies).efficiency
     return np.tensordot(found, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE

@@ -89,9 +89,10 @@ def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Comb
 
 
 def _sizes(case: Transmission) -> range:
-    """How many elements are engaged: fewer, where freewheels may hold."""
+    """How many elements are engaged: fewer, where freewheels may hold; more, with lock-ups."""
     most = needed(case)
-    return range(max(most - len(case.freewheels), 0), most + 1)
+    converters = [one for one in case.mechanisms if one.kind == "converter"]
+    return range(max(most - len(case.freewheels), 0), most + len(converters) + 1)
 
 
 def _check(case: Transmission, at_most: int) -> None:
@@ -109,8 +110,11 @@ def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
     """The sets that no gear engages, as numbers of elements."""
     numbers = [n for n, one in enumerate(case.shift_elements, 1) if not one.is_freewheel]
     own = {frozenset(gear.engaged) for gear in case.gears if is_plain(case, gear)}
+    most = needed(case)
     for size in _sizes(case):
-        yield from (chosen for chosen in subsets(numbers, size) if frozenset(chosen) not in own)
+        for chosen in subsets(numbers, size):
+            if frozenset(chosen) not in own and size <= most + len(case.bypassed(Gear(chosen))):
+                yield chosen
 
 
 def is_plain(case: Transmission, gear: Gear) -> bool:

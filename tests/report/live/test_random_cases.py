@@ -38,6 +38,11 @@ def random_cases(chance: Random) -> Iterator[Transmission]:
         elements = [_element(one, chance) for one in case.shift_elements]
         mechanisms = [_mechanism(one, n, chance) for n, one in enumerate(case.mechanisms, 1)]
         gears = [_gear(one, case, elements, chance) for one in case.gears]
+        for one in mechanisms:
+            if one.kind == "converter":  # with its lock-up clutch
+                elements.append(ShiftElement(one.second, one.first, f"L{one.name}"))
+                ends = {len(elements)} if chance.random() < 0.5 else set()
+                gears = [each._replace(engaged=[*each.engaged, *ends]) for each in gears]
         try:
             yield case.replace(shift_elements=elements, mechanisms=mechanisms, gears=gears)
         except CaseError:

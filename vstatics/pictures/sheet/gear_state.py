@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.model.bodies import Bodies
 from vstatics.model.transmission import Gear
 from vstatics.numerics.tolerances import NO_POWER
 from vstatics.numerics.traced import plain
-from vstatics.statics.bodies import Bodies, is_one_piece, joined_by_elements
+from vstatics.statics.bodies import is_one_piece
 from vstatics.statics.results import Results
 from vstatics.statics.roles import Role, mechanism_roles
 from vstatics.statics.state import GearState
@@ -78,7 +79,7 @@ def shown_of(state: GearState) -> PictureState:
         faults,
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
-        joined_by_elements(case, gear),
+        case.bodies(gear),
         [  # as `roles` decides it; a support, which holds one link, is not meant
             state.calculable
             and all(state.search.idle[place] for place in device.mechanisms)

@@ -171,7 +171,7 @@ const core = (train, gear) => {
   const solveSpeeds = (engaged) => {
     const pairs = [...mechanisms.map(({ links }) => [links[0], links[2]]), ...elements];
     const sums = pairs.map(([a, b]) => [[a - 1, 1], [b - 1, -1]].filter(([column]) => column >= 0));
-    const used = [...rows.slice(first), ...engaged.map((n) => rows[n])];
+    const used = [...train.alwaysLoaded(engaged), ...engaged].map((n) => rows[n]);
     const equations = used.map((row) => row.map(([link, part]) => [link - 1, part]));
     equations.push([[gear.input - 1, 1], [RIGHT, 1]]);
     for (const [link, speed, other] of gear.speeds) { // a number, or that of another link
@@ -188,7 +188,7 @@ const core = (train, gear) => {
 
   const torqueSystem = (engaged, by, drag) => { // the equilibrium of each link
     const equations = range(count + 1).map(() => []), acting = new Map(external);
-    const loaded = [...[...engaged].sort((a, b) => a - b), ...range(by.length).slice(first)];
+    const loaded = [...[...engaged].sort((a, b) => a - b), ...train.alwaysLoaded(engaged)];
     loaded.forEach((device, n) => by[device].forEach(([link, part]) => equations[link].push([n, part])));
     equations[output].push([loaded.length, 1]);
     held.forEach((link, n) => equations[link].push([loaded.length + 1 + n, -1]));

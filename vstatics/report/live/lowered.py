@@ -160,7 +160,10 @@ def _gears(case: Transmission, formulas: Formulas) -> Iterator[dict[str, Any]]:
             "open": [pair for pair in open_drag if pair[1]],
             "direction": -1 if case.coasts(gear) else 1,
             "turns": input_direction(case, gear),
-            "ratios": [(own + number - 1, one) for number, one in gear.speed_ratios.items()],
+            "ratios": [
+                *((own + number - 1, one) for number, one in gear.speed_ratios.items()),
+                *((place, 1.0) for place in sorted(case.bypassed(gear))),
+            ],
             "scales": {
                 one: values[place]
                 for one, values in by_unit.items()

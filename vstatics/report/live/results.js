@@ -200,6 +200,25 @@
     return c.conditions.every(([kind, formula]) => holds[kind](number(formula))) ? "" : "no such teeth";
   };
 
+  // Mechanisms and springs, by their indices among the devices, without bypassed converters: model/fields.py
+  const alwaysLoaded = ({ links, elements, mechanisms, springs }) => {
+    const devices = [...mechanisms, ...springs].map((one, n) => elements.length + n);
+    if (!mechanisms.some(({ kind }) => kind === "converter")) return () => devices;
+    const bypassed = (engaged) => {
+      let bodies = [...Array(links + 1).keys()]; // the housing first
+      const join = (a, b) => { bodies = bodies.map((one) => (one === bodies[a] ? bodies[b] : one)); };
+      for (const n of engaged) join(...elements[n]);
+      for (const [[a, one], [b, other] = [0, -one], ...more] of springs) {
+        if (!more.length && one === -other && Math.abs(one) === 1 && (one === 1 || !b)) join(a, b); // a shaft
+      }
+      return ({ kind, links: [a, b] }) => kind === "converter" && bodies[a] === bodies[b];
+    };
+    return (engaged) => {
+      const isBypassed = bypassed(engaged);
+      return devices.filter((one, n) => n >= mechanisms.length || !isBypassed(mechanisms[n]));
+    };
+  };
+
   const ofGear = (c, gear, number) => {
     const own = new Map(gear.ratios), mechanisms = c.mechanisms.map((one, n) => {
       const forward = number(one.efficiency), back = one.back === undefined ? forward : number(one.back);
@@ -210,7 +229,7 @@
       if (!right) throw new Outside("no such number");
     }
     const given = (pairs) => pairs.map(([link, formula, other]) => [link, number(formula), other]);
-    const numeric = { ...c, mechanisms };
+    const numeric = { ...c, mechanisms, alwaysLoaded: alwaysLoaded(c) };
     const moved = { ...gear, speeds: given(gear.speeds), torques: given(gear.torques) };
     return told(numeric, moved, core(numeric, moved), number);
   };

@@ -5,7 +5,7 @@ Names stand as the case has them; the power of a battery is in W. Gears may be `
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -159,7 +159,8 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
         for of_gear, named in owners.items():
             for name, owner in named.items():
                 own = [CaseNumber(n, of_gear, owner) for n in numbers]
-                yield f"gears.{gear}.{of_gear}.{name}", own
+                if own := own if of_gear != "speed_ratios" else _acting(case, own):
+                    yield f"gears.{gear}.{of_gear}.{name}", own
     for name, link in links.items():
         yield f"drag.{name}", [CaseNumber(n, "drag", link) for n in everywhere]
     for name, number in elements.items():
@@ -168,13 +169,22 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
     yield from _of_mechanisms(case, free)
 
 
+def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
+    """Speed ratios without those of converters that are bypassed."""
+    first = case.own_mechanisms.start - 1
+    return [
+        one for one in numbers if first + one.owner not in case.bypassed(case.gears[one.gear or 0])
+    ]
+
+
 def _of_mechanisms(
     case: Transmission, free: Mapping[str, int]
 ) -> Iterator[tuple[str, list[CaseNumber]]]:
     """Numbers of mechanisms and drawn elements, the same in all gears."""
     everywhere = range(len(case.gears))
     for name, number in free.items():
-        yield f"{name}.speed_ratio", [CaseNumber(n, "speed_ratios", number) for n in everywhere]
+        if own := _acting(case, [CaseNumber(n, "speed_ratios", number) for n in everywhere]):
+            yield f"{name}.speed_ratio", own
     indexed = enumerate(case.mechanisms)
     mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
     mechanisms |= {one.name: one.mechanisms for one in case.own_devices}

@@ -252,10 +252,13 @@ class _Told:
     ) -> None:
         """Where converters are asked outside their points."""
         given, ratios = case.own_mechanisms, case.gear_ratios(case.gears[index])
+        bypassed = case.bypassed(case.gears[index])
         for owner, (one, own) in enumerate(
             zip(case.mechanisms[given], ratios[given], strict=True), 1
         ):
             ratio = numbers.get(GearNumber("speed_ratios", owner), own)
+            if given.start + owner - 1 in bypassed:
+                continue
             if one.kind == "converter" and np.any(wrong := one.is_outside(ratio)):
                 nowhere = np.zeros_like(self.loaded)
                 self.outside.setdefault(one.name, nowhere)[chosen, index] = wrong

@@ -9,7 +9,6 @@ from typing import Literal, NamedTuple
 from vstatics.explain.bodies import OwnLinks
 from vstatics.explain.shares import as_typed
 from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.statics.bodies import joined_by_elements
 from vstatics.statics.status import NEUTRAL, OUTPUT_STANDS, TIED_UP
 from vstatics.synthesis.ratios.multilinear import (
     LinearRow,
@@ -85,7 +84,7 @@ def gear_formula(own: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearF
     ('constant', 1.0)
     """
     case = own.case
-    bodies = joined_by_elements(case, gear)
+    bodies = case.bodies(gear)
     output = bodies[case.gear_output(gear)]
     try:
         known = _known(case, gear, bodies)
