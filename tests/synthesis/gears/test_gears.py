@@ -308,3 +308,11 @@ def test_counts_that_nobody_writes_out() -> None:
     brakes = [ShiftElement(link) for link in range(2, 399)]
     with pytest.raises(CaseError, match="too many for an hour"):
         CombinationSearch(case.replace(shift_elements=brakes), [396]).check(1000)
+
+
+def test_a_converter_which_takes_power_and_may_be_bypassed_is_no_part_of_combinations() -> None:
+    converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)), name="TC")
+    pair = Mechanism(2, 3, 0, -2.0)
+    case = Transmission(3, [ShiftElement(1, 2)], [converter, pair], [Gear()])
+    with pytest.raises(CaseError, match=r"TC loses power.* its turbine as `input`"):
+        CombinationSearch(case)

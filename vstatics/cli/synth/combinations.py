@@ -111,11 +111,18 @@ def combinations(
     form = None if target is None else case_format(target, [one.case], to.output)
     from vstatics.cli.synth.combinations_output import check_room, show, show_estimate, show_ports
     from vstatics.synthesis.gears.ports import between, port_pairs
-    from vstatics.synthesis.gears.search import AUTO, CombinationSearch, chosen_elements
+    from vstatics.synthesis.gears.search import (
+        AUTO,
+        CombinationSearch,
+        chosen_elements,
+        refuse_converters,
+    )
 
     if ports and (trials.dry_run or target):
         raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
     reading = one.read()
+    with problems_of(reading):
+        refuse_converters(reading.case)
     chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
     with wrong_value("--elements"):
         if chosen != [AUTO]:

@@ -142,6 +142,23 @@ WORK = 30_000
 """So many steps of elimination a combination may take for each that may be tried, on average."""
 
 
+def refuse_converters(case: Transmission) -> None:
+    """Refuse a train whose power, and whose equations, combinations change.
+
+    Raises
+    ------
+    CaseError
+        If it has a converter.
+    """
+    for number, one in enumerate(case.mechanisms, 1):
+        if one.kind == "converter":
+            message = (
+                f"{one.name} loses power, and a lock-up clutch bypasses it: expected the train "
+                "behind it, its turbine as `input`"
+            )
+            raise CaseError("E456", message, ("mechanisms", number))
+
+
 class CombinationSearch:
     """All combinations of some elements of a case; nothing is calculated before it is asked for.
 
@@ -156,13 +173,14 @@ class CombinationSearch:
     Raises
     ------
     CaseError
-        If there is no such element, or not as many of them.
+        If there is no such element, or not as many of them, or the case has a converter.
     """
 
     def __init__(
         self, case: Transmission, engaged: Sequence[int] = (), elements: Sequence[str] = ()
     ) -> None:
         """Only look at what is asked for."""
+        refuse_converters(case)
         self.case = case
         self._asked = elements
         self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
