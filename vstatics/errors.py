@@ -171,6 +171,7 @@ DOUBTS = {
     "N414": "a drag, efficiency or converter is asked outside its points: the last one counts",
     "N415": "the speed ratio of a converter that is open in statics has no effect there",
     "N416": "power enters at a further output, whose torque drives",
+    "N417": "as many gears go one way as the other: forward is taken as those written first",
     "N501": "a case of clutch dump is on the safe side",
     "N502": "a case of clutch dump does not come",
     "N503": "the torque with a clutch that stays stuck",
