@@ -235,13 +235,18 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
     if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
-        expected = (
-            f"a given torque, below 0 where it takes some, such as `torques: {{{first}: -.2}}`"
-        )
+        side, torque = _taking(float(results.speeds[number, idle[0] - 1]))
+        example = f"`torques: {{{first}: {torque}}}`"
+        expected = f"a given torque, {side} 0 where it takes some, such as {example}"
     verb = "give" if names[1:] else "gives"
     yield Said(
         "W413", f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}"
     )
+
+
+def _taking(speed: float) -> tuple[str, str]:
+    """On which side of 0 a torque takes power, and one that does."""
+    return ("above", ".2") if speed < 0 else ("below", "-.2")
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
