@@ -71,6 +71,8 @@ def _kinds(key: Schema, schema: Schema) -> Iterator[str]:
     if "$ref" in key:
         named = schema["$defs"][key["$ref"].rpartition("/")[2]]
         yield escaped(str(named.get("description", named.get("title", "")))).rstrip(".")
+    if "const" in key:
+        yield code(json.dumps(key["const"]).strip('"'))
     for value in key.get("enum", []):
         if value is not None:
             yield code(json.dumps(value).strip('"'))

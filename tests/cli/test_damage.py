@@ -158,3 +158,19 @@ def test_wrong_use(words: str, message: str) -> None:
     found = vstatics("damage", *words.split())
     assert found.status == 2
     assert message in found.err
+
+
+def test_a_rigid_device_has_no_life_under_random_torques(tmp_path: Path) -> None:
+    """`torsion random` tells which device with a strength is left out, and what would mend it."""
+    strength = "{section_modulus: 4e-6, endurance: 100e6, exponent: 3, cycles: 4e6}"
+    box, noise = tmp_path / "box.yaml", tmp_path / "noise.yaml"
+    noise.write_text("white: 1")
+    text = "links: [a, b, c]\ninput: a\noutput: c\ngears: {on: []}\n"
+    text += "elements: {pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 61}%s}}\n"
+    text += "inertias: {a: 1, c: 2}\nsprings: {s: {links: [b, c], stiffness: 100, damping: 1}}\n"
+    text += f"fatigue: {{pair: {strength}, s: {strength}}}\n"
+    for stiffness, warned in ("", True), (", stiffness: 1e6", False):
+        box.write_text(text % stiffness)
+        made = vstatics("torsion", "random", str(box), "--at", "a", "--input", str(noise))
+        assert ("`pair` is rigid or open: its life is not told" in made.err) == warned
+        assert "`s`" not in made.err

@@ -13,6 +13,7 @@ import pytest
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.model.parts import SpeedOf
+from vstatics.statics.results import Results
 
 
 def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
@@ -52,6 +53,39 @@ def test_a_contradiction_is_said_once_however_many_equations_repeat_it() -> None
     told = texts(solve(case))
     assert sum("tied up" in text for text in told) == 1
     assert len(set(told)) == len(told)
+
+
+def test_a_geared_neutral_holds_no_torque_but_with_losses() -> None:
+    """w_out = 1 + (1/u - 1)/k is 0 at k = 2; beside it the output has torques of any size."""
+    pair, own = Mechanism(1, 2, 0, -1.0, 0.95), Mechanism(2, 3, 1, 2.0, 0.96)
+
+    def at(k: float) -> Results:
+        return solve(Transmission(3, [], [pair, own._replace(ratio=k)], [Gear()]))
+
+    assert "the output stands still and takes no power, so without losses" in "".join(
+        texts(at(2.0))
+    )
+    for k in 2 - 1e-7, 2 + 1e-7:
+        assert abs(at(k).torques[0, -1]) > 1e7
+        assert 1 < abs(at(k).lossy_torques[0, -1]) < 100
+    braked = Transmission(3, [ShiftElement(3)], [Mechanism(1, 2, 0, -1.0)], [Gear([1])])
+    assert texts(solve(braked))[-1].endswith("nothing holds the torque of the input")
+
+
+def test_only_torques_that_are_not_held_are_told() -> None:
+    """The output takes that of the input; a pair on a link beside it takes none."""
+    pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(3, 4, 0, -2.0)]
+    case = Transmission(4, [], pairs, [Gear(torques={4: 0.5})], output=2)
+    assert texts(solve(case))[-1].endswith("balance: nothing holds the torque of 4")
+
+
+@pytest.mark.parametrize("ratio", [2.0, -2.0])
+def test_the_torque_that_is_proposed_for_a_further_output_takes_power(ratio: float) -> None:
+    pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)]
+    case = Transmission(3, [], pairs, [Gear()], output=2, outputs=[2, 3])
+    [said] = [text for text in texts(solve(case)) if "gives no torque" in text]
+    proposed = float(said.rpartition("3: ")[2].partition("}")[0])
+    assert proposed * ratio < 0
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:

@@ -79,6 +79,14 @@ def test_slip_power_is_the_torque_after_by_the_slip_before() -> None:
     assert shift.slip_power_kW == pytest.approx({k: v * power for k, v in shift.slip_power.items()})
 
 
+def test_a_dog_clutch_does_not_slip_when_it_closes() -> None:
+    clutches = [ShiftElement(1, 2, "C"), ShiftElement(1, 3, "D", kind="dog_clutch")]
+    pairs = [Mechanism(2, 4, 0, 3.0), Mechanism(3, 4, 0, 2.0)]
+    [made] = transitions(solve(Transmission(4, clutches, pairs, [Gear([1]), Gear([2])])))
+    assert made.engaged == ["D"]
+    assert [*made.slip_power] == ["C"]
+
+
 def test_slip_power_is_at_the_load_of_the_gear_before() -> None:
     """Upward the clutch closes at the load of `low`, downward the brake at that of `high`."""
     u = -2.5

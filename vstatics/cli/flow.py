@@ -34,10 +34,11 @@ def flow(
 
     For each gear: the power through links, mechanisms and engaged shift elements,
     without and with losses, relative to the power at the input link, and in kW if the
-    case has a load; that of the teeth, against the carrier, by mechanism and mesh;
-    losses and their shares; the balance; power that circulates, and the loop that
-    carries it, and whether it may not be in the metal. Power of a member is above 0
-    where it enters the mechanism; ~ marks what is divided by convention.
+    case has a load; that of the teeth, against the carrier, by mechanism, and by mesh
+    where meshes share planets; losses and their shares; the balance; power that
+    circulates, and the loop that carries it, and whether it may not be in the metal.
+    Power of a member is above 0 where it enters the mechanism; ~ marks what is divided
+    by convention.
 
     \b
     Examples:

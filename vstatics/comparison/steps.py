@@ -42,7 +42,7 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
         ]
     return {
         (gears[one], gears[other]): _step(ratios[one], ratios[other])
-        for indices in ranges_of([one.value for one in ratios], kinds)
+        for indices in ranges_of([one.value for one in ratios], kinds, gears)
         for one, other in pairwise(indices)
     }
 

@@ -10,7 +10,7 @@ from vstatics.damage.resize import ResizedShaft
 from vstatics.tables.grid import Grid, grid_of
 
 
-def damage_grid(found: Mapping[str, DeviceDamage]) -> Grid:
+def damage_grid(found: Mapping[str, DeviceDamage], title: str = "Damage") -> Grid:
     """A row for each device.
 
     Examples
@@ -23,7 +23,7 @@ def damage_grid(found: Mapping[str, DeviceDamage]) -> Grid:
         cycles = sum(cycle.counted for cycle in one.cycles)
         rows.append((name, one.damage, one.repeats, one.largest_stress / 1e6, cycles))
     headings = "device", "damage", "repeats", "largest stress [MPa]", "cycles"
-    return grid_of("Damage", headings, rows, key="damage")
+    return grid_of(title, headings, rows, key="damage")
 
 
 def rayleigh_grid(made: RayleighLife, unit: str) -> Grid:

@@ -73,6 +73,11 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
         yield from expect(capacity, "a torque above 0", place, right=0 < given < math.inf)
     static = element.static
     yield from expect(static, "1 or more", (*path, "static"), right=1 <= static < math.inf)
+    for key, is_given in ("static", static != 1), ("friction", element.friction is not None):
+        if is_given and element.kind == "dog_clutch":
+            yield Problem(
+                "E223", f"a dog clutch has no friction, expected it without `{key}`", (*path, key)
+            )
     if element.friction is not None:
         yield from of_friction(element.friction, (*path, "friction"))
 
@@ -166,9 +171,8 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
         message = f"read {torque:g}, expected a torque of 0 or more: drag opposes any motion"
         yield Problem("E222", message, path)
     elif torque and element is not None and element.kind == "dog_clutch":
-        yield Problem(
-            "E223", f"read {torque:g}, but a dog clutch does not drag when it is open", path
-        )
+        message = "a dog clutch does not drag when it is open, expected it without drag"
+        yield Problem("E223", message, path)
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:

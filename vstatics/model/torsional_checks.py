@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from vstatics.errors import Path, Problem, nearest, quoted
+from vstatics.errors import Path, Problem, listed, nearest, quoted
 from vstatics.model.clutch_dump import NEEDED, NUMBERS
 from vstatics.model.converters import Converter
 from vstatics.model.fields import TransmissionFields
@@ -308,7 +308,7 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     for number, (name, fatigue) in enumerate(case.fatigue.items(), 1):
         path = ("fatigue", number)
         if name not in names:
-            hint = nearest(name, names) or ", expected the name of a spring or another device"
+            hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
             yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
         if (fatigue.diameter is None) == (fatigue.section_modulus is None):
             read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"

@@ -235,13 +235,18 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
     if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
-        expected = (
-            f"a given torque, below 0 where it takes some, such as `torques: {{{first}: -.2}}`"
-        )
+        side, torque = _taking(float(results.speeds[number, idle[0] - 1]))
+        example = f"`torques: {{{first}: {torque}}}`"
+        expected = f"a given torque, {side} 0 where it takes some, such as {example}"
     verb = "give" if names[1:] else "gives"
     yield Said(
         "W413", f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}"
     )
+
+
+def _taking(speed: float) -> tuple[str, str]:
+    """On which side of 0 a torque takes power, and one that does."""
+    return ("above", ".2") if speed < 0 else ("below", "-.2")
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -367,7 +372,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
             return  # said with the speeds
-        advice = _gaining(results, number) or _nothing_holds(case, gear)
+        advice = _gaining(results, number) or _unheld(results, number)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -401,16 +406,35 @@ def _gaining(results: Results, number: int) -> str:
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 
-def _nothing_holds(case: Transmission, gear: Gear) -> str:
+def _unheld(results: Results, number: int) -> str:
     """Which torques are not held; freewheels that overrun could hold them."""
-    links = [case.link_name(link) for link in gear.torques]
-    held = (
-        f"the torques of the input and of {spoken(links)}" if links else "the torque of the input"
-    )
+    case, state = results.case, results.gear_at(number)
+    gear, variant = state.gear, state.ideal.variant
+    own = case.gear_input(gear)
+
+    def is_held(link: int, columns: Sequence[matrix.Column]) -> bool:
+        alone = gear._replace(input=link, torques={})
+        return torques.solve_torques(case, alone, columns).consistent
+
+    unheld = [link for link in (own, *gear.torques) if not is_held(link, variant.columns)]
+    # a geared neutral: ratios of any losses do hold it
+    factors = [0.98 - 0.01 / place for place, _ in enumerate(variant.ratios, 1)]
+    lossy = [ratio * factor for ratio, factor in zip(variant.ratios, factors, strict=True)]
+    if (
+        results.speeds[number, case.gear_output(gear) - 1] == 0
+        and not case.has_converter
+        and all(is_held(link, matrix.columns(case, lossy)) for link in unheld)
+    ):
+        return (
+            "the output stands still and takes no power, so without losses torques have no bound; "
+            "for those with losses look a little to each side of this ratio"
+        )
+    links = ["the input" if link == own else case.link_name(link) for link in unheld]
+    what = "torque of " if len(links) == 1 else "torques of "
     over = [case.shift_elements[n - 1].name for n in case.freewheels if n not in gear.engaged]
     verb = "overruns" if len(over) == 1 else "overrun"
     why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
-    return f"nothing holds {held}{why}"
+    return f"nothing holds the {what}{' and of '.join(links)}{why}"
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:

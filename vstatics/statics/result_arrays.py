@@ -275,6 +275,22 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
     return all_row_names(case)[rows]
 
 
+def first_rows(case: Transmission) -> dict[int, str]:
+    """Index of a mechanism -> the row of the torque on its first link alone, where there is one.
+
+    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> first_rows(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
+    {0: 'D1'}
+    """
+    return {
+        index: f"{device.name}.{member.name}" if case.drawing else device.name
+        for device in case.own_devices
+        for member in device.members
+        for index, place in (member.places if len(member.places) == 1 else ())
+        if place == 0
+    }
+
+
 def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
     """The names of the rows of each kind."""
     elements = [element.name for element in case.shift_elements]

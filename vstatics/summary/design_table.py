@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Hashable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -81,9 +82,8 @@ def ranges(results: Results) -> list[list[int]]:
     """The gears of one case that can be compared, by their indices.
 
     A range has gears of one input, one output and one direction, from the largest ratio
-    to the smallest, both without sign. The first range is the longest, which is taken
-    as forward: a final drive may turn the sign of all gears. Gears without a ratio
-    and operating points are in none.
+    to the smallest, both without sign. The first range is taken as forward, as
+    `ranges_of` does. Gears without a ratio and operating points are in none.
 
     Examples
     --------
@@ -98,14 +98,21 @@ def ranges(results: Results) -> list[list[int]]:
         (case.gear_input(gear), case.gear_output(gear)) if gear.kind == "gear" else None
         for gear in case.gears
     ]
-    return ranges_of(results.ratio.tolist(), kinds)
+    return ranges_of(results.ratio.tolist(), kinds, [gear.name for gear in case.gears])
 
 
-def ranges_of(ratios: Sequence[float], kinds: Sequence[Hashable | None]) -> list[list[int]]:
+def ranges_of(
+    ratios: Sequence[float], kinds: Sequence[Hashable | None], names: Sequence[str]
+) -> list[list[int]]:
     """As `ranges`, of ratios that are told by whatever else makes gears comparable.
 
-    >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"])
+    The first range is the longest: a final drive may turn the sign of all gears. Of several of one
+    length it is that with the fewest names of reverse gears, else that which is written first.
+
+    >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"], ["R", "2", "1", "N"])
     [[2, 1], [0]]
+    >>> ranges_of([-3.3, 4.7], ["a", "a"], ["R", "F"]), ranges_of([-3.3, 4.7], [1, 1], ["", ""])
+    ([[1], [0]], [[0], [1]])
     """
     alike: dict[Hashable, list[int]] = {}
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
@@ -113,4 +120,21 @@ def ranges_of(ratios: Sequence[float], kinds: Sequence[Hashable | None]) -> list
             alike.setdefault((kind, ratio > 0), []).append(index)
     for indices in alike.values():  # those of one ratio stay as they are, whatever rounding says
         indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))
-    return sorted(alike.values(), key=len, reverse=True)
+    return sorted(alike.values(), key=lambda one: _likeness_of_reverse(one, names))
+
+
+def is_guess(ranges_: Sequence[Sequence[int]], names: Sequence[str]) -> bool:
+    """Whether nothing but the order of gears tells that the first range is forward.
+
+    >>> is_guess([[0, 1], [2, 3]], ["F1", "F2", "R1", "R2"]), is_guess([[0], [1]], ["a", "b"])
+    (False, True)
+    """
+    return len({_likeness_of_reverse(one, names) for one in ranges_[:2]}) < len(ranges_[:2])
+
+
+def _likeness_of_reverse(indices: Sequence[int], names: Sequence[str]) -> tuple[int, int]:
+    return -len(indices), sum(bool(_REVERSE.match(names[index])) for index in indices)
+
+
+_REVERSE = re.compile(r"-|[\W\d_]*(r|з\W*х|задн)|.*(revers|rückw|rueckw|backw|задн)", re.IGNORECASE)
+"""Names of reverse gears: -1, R, R1, 1R, low reverse, Rückwärts, ЗХ."""

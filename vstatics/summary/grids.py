@@ -272,7 +272,7 @@ def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
     )
     yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
     if cycle.damage:
-        yield damage_grid(cycle.damage)
+        yield damage_grid(cycle.damage, "Damage by the points as one record, whatever their time")
 
 
 def _vehicle(summary: Summary) -> Iterator[Grid]:

@@ -102,7 +102,7 @@ def _slip_powers(
     relative, loaded = {}, {}
     for place, element in enumerate(case.shift_elements):
         was, holds = results.holds[start, place], results.holds[end, place]
-        if was != holds:
+        if was != holds and element.kind != "dog_clutch":  # which does not slip
             after, before = (end, start) if holds else (start, end)
             power = float(torques[after, place] * slips[before, place])
             has_torque = case.input_torque(case.gears[after]) != 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,8 @@ from vstatics.model.parts import BatteryBalance
 from vstatics.model.transmission import SpeedOf
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
 from vstatics.readers import sweep_tables
-from vstatics.summary.operation.drive_cycle import GearChoice, drive
+from vstatics.summary.design_table import design
+from vstatics.summary.operation.drive_cycle import DriveCycle, GearChoice, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.summary.operation.shifting import read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace
@@ -184,6 +186,27 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why
     assert caught.value.problems[0].path == (1,)
     unnamed = trace(*rows)._replace(gears=[])
     assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
+
+
+@pytest.mark.parametrize("turned", [1, -1])
+def test_as_many_gears_both_ways_are_told_apart_by_their_names(turned: int) -> None:
+    """Whichever way the wheels turn and whatever stands first, as in the design table."""
+    ratios = {"R1": -4.0, "F2": 2.0, "2R": -2.0, "F1": 4.0}
+
+    def driven(names: Sequence[str]) -> DriveCycle:
+        pairs = [Mechanism(n, 6, 0, turned * u) for n, u in enumerate(ratios.values(), 2)]
+        clutches = [ShiftElement(1, link) for link in range(2, 6)]
+        gears = [Gear([n], name=name) for n, name in enumerate(names, 1)]
+        case = Transmission(6, clutches, pairs, gears, vehicle=CAR)
+        steady = trace((0, 5, ""), (1, 5, ""))._replace(gears=[])
+        made = drive(case, steady, GearChoice(least_speed=1.0))
+        assert made.gears[0] in design(solve(case)).forward
+        return made
+
+    made = driven([*ratios])
+    assert (made.gears, made.messages) == (["F2"], [])
+    made = driven(["a", "b", "c", "d"])
+    assert (made.gears, [one.id for one in made.messages]) == (["c"], ["N417"])
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:

@@ -269,6 +269,35 @@ def test_points_are_a_record_of_the_torques_of_devices() -> None:
     assert made.cycles[-1].range == pytest.approx(900)
 
 
+def test_elements_bear_what_their_first_member_carries() -> None:
+    """As mechanisms do; of an element of several meshes each mesh has a life of its own."""
+    strength = {"section_modulus": 4e-6, "endurance": 100e6, "exponent": 3, "cycles": 4e6}
+    teeth = {"small_sun": 30, "large_sun": 36, "ring": 84, "short": 22, "long": 24}
+    wheels = {one: one for one in ("small_sun", "large_sun", "ring", "carrier")}
+    train = {"kind": "ravigneaux", **wheels, "teeth": teeth}
+    pair = {"kind": "gear_pair", "first": "in", "second": "small_sun"}
+    first = ["pair", "train.small_sun-short", "train.large_sun-long", "train.short-long"]
+    case = from_dict(
+        {
+            "links": ["in", "small_sun", "large_sun", "carrier", "ring"],
+            "output": "ring",
+            "elements": {"pair": pair | {"teeth": {"first": 20, "second": 60}}, "train": train},
+            "shift_elements": {"B": ["carrier", "housing"], "C": ["large_sun", "carrier"]},
+            "gears": {"low": ["B"], "direct": ["C"]},
+            "fatigue": {name: {**strength, "threshold": 0} for name in first},
+        }
+    )
+    torques = np.array([40.0, 90.0])
+    asked = DutyPoints(np.array([0, 0]), np.full(2, 100.0), torques, np.ones(2))
+    made = spectrum(case, asked)
+    ranges = {name: one.cycles[-1].range for name, one in made.damage.items() if one.cycles}
+    assert [*made.damage] == first
+    sun = made.members["train.small_sun"].torque.largest
+    assert ranges["pair"] == pytest.approx(50)
+    assert ranges["train.small_sun-short"] == pytest.approx(abs(sun) * 50 / 90)
+    assert ranges["train.short-long"] == pytest.approx(abs(sun) * 50 / 90 * 22 / 30 * 0.98)
+
+
 def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
     """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
     points_ = [[0.0, 2.2], [0.85, 1.0], [1.0, 1.0]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -19,11 +20,12 @@ from vstatics.cli.torsion.case import (
     working_slope_notes,
 )
 from vstatics.cli.torsion.response import speeds_of
+from vstatics.errors import Problem, quoted
 from vstatics.readers.reading import Reading
 
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats
-    from vstatics.torsion.random.random_vibration import Excitation
+    from vstatics.torsion.random.random_vibration import Excitation, GearRandom
 
 
 @click.command()
@@ -94,8 +96,18 @@ def random(
         return CaseAnswer(
             lambda: random_grids(found),
             RandomAnswer(case.name, link, by, found),
-            [*faults, *working_slope_notes(reading, working)],
+            [*faults, *_lifeless(reading, found), *working_slope_notes(reading, working)],
             failed=bool(faults),
         )
 
     return one.answer(calculate, to, extra="torsion")
+
+
+def _lifeless(reading: Reading, found: Sequence[GearRandom]) -> Iterator[Problem]:
+    """Devices with a fatigue strength whose torque is told in no gear."""
+    excited = [gear for gear in found if not gear.error]
+    told = {name for gear in excited for name in gear.devices}
+    for number, name in enumerate(reading.case.fatigue, 1):
+        if excited and name not in told:
+            text = f"{quoted(name)} is rigid or open: its life is not told; give it a `stiffness`"
+            yield reading.locate(Problem("W880", text, ("fatigue", number)))

@@ -20,7 +20,7 @@ from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.statics.points.paths import CaseNumber, Columns
 from vstatics.statics.points.relative import loads_of, solve_points
-from vstatics.statics.result_arrays import ARRAYS, Outside, row_names
+from vstatics.statics.result_arrays import ARRAYS, Outside, first_rows, row_names
 from vstatics.statics.results import Results
 
 MOST_PASSES = 100
@@ -207,12 +207,8 @@ class _Search:
         self.case, self.columns, self.laws = case, columns, laws
         self.variants = variants
         names = row_names(case, "torques")
-        first = {
-            member.places: f"{one.name}.{member.name}" if case.drawing else one.name
-            for one in case.own_devices
-            for member in one.members
-        }
-        self.rows = {number: names.index(first[(number.owner, 0),]) for number in laws}
+        first = first_rows(case)
+        self.rows = {number: names.index(first[number.owner]) for number in laws}
         self.of_gear: dict[int, list[CaseNumber]] = {}
         for number in laws:
             self.of_gear.setdefault(number.gear or 0, []).append(number)

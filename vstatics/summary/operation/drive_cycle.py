@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, not_allowed, quoted
+from vstatics.errors import CaseError, Problem, listed, not_allowed, quoted
 from vstatics.model.transmission import Transmission
 from vstatics.model.vehicle import Vehicle, beside_engine
 from vstatics.numerics.arrays import Booleans, Floats, Integers
@@ -24,6 +24,7 @@ from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.solve import solve
+from vstatics.summary.design_table import is_guess
 from vstatics.summary.operation.fuel_map import FuelMap
 from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
 from vstatics.summary.operation.shifting import (
@@ -144,7 +145,12 @@ def drive(
 
 
 def _doubts(steps: _CycleSteps, beyond: int) -> Iterator[Message]:
-    """What the engine can't."""
+    """What the engine can't, and which gears may be the wrong ones."""
+    if steps.guessed:
+        text = f"forward is taken as {listed(steps.guessed)}, which are written first"
+        yield Message(
+            "N417", f"{text}: as many gears go the other way, and no name, as R, tells which"
+        )
     vehicle, speeds = steps.vehicle, steps.engine_speeds
     too_fast = ~vehicle.may_turn(speeds)
     if too_fast.any():
@@ -201,6 +207,8 @@ class _CycleSteps(NamedTuple):
     gears: Integers
     ratios: Floats
     """(gears, links): speeds by that of the output, with its sign. [-]"""
+    guessed: Sequence[str] = ()
+    """Gears that are chosen from as forward, though nothing but their order tells that."""
 
     @classmethod
     def of(
@@ -233,7 +241,10 @@ class _CycleSteps(NamedTuple):
                 "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
             )
             raise CaseError([Problem("E428", message, (int(lacking[0]),))])
-        return cls(case, vehicle, trace, gears, ratios)
+        names = [gear.name for gear in case.gears]
+        ways = directions(driving, names) if choice.least_speed is not None else []
+        guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
+        return cls(case, vehicle, trace, gears, ratios, guessed)
 
     @property
     def forces(self) -> Floats:
@@ -398,7 +409,7 @@ def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
     if len(means := [name for name, given in ways.items() if given]) > 1:
         raise CaseError("E426", f"{' and '.join(means)} tell the gears, expected one of them")
     if choice.least_speed is not None:
-        ahead = next(iter(directions(ratios)), [])
+        ahead = next(iter(directions(ratios, names)), [])
         return by_least_speed(engine, choice.least_speed, may, ahead)
     if choice.shifts:
         try:

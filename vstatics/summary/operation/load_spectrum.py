@@ -21,7 +21,7 @@ from vstatics.numerics.arrays import Floats, Integers
 from vstatics.statics.carried import larger_torques, overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.matrix import column_of, held_links
-from vstatics.statics.result_arrays import Message, row_names
+from vstatics.statics.result_arrays import Message, all_row_names, first_rows
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.tables.answer import told
@@ -277,9 +277,17 @@ class PointLoads(NamedTuple):
         return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
-        """By shift element, mechanism and spring: its torque at each point [N*m]."""
-        names = row_names(self.case, "torques")
-        return dict(zip(names, self.taken(self.results.lossy_torques_Nm).T, strict=True))
+        """By shift element, mechanism and spring: the torque on its first link [N*m].
+
+        An element is its mechanism, or the mechanisms of its meshes, as in motion.
+        """
+        rows, results = all_row_names(self.case), self.results
+        torques, meshes = results.lossy_torques_Nm, results.lossy_mesh_torques_Nm
+        found = dict(zip(rows["torques"], self.taken(torques).T, strict=True))
+        found |= dict(zip(rows["meshes"], self.taken(meshes).T, strict=True))
+        for index, row in first_rows(self.case).items():
+            found[self.case.mechanisms[index].name] = found[row]
+        return found
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
         """Device and member -> torque that its link gives to it [N*m]."""

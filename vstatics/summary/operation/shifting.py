@@ -75,13 +75,13 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
     return None, None
 
 
-def directions(ratios: Floats) -> list[list[int]]:
-    """The gears of each direction, the lower ones first; forward are those that are more.
+def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
+    """The gears of each direction, the lower ones first; forward is the first one.
 
-    >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]))
+    >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]), ["R", "2", "1", "N"])
     [[2, 1], [0]]
     """
-    return ranges_of(ratios.tolist(), [True] * len(ratios))
+    return ranges_of(ratios.tolist(), [True] * len(ratios), names)
 
 
 def by_shift_speeds(
@@ -125,7 +125,7 @@ def by_shift_speeds(
     for name in ladder:
         if name not in names:
             raise ValueError(f"there is no gear {quoted(name)} in the case")
-    alike = directions(ratios)
+    alike = directions(ratios, names)
     pairs = [f"{names[one]}-{names[other]}" for way in alike for one, other in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
     for low, high in pairwise(ladder):
