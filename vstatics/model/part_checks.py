@@ -73,11 +73,6 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
         yield from expect(capacity, "a torque above 0", place, right=0 < given < math.inf)
     static = element.static
     yield from expect(static, "1 or more", (*path, "static"), right=1 <= static < math.inf)
-    for key, is_given in ("static", static != 1), ("friction", element.friction is not None):
-        if is_given and element.kind == "dog_clutch":
-            yield Problem(
-                "E223", f"a dog clutch has no friction, expected it without `{key}`", (*path, key)
-            )
     if element.friction is not None:
         yield from of_friction(element.friction, (*path, "friction"))
 
