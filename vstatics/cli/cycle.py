@@ -24,7 +24,8 @@ from vstatics.tables import csv
 from vstatics.tables.grid import Grid, grid_of
 
 if TYPE_CHECKING:
-    from vstatics.summary.operation.drive_cycle import CycleAnswer, DriveCycle, GearChoice
+    from vstatics.summary.operation.cycle_steps import GearChoice
+    from vstatics.summary.operation.drive_cycle import CycleAnswer, DriveCycle
     from vstatics.summary.operation.fuel_map import FuelMap
     from vstatics.summary.operation.shifting import ShiftSpeed
     from vstatics.summary.operation.trace import Trace
@@ -50,7 +51,7 @@ def _shifts(text: str) -> list[ShiftSpeed]:
 
 
 def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearChoice:
-    from vstatics.summary.operation.drive_cycle import GearChoice
+    from vstatics.summary.operation.cycle_steps import GearChoice
 
     if least_speed is not None and shifts is not None:
         raise click.UsageError("--least-speed and --shift exclude one another")

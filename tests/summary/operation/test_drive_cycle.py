@@ -20,7 +20,8 @@ from vstatics.model.transmission import SpeedOf
 from vstatics.model.vehicle import AIR, GRAVITY, Vehicle
 from vstatics.readers import sweep_tables
 from vstatics.summary.design_table import design
-from vstatics.summary.operation.drive_cycle import DriveCycle, GearChoice, drive
+from vstatics.summary.operation.cycle_steps import GearChoice
+from vstatics.summary.operation.drive_cycle import DriveCycle, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.summary.operation.shifting import read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace

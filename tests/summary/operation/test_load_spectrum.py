@@ -24,7 +24,8 @@ from vstatics import (
 )
 from vstatics.model.fatigue import Fatigue
 from vstatics.readers import from_dict
-from vstatics.summary.operation.load_spectrum import DutyPoints, points_of, spectrum
+from vstatics.summary.operation.load_spectrum import points_of, spectrum
+from vstatics.summary.operation.point_loads import DutyPoints
 
 PAIRS = Transmission(
     3,

@@ -1,8 +1,9 @@
 """What a box does in operation: over points of load, in a vehicle, over a driving cycle.
 
-`load_spectrum` has energies and what members carry over points of speed and torque, `traction` the
-force, top speeds and acceleration of a vehicle; `drive_cycle` goes through a `trace`, whose gears
-`shifting` picks where it has none, with the `fuel_map` of its engine.
+`load_spectrum` has energies and what members carry over points of speed and torque, by
+`point_loads`; `traction` the force, top speeds and acceleration of a vehicle. `drive_cycle` goes
+through a `trace` in `cycle_steps`, whose gears `shifting` picks where it has none, with the
+`fuel_map` of its engine.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.model.vehicle import Vehicle

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from vstatics.arguments import naming, refusing
 from vstatics.errors import CaseError
-from vstatics.summary.operation.drive_cycle import DriveCycle, GearChoice, drive
+from vstatics.summary.operation.cycle_steps import GearChoice
+from vstatics.summary.operation.drive_cycle import DriveCycle, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.summary.operation.shifting import read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace

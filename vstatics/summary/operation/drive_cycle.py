@@ -16,25 +16,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed, not_allowed, quoted
+from vstatics.errors import listed, not_allowed
 from vstatics.model.transmission import Transmission
-from vstatics.model.vehicle import Vehicle, beside_engine
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.numerics.arrays import Floats
 from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.result_arrays import Message
-from vstatics.statics.solve import solve
-from vstatics.summary.design_table import is_guess
+from vstatics.summary.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.summary.operation.fuel_map import FuelMap
-from vstatics.summary.operation.load_spectrum import DutyPoints, PointLoads
-from vstatics.summary.operation.shifting import (
-    ShiftSpeed,
-    by_least_speed,
-    by_shift_speeds,
-    directions,
-)
 from vstatics.summary.operation.trace import Trace
-from vstatics.summary.operation.traction import bare, engine_alone
+from vstatics.summary.operation.traction import bare
 from vstatics.tables.answer import document, told
 
 
@@ -72,14 +63,6 @@ class DriveCycle(NamedTuple):
     """By heading, with units: what each step has in its middle."""
 
 
-class GearChoice(NamedTuple):
-    """How gears are picked where the trace has none."""
-
-    least_speed: float | None = None
-    """Of the engine. [rad/s]"""
-    shifts: Sequence[ShiftSpeed] = ()
-
-
 def drive(
     case: Transmission, trace: Trace, choice: GearChoice, fuel: FuelMap | None = None
 ) -> DriveCycle:
@@ -104,10 +87,10 @@ def drive(
     (62500.0, 12500.0, 50.0)
     """
     assert case.vehicle is not None  # noqa: S101 - who asks knows
-    steps = _CycleSteps.of(bare(case), case.vehicle, trace, choice)
+    steps = CycleSteps.of(bare(case), case.vehicle, trace, choice)
     moving = np.flatnonzero(trace.speed > 0)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
-    lost = _Lost({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
+    lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
     brakes = 0.0
     if moving.size:
         engine[moving] = steps.engine_torques(moving)
@@ -144,7 +127,7 @@ def drive(
     return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
 
 
-def _doubts(steps: _CycleSteps, beyond: int) -> Iterator[Message]:
+def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
     """What the engine can't, and which gears may be the wrong ones."""
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
@@ -165,7 +148,7 @@ def _doubts(steps: _CycleSteps, beyond: int) -> Iterator[Message]:
         yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
 
 
-def _overloads(case: Transmission, steps: _CycleSteps, torques: Floats) -> Iterator[Message]:
+def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:
     """What shift elements can't carry, by (steps, elements) torques [N*m]."""
 
     def where(row: int) -> str:
@@ -177,261 +160,6 @@ def _overloads(case: Transmission, steps: _CycleSteps, torques: Floats) -> Itera
 
 SAME_ENGINE_TORQUE = 1e-9
 """Torques of the engine that differ by no more are one. [N*m]"""
-
-
-class _Lost(NamedTuple):
-    """What steps lose, and what is held meanwhile."""
-
-    energies: dict[str, float]
-    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH`` [J]."""
-    outside: dict[str, None]
-    """Laws that are asked outside their points."""
-
-    held_torques: Floats
-    """(steps, shift elements): what those carry that hold [N*m]."""
-
-    def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
-        """Some steps, of durations [s]."""
-        self.held_torques[rows] = loads.held_torques
-        self.outside.update(dict.fromkeys(loads.outside))
-        for name, powers in (loads.losses() | loads.drag_losses()).items():
-            self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
-
-
-class _CycleSteps(NamedTuple):
-    """The steps of a trace, each in its gear."""
-
-    case: Transmission
-    vehicle: Vehicle
-    trace: Trace
-    gears: Integers
-    ratios: Floats
-    """(gears, links): speeds by that of the output, with its sign. [-]"""
-    guessed: Sequence[str] = ()
-    """Gears that are chosen from as forward, though nothing but their order tells that."""
-
-    @classmethod
-    def of(
-        cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
-    ) -> _CycleSteps:
-        """The steps with their gears.
-
-        Raises
-        ------
-        CaseError
-            If a gear is none of the case.
-        """
-        still = solve(case)
-        outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
-        inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
-        own = np.arange(len(outputs))
-        with np.errstate(all="ignore"):
-            ratios = still.speeds / still.speeds[own, outputs][:, None]
-            ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
-        wheels = trace.speed / vehicle.radius * vehicle.final_drive
-        engine = wheels[:, None] * ratios[own, inputs]
-        driving = np.where(engine_alone(case), still.ratio, math.nan)
-        gears = _gears(case, vehicle, trace, choice, engine, driving)
-        lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
-        if lacking.size:
-            gear = case.gears[gears[lacking[0]]]
-            why = beside_engine(gear, case.link_name)
-            message = (
-                f"gear {gear.name} has {why or 'no ratio'}, expected one in which the engine alone "
-                "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
-            )
-            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
-        names = [gear.name for gear in case.gears]
-        ways = directions(driving, names) if choice.least_speed is not None else []
-        guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
-        return cls(case, vehicle, trace, gears, ratios, guessed)
-
-    @property
-    def forces(self) -> Floats:
-        """At the wheels, of road and mass; 0 where it stands [N]."""
-        trace, vehicle = self.trace, self.vehicle
-        force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
-        return np.where(trace.speed > 0, force, 0.0)
-
-    @property
-    def wheel_speeds(self) -> Floats:
-        """Of the output, without sign [rad/s]."""
-        speeds: Floats = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
-        return speeds
-
-    def _ends(self, kind: str) -> Integers:
-        """Indices of the input or output links of all steps."""
-        of = self.case.gear_input if kind == "input" else self.case.gear_output
-        links = np.array([of(gear) - 1 for gear in self.case.gears])
-        return links[self.gears]
-
-    def _links(self, kind: str) -> Floats:
-        """Speeds of the input or output links [rad/s]."""
-        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
-        return speeds
-
-    @property
-    def engine_speeds(self) -> Floats:
-        """Of the engine, forward [rad/s]."""
-        return np.abs(self._links("input"))
-
-    def course(self, engine: Floats) -> dict[str, Floats]:
-        """What each step has in its middle, where speeds are their means, by heading."""
-        starts = np.array(self.trace.table.numbers["time"][:-1])
-        return {
-            "time [s]": starts + self.trace.duration / 2,
-            "speed [km/h]": 3.6 * self.trace.speed,
-            "gear number": np.add(self.gears, 1, dtype=np.float64),
-            "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
-            "engine torque [N*m]": engine,
-            "wheel force [N]": self.forces,
-        }
-
-    def _inertia_torque(self, rows: Integers, link: int) -> Floats:
-        """``-J dw/dt`` on a link in some rows [N*m]."""
-        change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
-        inertia = self.case.heavy.get(link, 0.0)
-        torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
-        return torque
-
-    def _at_output(self, case: Transmission, rows: Integers) -> Floats:
-        """That on the output links of a case, on which no torque can be given [N*m]."""
-        total = np.zeros(len(rows))
-        for number, gear in enumerate(case.gears):
-            own = self._inertia_torque(rows, case.gear_output(gear))
-            total = np.where(self.gears[rows] == number, own, total)
-        return total
-
-    def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Those on all other links, by their paths."""
-        return {
-            f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
-            for gear in case.gears
-            for link, inertia in case.heavy.items()
-            if inertia and link != case.gear_output(gear) and link not in gear.speeds  # held
-        }
-
-    def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        """What the output of a case gives to its load [N*m]."""
-        torque: Floats = loads.taken(loads.results.lossy_output_torque_Nm)
-        return torque + self._at_output(case, rows)
-
-    @property
-    def inertia_energy(self) -> float:
-        """What turning links have more at the end of steps than before, over all steps [J]."""
-        before, after = self.trace.ends
-        factor = self.vehicle.final_drive / self.vehicle.radius
-        total = 0.0
-        for link, inertia in self.case.heavy.items():
-            turned = self.ratios[self.gears, link - 1] * factor
-            change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
-            total += float(np.nan_to_num(inertia / 2 * change).sum())
-        return total
-
-    def _from_wheels(self, rows: Integers) -> PointLoads:
-        """The box with its output as input."""
-        speeds = self._links("output")[rows]
-        torques = -self.forces[rows] * self.vehicle.radius / self.vehicle.final_drive
-        points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
-        return self._solved(self._turned, rows, points)
-
-    @property
-    def _turned(self) -> Transmission:
-        """The case with outputs as inputs."""
-        gears = [
-            gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
-            for gear in self.case.gears
-        ]
-        return self.case.replace(gears=gears, outputs=())
-
-    def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Points of some rows.
-
-        Raises
-        ------
-        CaseError
-            If one has no torques.
-        """
-        try:
-            return PointLoads.of(case, points, self._elsewhere(case, rows))
-        except CaseError as error:
-            problems = [
-                one._replace(path=tuple(int(rows[row]) for row in one.path if isinstance(row, int)))
-                for one in error.problems
-            ]
-            raise CaseError(problems) from None
-
-    def engine_torques(self, rows: Integers) -> Floats:
-        """Of the engine, with all losses, in its direction [N*m]."""
-        loads = self._from_wheels(rows)
-        given = self._given(self._turned, rows, loads)
-        engine: Floats = -given * np.sign(self._links("input")[rows])
-        return engine
-
-    def add_losses(self, rows: Integers, lost: _Lost) -> None:
-        """What rows lose that the engine drives, or that brake no more than its overrun."""
-        if rows.size:
-            lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
-
-    def braked(self, rows: Integers, engine: Floats, lost: _Lost) -> float:
-        """The energy of brakes where the engine brakes at its overrun [J]."""
-        speeds = self._links("input")[rows]
-        points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
-        loads = self._solved(self.case, rows, points)
-        lost.add(loads, rows, self.trace.duration[rows])
-        torque = self._given(self.case, rows, loads) * np.sign(self._links("output")[rows])
-        force = torque * self.vehicle.final_drive / self.vehicle.radius
-        power = (force - self.forces[rows]) * self.trace.speed[rows]
-        return float(power @ self.trace.duration[rows])
-
-
-def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
-    case: Transmission,
-    vehicle: Vehicle,
-    trace: Trace,
-    choice: GearChoice,
-    engine: Floats,
-    ratios: Floats,
-) -> Integers:
-    """The gear of each step: of the trace, by shift speeds, or the highest that fits.
-
-    Raises
-    ------
-    CaseError
-        If one is none of the case, nothing tells it, or shifts are none of those up.
-    """
-    names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
-    ways = {
-        "the column `gear`": bool(trace.gears),
-        "--shift": bool(choice.shifts),
-        "--least-speed": choice.least_speed is not None,
-    }
-    if len(means := [name for name, given in ways.items() if given]) > 1:
-        raise CaseError("E426", f"{' and '.join(means)} tell the gears, expected one of them")
-    if choice.least_speed is not None:
-        ahead = next(iter(directions(ratios, names)), [])
-        return by_least_speed(engine, choice.least_speed, may, ahead)
-    if choice.shifts:
-        try:
-            told_gears = by_shift_speeds(case, choice.shifts, trace.speed, may, ratios)
-        except ValueError as error:
-            raise CaseError("E426", f"--shift: {error}") from None
-    elif trace.gears:
-        told_gears = trace.gears
-    elif len(names) == 1:
-        return np.zeros(len(trace.speed), np.int64)
-    else:
-        message = "the trace has no column `gear`, expected one, --shift, or --least-speed"
-        raise CaseError("E426", message)
-    standing: Booleans = trace.speed <= 0
-    problems = [
-        Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
-        for row, name in enumerate(told_gears)
-        if name not in names and not (standing[row] and not name)
-    ]
-    if problems:
-        raise CaseError(problems)
-    return np.array([names.index(name) if name in names else 0 for name in told_gears])
 
 
 @document("vstatics-cycle")
