@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from tests.statics.differential import texts, train
 from vstatics import Gear, Mechanism, Transmission, solve
-from vstatics.statics.bodies import held_as_one, join
+from vstatics.model.bodies import join
+from vstatics.statics.bodies import held_as_one
 
 
 def test_a_set_that_clutches_hold_as_one_piece_is_idle_without_a_word() -> None:
