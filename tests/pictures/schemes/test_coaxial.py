@@ -25,6 +25,7 @@ from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
+from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import Style
 from vstatics.report.page_pictures import HALF
@@ -310,6 +311,22 @@ def test_the_name_of_a_loose_carrier_is_clear_of_the_names_of_wheels(width: floa
     figure = picture(results, "stick", Style(width=width / 25.4 * 72, wheels=True))
     assert {"carrier", "planet2: 21"} <= {text.get_text() for text in figure.texts}
     assert overlaps(figure) == []
+
+
+@pytest.mark.parametrize("name", ["wilson-preselector", "zf-9hp48", "simpson-th400"])
+def test_signs_are_seen_where_names_of_wheels_have_no_room(name: str) -> None:
+    """In a column of 85 mm wheels have their teeth alone, or it is wider; lines can be printed."""
+    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    style = Style("ru", wheels=True, width=85 / 25.4 * 72)
+    figure = picture(results, "stick", style)
+    assert overlaps(figure) == []
+    drawing = drawing_of(results.case)
+    assert drawing is not None
+    teeth = {f"{n:g}" for one in drawing.elements for n in teeth_of(one).values()}
+    assert len(teeth & {text.get_text() for text in figure.texts}) > 1
+    widths = re.findall(rb'stroke-width="([\d.]+)', render(results, "stick", "svg", style))
+    assert min(map(float, widths)) >= 0.2
+    assert figure.get_figwidth() * 25.4 <= (85.1 if name != "simpson-th400" else 110)
 
 
 def driveline() -> Transmission:
