@@ -399,3 +399,22 @@ def test_a_sun_is_below_its_planets_and_its_ring_above() -> None:
     figure = picture(results, "stick", Style(wheels=True))
     at = {text.get_text(): text.get_position()[1] for text in figure.texts}
     assert at["sun: 26"] < at["ring: 64"]
+
+
+def test_all_outputs_have_their_arrow_and_differentials_are_told_as_sets() -> None:
+    """Power leaves at each of four wheels; u = -1 is no set of a sun and a larger ring."""
+    case = vstatics.loads(
+        "links: [engine, front, rear, FL, FR, RL, RR]\noutputs: [FL, FR, RL, RR]\n"
+        "elements: {centre: {kind: planetary, sun: front, ring: rear, carrier: engine,"
+        " teeth: {sun: 40, ring: 60}}}\n"
+        "mechanisms:\n  fore: {first: FL, second: FR, third: front, ratio: -1}\n"
+        "  aft: {first: RL, second: RR, third: rear, ratio: -1}\n"
+        "gears: {left: {speeds: {FR: 1.05*FL, RL: .98*FL, RR: 1.06*RL}}}\n"
+    )
+    ports = stick_scheme(case).ports
+    assert [case.link_name(one.link) for one in ports if one.role == "output"] == ["FL", *ENDS]
+    figure = picture(vstatics.solve(case), "stick", Style())
+    assert any("mechanisms as planetary sets" in text.get_text() for text in figure.texts)
+
+
+ENDS = ["FR", "RL", "RR"]
