@@ -81,7 +81,11 @@ def laid_out(
 def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
     """With lines as close as a width asks for."""
     letters = 1.0
-    most = MOST_NAMED if any(own.names for own in bare.own.sections.values()) else MOST_CLOSED
+    sections = bare.own.sections.values()
+    has_rims = any(
+        rim in one.names for one in sections for col in one.columns for rim in col.rims.values()
+    )
+    most = MOST_NAMED if has_rims else MOST_CLOSED  # the teeth of a planet stand over its pin
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
         if is_within(layout, wide) or letters >= most:
