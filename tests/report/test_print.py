@@ -184,5 +184,5 @@ def test_what_has_no_room_on_paper_is_told() -> None:
     gears = list("1234R")
     few = side_by_side(gears, [Drawn("stick", [Markup(high)])] * 5)
     assert few.count("<svg") == 4
-    assert "Not printed: gear R; --all prints every gear." in few
+    assert "Not printed: diagram of gear R; --all prints all of them." in few
     assert side_by_side(gears, [Drawn("stick", [Markup(low)])] * 5).count("<svg") == 5

@@ -13,10 +13,13 @@ from pathlib import Path
 import pytest
 
 from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
+from tests.pictures.vehicle.cars import box
 from tests.report.pages import NASTY, NASTY_CASE, Page, number, output, report, value, write
 from vstatics import load, solve
 from vstatics.errors import CaseError
 from vstatics.report import gather, page
+from vstatics.report.sections import sections
+from vstatics.summary import summarize
 from vstatics.tables.quantities import BY_NAME, QUANTITIES
 
 NUMBERED = """\
@@ -353,3 +356,16 @@ def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:
     said = vstatics("report", write(tmp_path, "links: 3\n"), "-o", tmp_path / "out.html")
     assert said.status == 1
     assert not (tmp_path / "out.html").exists()
+
+
+def test_the_page_of_a_car_has_what_its_vehicle_does() -> None:
+    """Top speeds of the summary, wheel force and the speeds of its engine; a box alone has none."""
+    results = box([3.5, 1.9, 1.0])
+    [part] = [one for one in sections(gather(results)) if one.name == "Vehicle"]
+    shown = " ".join(part.shown)
+    vehicle = summarize(results).vehicle
+    assert vehicle is not None
+    assert all(f"{one.top_speed:.3f}" in shown for one in vehicle.gears.values())
+    assert (part.is_printed, shown.count("<svg")) == (True, 2)
+    alone = gather(box([3.5, 1.9, 1.0], vehicle=None))
+    assert "Vehicle" not in [one.name for one in sections(alone)]

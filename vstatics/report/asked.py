@@ -17,6 +17,7 @@ SECTIONS = {
     "equations": "Equations",
     "efficiency": "Efficiency",
     "plan": "Kinematic plan",
+    "vehicle": "Vehicle",
     "vibration": "Vibration",
     "largest": "Largest values",
     "shifts": "Shifts",
@@ -25,7 +26,7 @@ SECTIONS = {
     "conventions": "Conventions",
 }
 """The sections of a page by the words that choose them, in their order."""
-PRINTED = ("overview", "run", "gears", "flow", "efficiency", "vibration", "largest")
+PRINTED = (*("overview", "run", "gears", "flow", "efficiency", "vehicle", "vibration", "largest"),)
 """Those that are printed where nobody asks for others."""
 
 

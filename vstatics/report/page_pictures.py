@@ -13,6 +13,7 @@ from xml.etree import ElementTree as ET
 
 from vstatics.errors import CaseError
 from vstatics.extras import require
+from vstatics.model.transmission import Transmission
 from vstatics.pictures import of_each_gear, pages
 from vstatics.pictures.sheet.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.sheet.words import KINDS
@@ -38,6 +39,16 @@ _COLOURED = ("style", "fill", "stroke")
 NAMES = KINDS
 """What a kind of picture is called."""
 OF_ALL_GEARS = ("efficiency", "plan")
+OF_A_VEHICLE = ("traction", "sawtooth")
+"""Of a case whose vehicle has an engine."""
+
+
+def of_all_gears(case: Transmission) -> tuple[str, ...]:
+    """The pictures of all gears that the page of a case has."""
+    vehicle = case.vehicle
+    return (*OF_ALL_GEARS, *(OF_A_VEHICLE if vehicle is not None and vehicle.engine else ()))
+
+
 PRINTED_WIDTH = 182.0
 """Between the margins of A4, as the style sheet has them. [mm]"""
 COLUMN_GAP = 4.0
@@ -93,7 +104,11 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING, *, marked: bool = 
         for kind in ("flow", "lever")
         if asked.has(kind)
     }
-    of_all = {kind: picture_of(results, kind, chosen) for kind in OF_ALL_GEARS if asked.has(kind)}
+    of_all = {
+        kind: picture_of(results, kind, chosen)
+        for kind in of_all_gears(results.case)
+        if asked.has("vehicle" if kind in OF_A_VEHICLE else kind)
+    }
     has_flows = asked.has("flow") and not asked.in_full("flow") and len(gears) > 1
     flows = picture_of(results, "flow", chosen) if has_flows else None
     return Pictures({"stick": sticks, **of_gears}, of_all, small, bare, flows)

@@ -15,7 +15,7 @@ from vstatics.report.live.numbers import marked_powers
 from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview
-from vstatics.report.page_pictures import NAMES, Drawn
+from vstatics.report.page_pictures import NAMES, OF_A_VEHICLE, Drawn
 from vstatics.report.parts import (
     conventions,
     figures,
@@ -60,6 +60,8 @@ SPREAD = "spread"
 """The table that the overview says in words."""
 SHIFTS = ("transitions", "margins", "margins by gear")
 """Tables that are about what shifts, and what it can carry."""
+VEHICLE = ("vehicle gears", "vehicle")
+"""Tables of what a vehicle does."""
 
 
 def sections(material: Material) -> Iterator[Part]:
@@ -80,6 +82,7 @@ def sections(material: Material) -> Iterator[Part]:
             for kind in ("efficiency", "plan")
             if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
+        "vehicle": _vehicle(material, others),
         "vibration": (
             shown_vibration(material.vibration, material.digits, has_marks=material.has_marks)
             if material.vibration
@@ -248,12 +251,20 @@ def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
     yield from tables(loaded or own)
 
 
+def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
+    """What the vehicle does in each gear: numbers, its wheel force, the speeds of its engine."""
+    yield from tables(one for one in summary if one.key in VEHICLE)
+    drawn = material.pictures.of_all
+    for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):
+        yield from figures(drawn[kind], tr(NAMES[kind]))
+
+
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     """What the summary has besides the gears, then all results, each number once."""
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (one.with_digits(material.digits) for one in results)
-    elsewhere = {SPREAD, *SHIFTS, *LARGEST, *(f"{one}{WITH_LOAD}" for one in LARGEST)}
+    elsewhere = {SPREAD, *SHIFTS, *VEHICLE, *LARGEST, *(f"{one}{WITH_LOAD}" for one in LARGEST)}
     if not _has_further_ports(material):
         elsewhere.add(PORTS)
     told = (one for one in summary if one.key not in elsewhere)

@@ -67,8 +67,8 @@ def left_out(names: Sequence[str]) -> Iterator[Markup]:
     """What says that pictures of gears are not printed."""
     if names:
         said = tr(
-            "Not printed: gear {gears}; --all prints every gear.|"
-            "Not printed: gears {gears}; --all prints every gear.",
+            "Not printed: diagram of gear {gears}; --all prints all of them.|"
+            "Not printed: diagrams of gears {gears}; --all prints all of them.",
             gears=", ".join(names),
             count=len(names),
         )

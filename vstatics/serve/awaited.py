@@ -11,7 +11,14 @@ from vstatics.extras import missing
 from vstatics.report.asked import SECTIONS, AskedPage
 from vstatics.report.material import Material
 from vstatics.report.motion import NOTHING, RunSection, bare_stick, moving_of, shown_run
-from vstatics.report.page_pictures import OF_ALL_GEARS, PAGE, Drawn, Pictures, of_each, picture_of
+from vstatics.report.page_pictures import (
+    PAGE,
+    Drawn,
+    Pictures,
+    of_all_gears,
+    of_each,
+    picture_of,
+)
 from vstatics.report.sections import Part, sections
 from vstatics.report.vibration import shown_vibration, vibrates, vibration
 from vstatics.statics.results import Results
@@ -43,7 +50,7 @@ def awaited_pictures(results: Results) -> Pictures:
     gears = range(1, len(results.case.gears) + 1)
     return Pictures(
         {kind: [_drawn(f"{kind}:{gear}") for gear in gears] for kind in ("stick", "flow", "lever")},
-        {kind: _drawn(kind) for kind in OF_ALL_GEARS},
+        {kind: _drawn(kind) for kind in of_all_gears(results.case)},
     )
 
 
@@ -105,7 +112,7 @@ def _picture(name: str, results: Results, run: Callable[[], Motion | None]) -> M
     if kind == "run-picture" and of in OF_RUN and (motion := run()):
         make = bare_stick if of == "stick" else partial(picture_of, kind=of)
         drawn = make(results, motion=motion)
-    elif name in (*OF_ALL_GEARS, "campbell"):
+    elif name in (*of_all_gears(results.case), "campbell"):
         drawn = picture_of(results, name)
     elif kind in OF_GEARS and of in map(str, range(1, len(results.case.gears) + 1)):
         drawn = _of_gear(results, kind, int(of))

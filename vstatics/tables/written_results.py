@@ -8,6 +8,9 @@ from typing import NamedTuple
 
 from vstatics.model.transmission import Transmission
 
+GEAR_NUMBER = "gear number"
+"""The column of a driving cycle that is a whole number."""
+
 
 class Figure(NamedTuple):
     """A number as it was written: NaN stands for none."""

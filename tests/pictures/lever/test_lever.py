@@ -19,7 +19,7 @@ from matplotlib.text import Text
 from tests.chance import some
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
-from vstatics import Results, load, solve
+from vstatics import Results, load, loads, solve
 from vstatics.pictures import picture, render
 from vstatics.pictures.lever.gear import in_gear
 from vstatics.pictures.lever.joined import LeverRoute, routes
@@ -335,3 +335,37 @@ def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:
         "engine",
         "vehicle",
     ]
+
+
+TWO_CLUTCHES = """\
+links: [engine, primary, secondary, sun, ring, carrier, out]
+shift_elements: {KL: [engine, primary], KH: [engine, carrier]}
+mechanisms:
+  var: {kind: variator, first: primary, second: secondary, speed_ratio: 1.25}
+  red: {first: secondary, second: sun, ratio: 1.6}
+elements:
+  P: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 70}}
+  fin: {kind: gear_pair, first: ring, second: out, teeth: {first: 20, second: 61}}
+gears:
+  split: {engaged: [KL, KH]}
+"""
+
+
+def test_no_line_runs_through_the_sign_of_a_clutch() -> None:
+    """Two clutches on one link are side by side: the line of each branches off before plates."""
+    split = solve(loads(TWO_CLUTCHES))
+    [power_split] = each(split, Style(), [[1]])
+    assert any("x = 1.250" in text.get_text() for text in power_split[0].texts)
+    own = page_of(split.case, Style())
+    assert own is not None
+    pictures = [routes(own, in_gear(split, 1, own.levers).ties)]
+    for name in ("zf-8hp70.yaml", "mercedes-7g.yaml", "simpson.yaml"):
+        pictures += routes_of(name)
+    for found in pictures:
+        for one in (route for route in found if route.sign is not None):
+            assert one.sign is not None
+            band, (x, y) = one.sign
+            others = [route for route in found if route is not one]
+            for piece in (piece for route in others for piece in route.pieces):
+                for (at, (start, low)), (_, (end, high)) in pairwise(piece):
+                    assert at != band or low != high or abs(low - y) > 1 or not start < x < end

@@ -25,6 +25,7 @@ from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
+from vstatics.pictures.schemes.titles import teeth_of
 from vstatics.pictures.sheet.files import settings_of, written
 from vstatics.pictures.sheet.style import Style
 from vstatics.report.page_pictures import HALF
@@ -298,7 +299,8 @@ def test_letters_can_be_read_beside_one_another(names: list[str], width: str, br
     cases = [vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")) for name in names]
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):
-        assert page.width / 25.4 * 72 <= style.width + 0.1, name
+        wider = 1.1 if (name, width) == ("ravigneaux-gf4a", "half") else 1.0  # signs would be lost
+        assert page.width / 25.4 * 72 <= wider * style.width + 0.1, name
         assert (page.overlaps, page.outside, page.covered) == ([], [], []), name
         assert min(size for _, size in page.letters) >= (7 if style.wheels else 8) - 0.01, name
 
@@ -310,6 +312,22 @@ def test_the_name_of_a_loose_carrier_is_clear_of_the_names_of_wheels(width: floa
     figure = picture(results, "stick", Style(width=width / 25.4 * 72, wheels=True))
     assert {"carrier", "planet2: 21"} <= {text.get_text() for text in figure.texts}
     assert overlaps(figure) == []
+
+
+@pytest.mark.parametrize("name", ["wilson-preselector", "zf-9hp48", "simpson-th400"])
+def test_signs_are_seen_where_names_of_wheels_have_no_room(name: str) -> None:
+    """In a column of 85 mm wheels have their teeth alone, or it is wider; lines can be printed."""
+    results = vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml"))
+    style = Style("ru", wheels=True, width=85 / 25.4 * 72)
+    figure = picture(results, "stick", style)
+    assert overlaps(figure) == []
+    drawing = drawing_of(results.case)
+    assert drawing is not None
+    teeth = {f"{n:g}" for one in drawing.elements for n in teeth_of(one).values()}
+    assert len(teeth & {text.get_text() for text in figure.texts}) > 1
+    widths = re.findall(rb'stroke-width="([\d.]+)', render(results, "stick", "svg", style))
+    assert min(map(float, widths)) >= 0.1
+    assert figure.get_figwidth() * 25.4 <= (85.1 if name != "simpson-th400" else 110)
 
 
 def driveline() -> Transmission:
@@ -382,3 +400,22 @@ def test_a_sun_is_below_its_planets_and_its_ring_above() -> None:
     figure = picture(results, "stick", Style(wheels=True))
     at = {text.get_text(): text.get_position()[1] for text in figure.texts}
     assert at["sun: 26"] < at["ring: 64"]
+
+
+def test_all_outputs_have_their_arrow_and_differentials_are_told_as_sets() -> None:
+    """Power leaves at each of four wheels; u = -1 is no set of a sun and a larger ring."""
+    case = vstatics.loads(
+        "links: [engine, front, rear, FL, FR, RL, RR]\noutputs: [FL, FR, RL, RR]\n"
+        "elements: {centre: {kind: planetary, sun: front, ring: rear, carrier: engine,"
+        " teeth: {sun: 40, ring: 60}}}\n"
+        "mechanisms:\n  fore: {first: FL, second: FR, third: front, ratio: -1}\n"
+        "  aft: {first: RL, second: RR, third: rear, ratio: -1}\n"
+        "gears: {left: {speeds: {FR: 1.05*FL, RL: .98*FL, RR: 1.06*RL}}}\n"
+    )
+    ports = stick_scheme(case).ports
+    assert [case.link_name(one.link) for one in ports if one.role == "output"] == ["FL", *ENDS]
+    figure = picture(vstatics.solve(case), "stick", Style())
+    assert any("mechanisms as planetary sets" in text.get_text() for text in figure.texts)
+
+
+ENDS = ["FR", "RL", "RR"]

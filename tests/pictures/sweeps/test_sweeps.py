@@ -255,3 +255,11 @@ def test_a_sweep_of_which_nothing_is_left_says_so(kind: str, tmp_path: Path) -> 
     assert vstatics("sweep", CASES / "mzkt7922.dat", *asked).status == 0
     said = vstatics("plot", written, "--kind", kind, "-o", tmp_path / "none.svg")
     assert (said.status, "none.csv: error: the sweep has no row" in said.err) == (1, True)
+
+
+def test_a_gear_number_is_a_whole_number_all_the_way() -> None:
+    """Of steps of a driving cycle: between first gear and fourth nothing is in second or third."""
+    columns = {"time [s]": [5.0, 15.0, 30.0], "gear number": [1.0, 4.0, 4.0]}
+    sweep = WrittenSweep([0, 1, 2], ["ok"] * 3, columns, ("time [s]",))
+    [line] = lines(drawn(curves, sweep), "gear number")
+    assert len({round(y, 3) for _, y in line}) == 2

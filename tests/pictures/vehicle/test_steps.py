@@ -81,3 +81,9 @@ def test_no_text_of_any_shipped_case_covers_another(path: Path) -> None:
         assert overlaps(results, "steps", Style("ru")) == []
     except CaseError as error:
         assert error.problems[0].id == "E444"  # noqa: PT017 - few have one gear
+
+
+def test_numbers_of_steps_stand_in_their_cells_in_a_column() -> None:
+    """Of 85 mm: names of rows give way; upright no number is wider than its cell."""
+    results = solve(load(CASES / "zf-9hp48.yaml"))
+    assert overlaps(results, "steps", Style("ru", width=85 / 25.4 * 72)) == []

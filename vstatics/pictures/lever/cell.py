@@ -109,7 +109,10 @@ def _draw_line(view: LeverView) -> None:
     if cell.lever.ratio is None:
         sheet.line((cell.at, low), (cell.at, high), colour=colour, width=2.0)
         return
-    text = "x" if math.isnan(cell.lever.ratio) else number(cell.lever.ratio)
+    text = number(cell.lever.ratio)
+    if math.isnan(cell.lever.ratio):
+        first, *_, second = (view.speed(node) for node in range(len(cell.lever.nodes)))
+        text = f"x = {number(second / first if first else math.nan)}"
     middle = cell.middle + view.bottom
     sheet.line((cell.at, low), (cell.at, middle - 0.8 * SIZE), colour=colour)
     sheet.line((cell.at, middle + 0.8 * SIZE), (cell.at, high), colour=colour)

@@ -90,7 +90,7 @@ class LeverKey(NamedTuple):
             (coil if kind == "spring" else plates)(sheet, at)
         elif kind == "torque":
             arrow(sheet, (x + self.arrow, y), self.arrow)
-        elif kind == "pair":
+        elif kind in ("pair", "varied"):
             box(sheet, at, (10, 8), style.ink)
         else:
             colour, thick = (style.soft, 3.0) if kind == "speed" else (style.faint, 2.0)
@@ -115,6 +115,7 @@ def key_of(
         "slack": text("engaged, without torque"),
         "spring": text("spring as shaft"),
         "pair": text("pair of wheels, its ratio"),
+        "varied": text("variator or converter, its speed ratio x"),
         "torque": text("{unit} × input torque, without losses", unit=unit),
         "speed": text("speed; dotted: that of the input"),
         "pale": text("carries no torque"),
@@ -142,7 +143,7 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
         for link in (node.link for node in lever.nodes if node.link != HOUSING):
             yield mark_of(link, gear.state, stands=gear.stands(link))
         if lever.ratio is not None:
-            yield "pair"
+            yield "varied" if math.isnan(lever.ratio) else "pair"
         if any(torque != 0 for torque in gear.torques[place]):
             yield "torque"
         if not gear.is_loaded(place):

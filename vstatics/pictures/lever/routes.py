@@ -27,7 +27,7 @@ BESIDE_SIGN = 8.0
 MOST_ORDERED = 6
 """Upright lines in a gap, all of whose orders are tried."""
 OVERLAP = 10
-"""What it costs that lines of two links lie on one another, in crossings."""
+"""What it costs that lines of two links lie on one another or on a clutch, in crossings."""
 
 
 class LeverRow(NamedTuple):
@@ -76,6 +76,8 @@ class LeverStep(NamedTuple):
     """Height of its sign."""
     slant: float = 0.0
     """How far it goes on while it rises: where it changes places with another line."""
+    is_late: bool = False
+    """Whether its sign, if it is level, stands behind the rise: before it others branch off."""
 
     @property
     def span(self) -> Span:
@@ -98,7 +100,9 @@ class LeverStep(NamedTuple):
     @property
     def sign_at(self) -> float:
         """Where its sign stands, from the beginning of the gap."""
-        return self.x if self.is_upright else self.x - self.wide / 2 + 3
+        if self.is_upright:
+            return self.x
+        return self.x + self.wide / 2 if self.is_late else self.x - self.wide / 2 + 3
 
     @property
     def levels(self) -> list[tuple[float, bool]]:
@@ -167,13 +171,15 @@ def _lane(
 
 def _apart(here: Sequence[LeverStep]) -> list[LeverStep]:
     """The steps of a gap, each with an x of its own, so that few lines cross."""
+    here = [step._replace(is_late=_is_late(step, here)) for step in here]
     turning = [number for number, step in enumerate(here) if step.wide]
     orders = permutations(turning) if len(turning) <= MOST_ORDERED else [tuple(turning)]
     best = min(orders, key=lambda order: _crossings([here[number] for number in order]))
     found, x = list(here), COLUMN
     for number in best:
         step = here[number]
-        after = 0.0 if step.is_upright or not step.is_signed else step.wide - 3
+        is_behind = step.is_signed and not step.is_upright and not step.is_late
+        after = step.wide - 3 if is_behind else 0.0
         found[number] = step._replace(x=x + after)
         x += step.wide
     for one, other in combinations(best, 2):
@@ -190,6 +196,20 @@ def _change_places(one: LeverStep, other: LeverStep) -> bool:
     return not both and max(abs(one.end - other.start), abs(other.end - one.start)) < 1
 
 
+def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
+    """Whether other lines begin where a step does, and none ends where it ends."""
+    others = [other for other in here if other is not step]
+    begins = any(abs(other.start - step.start) < 1 for other in others)
+    return begins and not step.is_back and all(abs(one.end - step.end) >= 1 for one in others)
+
+
+def _hides(one: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
+    """Whether a line right or left of the level sign of another one runs through that sign."""
+    height = one.end if one.is_late else one.start
+    levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
+    return one.is_signed and not one.is_upright and any(levels)
+
+
 def _crossings(ordered: Sequence[LeverStep]) -> int:
     """How often lines of a gap cross that stand in this order, from the left."""
     count = 0
@@ -199,13 +219,15 @@ def _crossings(ordered: Sequence[LeverStep]) -> int:
             count += sum(low < y < high for y, is_left in other.levels if is_left)
             count += sum(low2 < y < high2 for y, is_left in one.levels if not is_left)
             count += OVERLAP * (not one.is_back and abs(one.end - other.start) < 1)
+            count += OVERLAP * _hides(one, other, is_after=True)
+            count += OVERLAP * _hides(other, one, is_after=False)
     return count
 
 
 def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
     """The height of a sign, where no line runs through its name."""
     if not step.is_upright:
-        return step.start
+        return step.end if step.is_late else step.start
     low, high = step.span
     right = step.x + step.wide - 6
     levels = [

@@ -165,7 +165,9 @@ def scheme_of(case: Transmission) -> Scheme:
     ports = dict.fromkeys(
         port
         for gear in case.gears or [Gear()]
-        for port in _ports(case.gear_input(gear), case.gear_output(gear), gear)
+        for port in _ports(
+            case.gear_input(gear), [case.gear_output(gear), *case.further_outputs(gear)], gear
+        )
     )
     ends = {port.link for port in ports if port.role != "given"}
     kept = [port for port in ports if port.role != "given" or port.link not in ends]
@@ -231,11 +233,11 @@ def _spring(number: int, spring: Spring, case: Transmission) -> Device:
     return Device(spring.name, "spring", members, (number,), labels=labels)
 
 
-def _ports(first: int, last: int, gear: Gear) -> list[SchemePort]:
+def _ports(first: int, outputs: Sequence[int], gear: Gear) -> list[SchemePort]:
     further = dict.fromkeys([*gear.speeds, *gear.torques])
     return [
         SchemePort(first, "input"),
-        SchemePort(last, "output"),
+        *(SchemePort(link, "output") for link in outputs),
         *(SchemePort(link, "given") for link in further),
     ]
 
@@ -246,7 +248,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
     idle: set[int] = set()
     pieces: set[int] = set()
     loaded: list[set[int]] = []
-    ports = _ports(state.input, state.output, state.gear)
+    ports = _ports(state.input, state.outputs, state.gear)
     ends = [port.link for port in ports]
     for place, device in enumerate(scheme.devices):
         if device.is_shift_element:

@@ -51,7 +51,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
     )
-    is_bare = any(one.element is None and "carrier" in one.members for one in drawn.devices)
+    is_bare = any(drawn.devices[place].element is None for place in sheet.layout.own.sections)
     for gears in shown:
         told = told_of(results, drawn, style, gears, subject=subject)
         state = told.state, told.titles, told.name

@@ -25,6 +25,8 @@ class PictureState(NamedTuple):
     input: int
     """Its link."""
     output: int
+    outputs: Sequence[int]
+    """That of the ratio, then the others."""
     gear: Gear
     """With the freewheels that hold among the engaged elements."""
     faults: Sequence[Status]
@@ -75,6 +77,7 @@ def shown_of(state: GearState) -> PictureState:
     return PictureState(
         case.gear_input(gear),
         case.gear_output(gear),
+        _outputs(state),
         gear,
         faults,
         plain(state.ratio),
@@ -114,11 +117,16 @@ def _loaded_links(state: GearState) -> list[frozenset[int]]:
 
 def _leaving(state: GearState) -> dict[tuple[int, str], float]:
     """Without losses; what is given at the output counts with the load."""
-    entry, output = state.case.gear_input(state.gear), state.case.gear_output(state.gear)
+    entry, outputs = state.case.gear_input(state.gear), _outputs(state)
     found: dict[tuple[int, str], float] = {}
     *others, load = [one for one in state.powers(lossy=False) if one.kind == "port"]
     for one in others:
-        role = "input" if one.link == entry else "output" if one.link == output else "given"
+        role = "input" if one.link == entry else "output" if one.link in outputs else "given"
         found[one.link, role] = plain(one.power)
-    found[output, "output"] = found.get((output, "output"), 0.0) + plain(load.power)
+    loaded = outputs[0], "output"
+    found[loaded] = found.get(loaded, 0.0) + plain(load.power)
     return found
+
+
+def _outputs(state: GearState) -> list[int]:
+    return [state.case.gear_output(state.gear), *state.case.further_outputs(state.gear)]

@@ -67,6 +67,15 @@ def wheel(name: str, teeth: float, style: Style) -> str:
     return f"{word(name, style)}: {teeth:g}"
 
 
+def teeth_alone(named: str) -> str:
+    """The teeth of a wheel that is told with its name.
+
+    >>> teeth_alone(wheel("sun", 48, Style("ru")))
+    '48'
+    """
+    return named.rpartition(" ")[2]
+
+
 def quantity(name: str, value: float, style: Style) -> str:
     """What a number is, and the number.
 

@@ -26,7 +26,7 @@ from vstatics.pictures.sweeps.columns import (
     results_of,
     running,
 )
-from vstatics.tables.written_results import WrittenSweep
+from vstatics.tables.written_results import GEAR_NUMBER, WrittenSweep
 
 CURVES_HEIGHT = 130.0
 """Of a panel, at least. [pt]"""
@@ -186,7 +186,8 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
     pen.scale("left", up, grid=True)
     pen.frame()
     for one in curves:
-        pen.plot(one.x, one.y, title=f"{one.name} {name}".strip(), **one.look)
+        line = _stepped(one) if name == GEAR_NUMBER else (one.x, one.y)
+        pen.plot(*line, title=f"{one.name} {name}".strip(), **one.look)
         alone = _alone(one.y)
         look = {"color": style.ink, "marker": "o", "markersize": 2.5, "linestyle": ""}
         if alone.any():
@@ -196,6 +197,12 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
     if below:
         pen.name("bottom", below, 26)
     beside(pen, "right", _line_ends(curves))
+
+
+def _stepped(one: Curve) -> tuple[Floats, Floats]:
+    """A line that stays at each value up to the middle between two, as there is no gear 2.4."""
+    middles = np.repeat((one.x[1:] + one.x[:-1]) / 2, 2)
+    return np.concatenate([one.x[:1], middles, one.x[-1:]]), np.repeat(one.y, 2)
 
 
 def _alone(values: Floats) -> Booleans:

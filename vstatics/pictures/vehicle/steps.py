@@ -62,10 +62,14 @@ def draw(
     names = [style.text("gears"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
+    is_stacked = _narrowest(every) * wide < SIZE  # an upright number is so wide
+    if is_stacked:
+        left, wide = 2 * MARGIN, style.width - 4 * MARGIN
+    between = BETWEEN_LAWS + is_stacked * LINE_HEIGHT * SIZE
     numbers = [number(own.sign * ratio) for ratio in own.ratios]
     upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
     ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
-    low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + BETWEEN_LAWS) + ends
+    low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + between) + ends
     said = style.text("steps between gears")
     spread = style.text("spread")
     note = f"{spread} {number(own.ratios[0] / own.ratios[-1])}"
@@ -73,13 +77,25 @@ def draw(
     pen = headed(title(results.case, said), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
     _draw_gears(row, own, upright=upright)
-    _name_row(row, names[0])
+    if not is_stacked:  # else names of gears stand there
+        _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
-        below = low - ends - place * STEP_ROW_HEIGHT - (place - 1) * BETWEEN_LAWS
+        below = low - ends - place * STEP_ROW_HEIGHT - (place - 1 + is_stacked) * between
         row = pen.panel((left, below), (wide, STEP_ROW_HEIGHT), line)
         _draw_law(row, law)
-        _name_row(row, name)
+        _name_row(row, name, is_stacked=is_stacked)
     return [pen.figure]
+
+
+def _narrowest(every: Sequence[ForwardGears]) -> float:
+    """The narrowest of all cells, as a part of the line of ratios.
+
+    >>> round(_narrowest([ForwardGears("123", [4.0, 2.0, 1.0], 1.0)]), 3)
+    0.5
+    """
+    spread = max(one.ratios[0] for one in every) / min(one.ratios[-1] for one in every)
+    steps = [high / low for one in every for high, low in pairwise(one.ratios)]
+    return math.log(min(step for step in steps if step > 1)) / math.log(spread)
 
 
 def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
@@ -169,5 +185,9 @@ def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
     pen.text(left + wide / 2, pen.size[1] / 2, text, **look)
 
 
-def _name_row(pen: Pen, name: str) -> None:
+def _name_row(pen: Pen, name: str, *, is_stacked: bool = False) -> None:
+    """Left of a row, or above it where cells need the width."""
+    if is_stacked:
+        pen.text(0.0, pen.size[1] + 2, name, va="bottom")
+        return
     pen.text(-SIZE - MARGIN, pen.size[1] / 2, name, ha="right", va="center_baseline")

@@ -107,7 +107,11 @@
           const places = Object.keys(one.nodes).map((n) => [one.nodes[n], now.own[n]].map(({ position }) => ` ${number(position)},`));
           for (const title of element.querySelectorAll("title")) own.text(title, renumber(`${own.first(title)},`, places).slice(0, -1));
         }
-        else if (of === "pair") text(element, renumber(own.first(element.querySelector("text")), [[number(pairRatio(one, base)), number(pairRatio(one, told))]]));
+        else if (of === "pair") {
+          const ratio = (of) => { const some = Object.values(of); return some.at(-1).speed / some[0].speed; };
+          const change = isVaried(one, c) ? [ratio(one.nodes), ratio(now.own)] : [pairRatio(one, base), pairRatio(one, told)];
+          text(element, renumber(own.first(element.querySelector("text")), [change.map(number)]));
+        }
         else if (of === "carried") {
           const torques = names.map((name) => [base, told].map((each) => number(each[gear].first_torques[c.results.WFRI.rows.indexOf(name)])));
           titled(element, torques);

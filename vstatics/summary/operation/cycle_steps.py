@@ -23,6 +23,7 @@ from vstatics.summary.operation.shifting import (
 )
 from vstatics.summary.operation.trace import Trace
 from vstatics.summary.operation.traction import engine_alone
+from vstatics.tables.written_results import GEAR_NUMBER
 
 
 class GearChoice(NamedTuple):
@@ -135,7 +136,7 @@ class CycleSteps(NamedTuple):
         return {
             "time [s]": starts + self.trace.duration / 2,
             "speed [km/h]": 3.6 * self.trace.speed,
-            "gear number": np.add(self.gears, 1, dtype=np.float64),
+            GEAR_NUMBER: np.add(self.gears, 1, dtype=np.float64),
             "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
             "engine torque [N*m]": engine,
             "wheel force [N]": self.forces,

@@ -29,10 +29,10 @@ from tests.pictures.schemes.axes.boxes import (
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics.elements.drawing import drawing_of
 from vstatics.model.transmission import Transmission
-from vstatics.pictures import picture
+from vstatics.pictures import pages, picture
 from vstatics.pictures.schemes.axes.recognition import parallel_axes
 from vstatics.pictures.schemes.scheme import scheme_of
-from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
+from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 ROUNDED = 0.1
 """By how much two places may differ that SVG has with two decimals, and scaled. [pt]"""
@@ -480,3 +480,23 @@ def test_the_teeth_of_a_planet_stand_within_its_set() -> None:
     for ring, planet, sun in (("78", "23", "30"), ("58", "18", "22")):
         assert at[ring][1] > at[planet][1] > at[sun][1]
         assert at[ring][0] == pytest.approx(at[planet][0], abs=0.5)
+
+
+def test_many_axes_stand_on_one_page_and_a_ring_that_passes_a_shaft_crosses_it() -> None:
+    """Six rows in 240 mm; the ring of an internal pair is wider than its distance: through d."""
+    case = vstatics.loads(
+        "links: [a, b, c, d, e, f, g, h]\noutput: h\nelements:\n"
+        "  idl: {kind: idler, first: a, second: b, teeth: {first: 20, idler: 23, second: 41}}\n"
+        "  intp: {kind: internal_pair, first: b, second: c, teeth: {first: 20, second: 61}}\n"
+        "  blt: {kind: belt, first: c, second: d, diameters: {first: 100, second: 150}}\n"
+        "  chn: {kind: chain, first: d, second: e, teeth: {first: 19, second: 38}}\n"
+        "  bev: {kind: bevel_pair, first: e, second: f, teeth: {first: 13, second: 31}}\n"
+        "  dp: {kind: double_planet, sun: f, ring: housing, carrier: g,"
+        " teeth: {sun: 30, ring: 78, inner: 17, outer: 20}}\n"
+        "  st: {kind: stepped, sun: g, ring2: housing, carrier: h,"
+        " teeth: {sun: 24, ring2: 90, planet: 40, planet2: 26}}\n"
+        'gears: {"1": []}\n'
+    )
+    [svg] = pages(vstatics.solve(case), "stick", "svg", Style(height=PAGE_HEIGHT))
+    assert float(ET.fromstring(svg).attrib["viewBox"].split()[3]) <= PAGE_HEIGHT  # noqa: S314 - our own
+    assert b"1 crossing" in svg

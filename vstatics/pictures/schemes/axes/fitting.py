@@ -22,6 +22,8 @@ GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 """Between stations: the largest with which all fits into the width. [pt]"""
 PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
 """Sizes of all but letters: the largest with which all fits into the width."""
+HEAD_ROOM = 60.0
+"""For the head of a page; several axes stand on one. [pt]"""
 LETTERS = 12
 """Longer names are broken at blanks; where room is short, at all blanks."""
 
@@ -29,7 +31,7 @@ LETTERS = 12
 def placed(
     scheme: Scheme, axes: ParallelAxes, sections: Mapping[int, HalfSection], style: Style
 ) -> AxesPlaces:
-    """Where everything stands in the width of a page."""
+    """Where everything stands in the width of a page, and in its height if that is possible."""
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
     chosen = _chosen(scheme, axes, inner)
     if chosen is None:  # something would lead through a half-section
@@ -47,6 +49,8 @@ def placed(
             if part * max(found.xs) > style.width:
                 continue
             low, high = AxesLetters.of(found, scheme, style.width / part).extent(found)
+            if part * (high[1] - low[1]) > style.height - HEAD_ROOM and part > PARTS[-1]:
+                break
             if part * (high[0] - low[0]) <= style.width:
                 return found
     return found

@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.axes.fitting import placed
 from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
-from vstatics.pictures.schemes.axes.wires import crossings, link_lines
+from vstatics.pictures.schemes.axes.wires import crossings, link_lines, wheel_crossings
 from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
 from vstatics.pictures.schemes.coaxial.picture import crossings_told, order_told
 from vstatics.pictures.schemes.planetary import sections_of
@@ -67,6 +67,8 @@ def figures(
 def _remarks(found: AxesPlaces, style: Style) -> list[str]:
     """What the title says besides."""
     layouts = [one.layout for one in found.board.stations if one.layout is not None]
-    count = len(crossings(link_lines(found))) + sum(map(crossings_of, layouts))
+    lines = link_lines(found)
+    count = len(crossings(lines)) + wheel_crossings(found, lines)
+    count += sum(map(crossings_of, layouts))
     orders = [text for layout in layouts for text in order_told(layout, style)]
     return [*crossings_told(count, style), *dict.fromkeys(orders)]

@@ -119,6 +119,24 @@ def _brake_height(found: AxesPlaces, station: Station, device: int) -> float:
     )
 
 
+def wheel_crossings(found: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
+    """How often the free half of a wheel passes a link of another axis: rings are that large."""
+    count = 0
+    for number, station in enumerate(found.board.stations):
+        if station.kind != "pair":
+            continue
+        bell, off = found.board.bell(number, found.chosen.ways[number])
+        for place, radius in enumerate(found.board.radii[number][::2]):
+            axis = station.axes[place]
+            x = found.xs[number] + off * (bell == place)
+            low, high = sorted((found.y(axis, 0.0), found.y(axis, -radius)))
+            for link, own in lines.items():
+                (left, y), (right, _) = own.level
+                is_other = link not in station.links and found.axis_of(link) != axis
+                count += is_other and left < x < right and low < y < high
+    return count
+
+
 def crossings(lines: Mapping[int, LinkLines]) -> list[WireCrossing]:
     """Where the lines of one link pass those of another one."""
     return list(dict.fromkeys(_crossings(lines)))

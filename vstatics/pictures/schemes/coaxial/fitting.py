@@ -17,10 +17,19 @@ LEAST_HALF = 24.0
 """Half the height of the row of planets, at least. [pt]"""
 FEW_LETTERS = 5
 """In a narrow picture longer names are broken at blanks."""
-NAMED = (DEVICE_NAME_LETTERS, False), (FEW_LETTERS, False), (FEW_LETTERS, True)
-"""Letters of a line, and whether links have no names: what is tried, from wide to narrow."""
-MOST_NAMED = 3.0
-"""Links have names while lengths are shorter by so much, at most; else signs are not seen."""
+NAMED = (
+    (DEVICE_NAME_LETTERS, False, False),
+    (FEW_LETTERS, False, False),
+    (FEW_LETTERS, True, False),
+    (FEW_LETTERS, True, True),
+)
+"""Letters of a line, whether links have no names, and whether wheels have their teeth alone:
+what is tried, from wide to narrow."""
+MOST_NAMED = 2.5
+"""Links and wheels have names while lengths are shorter by so much, at most; else signs are not
+seen."""
+MOST_CLOSED = 4.0
+"""Lengths are shorter by so much, at most; what is wider then is wider than its page."""
 FITS, SLOW_FITS = 16, 5
 """Times that lines are closed up, at most; after so many by more each time."""
 LEAST_STEP = 1.01
@@ -57,8 +66,12 @@ def laid_out(
     bare = CoaxialLayout(
         own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered, named_beside=ends
     )
-    for line_letters, without in NAMED:
-        named = bare._replace(is_small=is_small or without, line_letters=line_letters)
+    for line_letters, without, has_teeth_alone in NAMED:
+        named = bare._replace(
+            is_small=is_small or without,
+            line_letters=line_letters,
+            has_teeth_alone=has_teeth_alone,
+        )
         layout = _closed_up(named, wide)
         if is_within(layout, wide) and layout.letters <= MOST_NAMED:
             break
@@ -68,13 +81,19 @@ def laid_out(
 def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
     """With lines as close as a width asks for."""
     letters = 1.0
+    sections = bare.own.sections.values()
+    has_rims = any(
+        rim in one.names for one in sections for col in one.columns for rim in col.rims.values()
+    )
+    most = MOST_NAMED if has_rims else MOST_CLOSED  # the teeth of a planet stand over its pin
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
-        if is_within(layout, wide):
+        if is_within(layout, wide) or letters >= most:
             break
         low, high = extent(layout)
         lack = (high[0] - low[0]) / (wide * letters)
         letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster where names fill it
+        letters = min(letters, most)
     return layout
 
 
@@ -110,7 +129,7 @@ def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
         half,
         frozenset(range(len(own.pairs))),
         named,
-        bare.letters * (1 + lines) / 2,
+        bare.letters * lines,
         any(section.names for section in own.sections.values()),
     )
     layout = bare._replace(places=heights_of(frame, needs))

@@ -12,6 +12,7 @@ from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import half_of
 from vstatics.pictures.sheet.labels import height, width
+from vstatics.pictures.sheet.words import teeth_alone
 
 
 class CoaxialLayout(NamedTuple):
@@ -27,6 +28,8 @@ class CoaxialLayout(NamedTuple):
     """Size of letters over lengths, where lines are drawn smaller and letters are not."""
     line_letters: int = DEVICE_NAME_LETTERS
     """Longer names are broken at blanks."""
+    has_teeth_alone: bool = False
+    """Whether wheels have their teeth without their names, where these have no room."""
     named_beside: frozenset[int] = frozenset()
     """Links whose names stand at arrows, not on bars."""
 
@@ -57,7 +60,10 @@ class CoaxialLayout(NamedTuple):
         section = self.own.sections[self.own.sets[up.index]]
         columns = list(section.columns)
         turned = columns[::-1] if up.is_turned else columns
-        return replace(section, columns=turned, letters=self.letters)
+        names = section.names
+        if self.has_teeth_alone:
+            names = {member: teeth_alone(name) for member, name in names.items()}
+        return replace(section, columns=turned, letters=self.letters, names=names)
 
     def device(self, up: Upright) -> int:
         """The place of a device in the scheme; -1 for what is none."""

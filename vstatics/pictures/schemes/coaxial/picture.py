@@ -51,7 +51,8 @@ class CoaxialSheet(NamedTuple):
             ]
             for is_before in (True, False)
         )
-        yield from (*before, CoaxialRow(extent(self.layout)), *behind)
+        least = 1 / self.layout.letters
+        yield from (*before, CoaxialRow(extent(self.layout), least=least), *behind)
 
 
 class CoaxialRow(NamedTuple):
@@ -60,11 +61,13 @@ class CoaxialRow(NamedTuple):
     ends: tuple[Point, Point]
     """Its lower left and its upper right corner."""
     chain: CoaxialChain | None = None
+    least: float = 0.0
+    """What lengths are drawn smaller by, at most: for the letters of a half-section."""
 
     def size(self, width: float) -> Point:
-        """On a page of a width: where there is more, lines close up."""
+        """On a page of a width: where there is more, lines close up, as far as they may."""
         (left, low), (right, high) = self.ends
-        part = min(1.0, width / (right - left))
+        part = min(1.0, max(width / (right - left), self.least))
         return part * (right - left), part * (high - low)
 
 
@@ -112,7 +115,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     name: str,
     note: str = "",
 ) -> Pen:
-    """A half-section with its head; it is no wider than a page, and its letters keep their size."""
+    """A half-section with its head; its letters keep their size, and signs one that is seen."""
     named = ", ".join([name, *sheet.remarks(style)])
     rows = list(sheet.rows(style.width))
     sizes = [row.size(style.width) for row in rows]
