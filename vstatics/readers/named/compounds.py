@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Protocol
 
 from vstatics.errors import ReadError, quoted, spoken
@@ -19,8 +19,6 @@ from vstatics.readers.named.nodes import (
     shown,
 )
 
-MOST_FOREIGN = 20
-"""So many keys without a known one are of another document."""
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 
@@ -50,7 +48,6 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
     A mistyped key is read as what was meant, so that one slip brings no others.
     """
     known = {key.name: key for key in keys}
-    _refuse_foreign(spots, spot, known)
     given: dict[str, Node] = {}
     meant: dict[str, Node] = {}
     for key, value in entries(spots, spot):
@@ -64,16 +61,6 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
     return meant | given
-
-
-def _refuse_foreign(spots: Spots, spot: Spot, known: Container[str]) -> None:
-    """End at a document of other matters, such as a list of users: its lines are nobody's slips."""
-    assert isinstance(spot.node, Mapping)  # noqa: S101 - for mypy
-    foreign = [key for key, _ in spot.node.entries if key.text not in known]
-    if spot.path or len(foreign) < MOST_FOREIGN or len(foreign) < len(spot.node.entries):
-        return
-    message = f"read {len(foreign)} keys, of which none is known; is it another document?"
-    spots.found.stop(message, foreign[0].line, foreign[0].column)
 
 
 def is_behind_comma(key: Scalar, value: Node) -> bool:

@@ -16,7 +16,7 @@ from vstatics.arguments import refusing
 from vstatics.errors import Path, Problem, ReadError
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Stream
-from vstatics.readers.kinds import kind_of
+from vstatics.readers.kinds import is_foreign, kind_of
 from vstatics.readers.named.csv_files import are_read
 from vstatics.readers.named.nodes import (
     Found,
@@ -236,11 +236,14 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
         raise document.no_case("files that a text names are not read: give the case itself")
     try:
         with open(name, "rb") as stream:  # noqa: PTH123
-            return stream.read(), name
+            data = stream.read()
     except OSError as error:
         if case:
             raise
         raise document.no_case(f"{name} can't be read: {error.strerror}") from None
+    if not case and is_foreign(data, name):  # nothing of it is told: it may be anybody's
+        raise document.no_case(f"{name} is no case: it has none of its keys")
+    return data, name
 
 
 @refusing()
