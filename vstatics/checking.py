@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 def check(
     source: str | os.PathLike[str] | readers.Stream, *, allow: Sequence[str] = ()
 ) -> list[Problem]:
-    """All problems, warnings and notes of a case or a scenario; a case is calculated for that.
+    r"""All problems, warnings and notes of a case or a scenario; a case is calculated for that.
 
     Parameters
     ----------
@@ -63,9 +63,9 @@ def check(
     Examples
     --------
     >>> import io
-    >>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2}}, gears: {1: []}}"
+    >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2}}\ngears: {1: []}"
     >>> [(one.id, one.severity, one.place.line) for one in check(io.StringIO(text))]
-    [('E191', 'error', 1)]
+    [('E191', 'error', 2)]
     """
     for why in filter(None, map(why_not_allowed, allow)):
         raise ValueError(why)
