@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import io
 import json
 import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -49,6 +51,61 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     assert vstatics.check(CASES / "scenarios/tarasik-set-upshift.yaml") == []
     with pytest.raises(OSError, match="nowhere"):
         vstatics.check("nowhere.yaml")
+
+
+def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
+    Path("box.yaml").write_text(TIED_UP, encoding="utf-8")
+    told, of_file = vstatics.check(io.StringIO(TIED_UP)), vstatics.check("box.yaml")
+    assert [one.id for one in told] == [one.id for one in of_file] != []
+    assert [(one.message, one.place and one.place[1:]) for one in told] == [
+        (one.message, one.place and one.place[1:]) for one in of_file
+    ]
+    run = "{case: box.yaml, duration: 1, start: {speeds: {1: 10}}}"
+    (refused,) = vstatics.check(io.StringIO(run))
+    assert (refused.id, "are not read" in refused.message) == ("E660", True)
+    with pytest.raises(vstatics.ReadError, match="E660"):
+        vstatics.load_scenario(io.StringIO(run))
+    Path("run.yaml").write_text(run, encoding="utf-8")
+    scenario = vstatics.load_scenario("run.yaml", case=io.StringIO(NEUTRAL))
+    assert scenario.case == vstatics.loads(NEUTRAL)
+    assert vstatics.load_scenario(io.StringIO(run), case="box.yaml").case == vstatics.load(
+        "box.yaml"
+    )
+
+
+def test_the_first_problem_of_a_case_that_cannot_be_is_an_error() -> None:
+    """Not a note on teeth that stand before it."""
+    text = (CASES / "allison-6speed.yaml").read_text(encoding="utf-8")
+    with pytest.raises(vstatics.ReadError) as told:
+        vstatics.loads(text.replace("[C1, C5]", "[C1, Q]"))
+    kinds = [one.severity for one in told.value.problems]
+    assert kinds == ["error", "note"]
+
+
+@pytest.mark.parametrize("line", ["user{}:*:::\n", "user{}:x:0:0::/home:/bin/sh\n"])
+def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
+    """A scenario may name any file as its case."""
+    Path("users").write_text("".join(map(line.format, range(300))), encoding="utf-8")
+    Path("run.yaml").write_text("{case: users, duration: 1}", encoding="utf-8")
+    (told,) = vstatics.check("run.yaml")
+    assert (told.id, told.message) == ("E660", "users is no case: it has none of its keys")
+    assert told.place is not None
+    assert told.place.file == "run.yaml"
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"gears": "abc"}, "`gears` is str 'abc', expected a sequence of a Gear"),
+        ({"name": 5}, "`name` is int 5, expected a text"),
+        ({"outputs": 3}, "`outputs` is int 3, expected a sequence of a whole number"),
+        ({"vehicle": 4}, "`vehicle` is int 4, expected a Vehicle"),
+        ({"shift_elements": [1]}, "expected a sequence of a ShiftElement"),
+    ],
+)
+def test_a_transmission_says_what_it_takes(changes: dict[str, Any], why: str) -> None:
+    with pytest.raises(TypeError, match=re.escape(why)):
+        vstatics.loads(NEUTRAL).replace(**changes)
 
 
 def test_check_allows_as_the_command_does() -> None:

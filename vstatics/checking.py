@@ -34,13 +34,16 @@ if TYPE_CHECKING:
 
 
 @refusing()
-def check(source: str | os.PathLike[str], *, allow: Sequence[str] = ()) -> list[Problem]:
-    """All problems, warnings and notes of a case or a scenario; a case is calculated for that.
+def check(
+    source: str | os.PathLike[str] | readers.Stream, *, allow: Sequence[str] = ()
+) -> list[Problem]:
+    r"""All problems, warnings and notes of a case or a scenario; a case is calculated for that.
 
     Parameters
     ----------
-    source : path-like
-        A deck, YAML, JSON or a workbook.
+    source : path-like or stream
+        A deck, YAML, JSON or a workbook; or something opened, such as ``io.StringIO(text)``. Files
+        that a stream without a name names are refused, so that a text of a stranger opens none.
     allow : sequence of str
         Ids of warnings and notes that are not told, besides those that the case allows.
 
@@ -59,18 +62,15 @@ def check(source: str | os.PathLike[str], *, allow: Sequence[str] = ()) -> list[
 
     Examples
     --------
-    >>> import tempfile
-    >>> with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
-    ...     _ = file.write("{links: 2, mechanisms: {D: {first: 1, second: 2}}, gears: {1: []}}")
-    ...     file.flush()
-    ...     [(one.id, one.severity, one.place.line) for one in check(file.name)]
-    [('E191', 'error', 1)]
+    >>> import io
+    >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2}}\ngears: {1: []}"
+    >>> [(one.id, one.severity, one.place.line) for one in check(io.StringIO(text))]
+    [('E191', 'error', 2)]
     """
     for why in filter(None, map(why_not_allowed, allow)):
         raise ValueError(why)
-    file = os.fspath(source)
-    with open(file, "rb") as opened:  # noqa: PTH123 (pathlib costs start-up time)
-        return not_allowed(problems_of(opened.read(), file), allow)
+    with readers.content(source) as (data, name):
+        return not_allowed(problems_of(data, name), allow)
 
 
 def problems_of(data: bytes, file: str) -> list[Problem]:

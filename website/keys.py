@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from vstatics.cli.schemas import schemas
+from vstatics.elements.kinds import KINDS
 from website.page import Page, anchor, code, escaped
 
 Schema = Mapping[str, Any]
@@ -18,13 +19,28 @@ def pages() -> Iterator[Page]:
     for name, title in FILES.items():
         schema = schemas()[name]
         lines = [f"# {title}", "", escaped(str(schema["description"])), ""]
+        of_kind = ""
         for path, key in keys(schema, name):
-            lines += [anchor(path), f"## {path.partition('.')[2]}", "", *_described(key, schema)]
+            own = path.partition(".")[2]
+            if "const" in key:
+                of_kind = f"{path}."
+                parent = own.removesuffix(f".{key['const']}")
+                lines += [anchor(path), f"## {parent} of kind: {key['const']}", "", *_of_kind(key)]
+                continue
+            if path.startswith(of_kind) and of_kind:
+                heading = f"### {of_kind.split('.')[-2]}: {path.removeprefix(of_kind)}"
+            else:
+                heading = f"## {own}"
+            lines += [anchor(path), heading, "", *_described(key, schema)]
         yield Page("reference", f"reference/keys/{name}", "\n".join(lines))
 
 
 def keys(schema: Schema, path: str) -> Iterator[tuple[str, Schema]]:
     """Each key with its path; those of the parts of a list or of named parts stand below it.
+
+    Where parts are of several kinds each kind has a path, `case.elements.worm`: with its name
+    (`const`), the keys that it needs, and where all of its keys are; what a former kind has as well
+    is there.
 
     >>> case = {"properties": {"gears": {"items": {"properties": {"name": {}}}}}}
     >>> [path for path, _ in keys(case, "case")]
@@ -32,8 +48,43 @@ def keys(schema: Schema, path: str) -> Iterator[tuple[str, Schema]]:
     """
     for name, key in schema.get("properties", {}).items():
         yield f"{path}.{name}", key
+        told = list[tuple[str, Schema, str]]()
         for part in _parts(key):
-            yield from keys(part, f"{path}.{name}")
+            kind = part["properties"].get("kind", {}).get("const")
+            if kind is None:
+                yield from keys(part, f"{path}.{name}")
+            else:
+                yield from _keys_of_kind(part, f"{path}.{name}.{kind}", kind, told)
+
+
+def _keys_of_kind(
+    part: Schema, path: str, kind: str, told: list[tuple[str, Schema, str]]
+) -> Iterator[tuple[str, Schema]]:
+    """A kind, and those of its keys that no former one has in the same way."""
+    own = {name: key for name, key in part["properties"].items() if name != "kind"}
+    places = {
+        name: next((at for *same, at in told if same == [name, key]), f"{path}.{name}")
+        for name, key in own.items()
+    }
+    yield path, {"const": kind, "required": part.get("required", []), "places": places}
+    new = {name: key for name, key in own.items() if places[name] == f"{path}.{name}"}
+    yield from keys({"properties": new}, path)
+    told += [(name, key, places[name]) for name, key in new.items()]
+
+
+def _of_kind(kind: Schema) -> Iterator[str]:
+    """What a kind is, and its keys: those that it needs, then the others."""
+    yield escaped(KINDS[kind["const"]].description)
+    yield ""
+    needed = [name for name in kind["places"] if name in kind["required"]]
+    for what, names in (
+        ("needs", needed),
+        ("may have", [one for one in kind["places"] if one not in needed]),
+    ):
+        if names:
+            links = (f'<a href="#{kind["places"][name]}"><code>{name}</code></a>' for name in names)
+            yield f"- {what}: {', '.join(links)}"
+    yield ""
 
 
 def _parts(key: Schema) -> Iterator[Schema]:
@@ -43,7 +94,8 @@ def _parts(key: Schema) -> Iterator[Schema]:
     while places:
         place = places.pop(0)
         if "properties" in place:
-            names = json.dumps(sorted(place["properties"]))
+            kind = place["properties"].get("kind", {}).get("const")
+            names = json.dumps([kind, sorted(place["properties"])])
             if names not in seen:
                 seen.add(names)
                 yield place

@@ -155,3 +155,14 @@ def test_a_case_that_several_scenarios_name_is_told_of_once() -> None:
 def test_paths_of_annotations_are_relative() -> None:
     said = vstatics("check", Path("neutral.yaml").absolute(), "-f", "github")
     assert said.out.startswith("::warning file=neutral.yaml,")
+
+
+@pytest.mark.parametrize("end", ["\n", "\0"])
+def test_a_list_of_files_is_checked_as_if_they_were_named(end: str) -> None:
+    """Those of a commit, say: `git diff --name-only -z`."""
+    listed = "".join(f"{name}{end}" for name in FILES).encode()
+    for form in ("text", "json", "junit"):
+        said = vstatics("check", "--files-from", "-", "-f", form, stdin=listed)
+        assert said == vstatics("check", *FILES, "-f", form)
+    none = vstatics("check", "--files-from", "-", "-f", "json", stdin=b"")
+    assert (none.status, none.out, none.err) == (0, "[]\n", "<stdin>: names no file\n")

@@ -149,6 +149,14 @@ def test_the_efficiency_of_pairs_in_a_row_is_their_product() -> None:
         np.testing.assert_allclose(efficiency_sensitivities(solve(case, coast=coast)), [[1, 1]])
 
 
+def test_a_long_train_without_losses_is_no_special_case() -> None:
+    """Each of its pairs has all of the power; one by one they took a minute and more."""
+    count = 150
+    pairs = [Mechanism(one, one + 1, 0, -1.1) for one in range(1, count)]
+    case = Transmission(count, [], pairs, [Gear()])
+    np.testing.assert_allclose(efficiency_sensitivities(solve(case)), 1, rtol=1e-9)
+
+
 def test_laws_and_a_load_of_0_leave_the_sensitivities_of_the_ratio() -> None:
     """A pair: i = u and ETA = eta (T - T_d)/T, both in proportion; none of ETA without a torque."""
     case = loads("""\

@@ -6,7 +6,7 @@ own matter. By `naming` its problems speak of arguments where those of the comma
 options.
 """
 
-from vstatics.arguments.decorators import naming, refusing
+from vstatics.arguments.decorators import naming, refuse_fields, refusing
 from vstatics.arguments.words import type_and_value
 
-__all__ = ["naming", "refusing", "type_and_value"]
+__all__ = ["naming", "refuse_fields", "refusing", "type_and_value"]

@@ -69,6 +69,19 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
     return decorated
 
 
+def refuse_fields(what: str, fields: object, **classes: str) -> None:
+    """Refuse the fields of a dataclass that are of other types than it declares.
+
+    Raises
+    ------
+    TypeError
+    """
+    for name, hint in hints(type(fields), classes).items():
+        given = getattr(fields, name)
+        if not fits(given, hint):
+            raise TypeError(f"{what}: `{name}` is {type_and_value(given)}, {expected(given, hint)}")
+
+
 def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
     """A decorator of functions that are a command, too: problems name arguments, not options.
 

@@ -6,6 +6,7 @@ import builtins
 import collections.abc
 import inspect
 import os
+import sys
 import typing
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from importlib import import_module
@@ -38,8 +39,12 @@ class _AnnotationNames(dict[str, Any]):
 
 
 def hints(function: Any, classes: Mapping[str, str]) -> dict[str, Any]:
-    """The types of a function's arguments, resolved when it is called for the first time."""
-    own = inspect.unwrap(function).__globals__
+    """The types of a function's arguments, or of a class's fields, resolved when it is called."""
+    own = (
+        vars(sys.modules[function.__module__])
+        if isinstance(function, type)
+        else inspect.unwrap(function).__globals__
+    )
     found = typing.get_type_hints(function, own, _AnnotationNames(own, classes))
     return {name: hint for name, hint in found.items() if name != "return"}
 

@@ -29,6 +29,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED, WRONG_USE, stopped_by
 from vstatics.cli.frame.lazy_group import LazyGroup
 from vstatics.errors import ReadError, printable
 from vstatics.extras import __version__, build
+from vstatics.jobs.files import unwritable
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 
 click.UsageError.exit_code = WRONG_USE
@@ -68,9 +69,13 @@ class Commands(LazyGroup):
     modules = COMMANDS
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
-        """As click does; messages are safe to print."""
-        with _safely_told():
-            return super().make_context(*values, **named)
+        """As click does; messages are safe to print, and that of the version may fail."""
+        try:
+            with _safely_told():
+                return super().make_context(*values, **named)
+        except ReadError as error:
+            files.show(error.problems)
+            raise click.exceptions.Exit(FAILED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
         """Exit with the status of the command, also where it can't read or write or is stopped."""
@@ -177,7 +182,7 @@ def entry() -> None:
     except BrokenPipeError:  # the reader has seen enough
         code = FAILED
     except OSError as error:
-        files.say(f"vstatics: can't write to stdout: {error.strerror}")
+        files.show([unwritable(None, error)])
         code = FAILED
     with contextlib.suppress(OSError, AttributeError):
         sys.stderr.flush()

@@ -125,6 +125,7 @@ def _ids() -> list[str]:
 
 @click.command()
 @arguments.optional_argument
+@arguments.files_from
 @click.option(
     "--explain",
     metavar="ID",
@@ -143,6 +144,7 @@ def _ids() -> list[str]:
 @arguments.telling
 def check(
     cases: tuple[str, ...],
+    files_from: str | None,
     explain: str | None,
     output_format: str | None,
     output: str | None,
@@ -158,23 +160,25 @@ def check(
     no tables. As JSON, for
     editors and CI, the problems of all cases are one array on stdout; each has
     file, line, column, severity (error, warning, note), message and id. Formats github
-    (annotations), sarif and junit go to stdout as well.
+    (annotations), sarif and junit go to stdout as well: they, not text, are for -o.
 
     \b
     Examples:
       vstatics check gearbox.yaml
       vstatics check gearbox.yaml -f json | jq -r '.[].message'
       vstatics check cases/*.yaml -f github
+      git diff --name-only -z --diff-filter=d main | vstatics check --files-from -
       vstatics check --explain W201
 
     Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
     also if there is a warning; 2 wrong use.
     """
     wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
-    to = wanted.destination(cases)
+    has_case = bool(cases) or files_from is not None
+    names = arguments.named(cases, files_from) if explain is None else []
+    to = wanted.destination([*names, *filter(None, [files_from])])
     refuse(
-        (not cases and explain is None, "Missing argument 'CASE...'."),
-        (cases and explain is not None, "--explain takes no case"),
+        (has_case and explain is not None, "--explain takes no case"),
         (
             explain is not None and to.form not in ("text", "json"),
             f"--explain gives text or json, not {to.form}",
@@ -187,7 +191,7 @@ def check(
         return DONE
     as_text = to.form == "text"
     options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=not as_text))
-    text, failed = _told(cases, options) if as_text else _for_programs(cases, options, to.form)
+    text, failed = _told(names, options) if as_text else _for_programs(names, options, to.form)
     files.write_output(text, output)
     return FAILED if failed else DONE
 
@@ -210,7 +214,6 @@ def _calculated(
     cases: Sequence[str], options: CaseOptions
 ) -> Iterator[tuple[str, list[Problem], bool, Grid | None]]:
     """Of each file its name, its problems, whether it failed, and what it has."""
-    arguments.check_streams(cases)
     for file in cases:
         if file != files.STDIN and _is_scenario(file):
             yield check_scenario(file, options)

@@ -32,12 +32,7 @@ MANY = 100
 @click.command()
 @arguments.optional_argument
 @formats.options(*FORMATS, says="Format of the results")
-@click.option(
-    "--files-from",
-    type=click.Path(),
-    metavar="FILE",
-    help="More cases: one a line, # begins a comment; or ended by NUL; - is standard input.",
-)
+@arguments.files_from
 @click.option(
     "-j",
     "--jobs",
@@ -93,7 +88,7 @@ def run(
     Neutral, indeterminate, dragged and friction-locked gears are messages,
     not errors.
     """
-    names = _named(cases, files_from)
+    names = arguments.named(cases, files_from)
     several = len(names) > 1 or files_from is not None
     others = [] if files_from is None else [files_from]
     if pretty:
@@ -226,17 +221,3 @@ def _pretty(
     if made and not to_stdout:
         files.write_output("".join(made), to.output)
     return FAILED if failed else DONE
-
-
-def _named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
-    """All cases, of arguments and of the list."""
-    if files_from is None:
-        if not cases:
-            raise click.UsageError("Missing argument 'CASE...'.")
-        names = [*cases]
-    else:
-        if files_from == files.STDIN and files.STDIN in cases:
-            raise click.UsageError("standard input (-) is the list of cases, and no case")
-        names = [*cases, *files.read_names(files_from)]
-    arguments.check_streams(names)
-    return names

@@ -104,15 +104,15 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 
 
 @contextlib.contextmanager
-def replacing(path: str, mark: str = "") -> Iterator[Write]:
-    """Write beside a file, and move it into place when the block ends well.
+def replacing(path: str, mark: str = "", folder: str = "") -> Iterator[Write]:
+    """Write beside a file, or in a folder, and move it into place when the block ends well.
 
     An old file keeps its permissions; a link stays, and its file is written.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
     mode = _mode(path or os.curdir)
-    temporary, handle = _beside(path, mark)
+    temporary, handle = _beside(os.path.join(folder, "") or path, mark)  # noqa: PTH118
     try:
         with _writing(handle) as write:
             if mode is not None:
@@ -157,10 +157,10 @@ def set_aside(path: str) -> str:
     return ""
 
 
-def forget(folder: str, mark: str) -> None:
+def forget(folder: str, mark: str = "") -> None:
     """Remove files of a mark that were not finished; nobody may be writing one."""
     for name in os.listdir(folder):  # noqa: PTH208
-        if re.fullmatch(rf"{re.escape(PREFIX + mark)}-\d+-\d+", name):
+        if re.fullmatch(rf"{re.escape(_front(mark))}\d+-\d+", name):
             with contextlib.suppress(OSError):
                 os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118
 
@@ -170,9 +170,14 @@ def is_temporary(name: str) -> bool:
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names
 
 
+def _front(mark: str) -> str:
+    """How the names of files of a mark begin."""
+    return f"{PREFIX}{mark}-" if mark else PREFIX
+
+
 def _beside(path: str, mark: str) -> tuple[str, int]:
     """A new file in the same folder, with the permissions of the umask; its name and handle."""
-    front = f"{PREFIX}{mark}-{os.getpid()}-" if mark else f"{PREFIX}{os.getpid()}-"
+    front = f"{_front(mark)}{os.getpid()}-"
     for number in itertools.count():
         temporary = os.path.join(os.path.dirname(path), f"{front}{number}")  # noqa: PTH118, PTH120
         try:

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from typing import IO, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file, plural
-from vstatics.jobs.files import replace
+from vstatics.jobs.files import forget, replace
 from vstatics.jobs.finished_cases import (
     NO_RUN,
     Description,
@@ -126,6 +126,8 @@ class FinishedParts:
             If nothing can be written.
         """
         self._lock = lock(self.directory, LOCK, "run")
+        if self._lock is not None:
+            forget(self.directory)  # the output itself, of a run that was killed
         if not (resume or os.path.exists(self._over)):  # noqa: PTH110
             self._refuse()
         without = self._take() if resume else NO_RUN

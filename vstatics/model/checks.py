@@ -248,7 +248,8 @@ def _is_name(name: str) -> bool:
 
 def _ports(case: TransmissionFields) -> Iterator[Problem]:
     yield from of_link(case.input, ("input",), case.own_links, lowest=1)
-    yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
+    if case.output or not case.outputs:  # else it is the first of those
+        yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
     yield from _outputs(case)
     if case.input == case.main_output and not (_moves(case) and case.links == 1):
         yield Problem(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol, runtime_checkable
 
 from vstatics.errors import Problem, listed, nearest, typed_number
 from vstatics.model.bodies import Bodies, join
@@ -38,6 +38,7 @@ MOST_CYLINDERS = 48
 """Of an engine; orders of its speed go as far."""
 
 
+@runtime_checkable
 class AnyDrawing(Protocol):
     """What a case was drawn as, as far as the model knows: the room `elements` has the rest."""
 

@@ -381,6 +381,8 @@ def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
 class Load(NamedTuple):
     """What enters at the input link: with it there are results in rpm, N*m and kW.
 
+    Where it varies, arrays of ``load.speed`` are in rad/s: 2000 rpm are ``2000 * math.pi / 30``.
+
     Parameters
     ----------
     speed : float, optional

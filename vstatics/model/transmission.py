@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from itertools import count
 from typing import Any
 
+from vstatics.arguments import refuse_fields
 from vstatics.errors import CaseError, nearest, plural
 from vstatics.extras import higher
 from vstatics.model.checks import problems
@@ -36,6 +37,14 @@ __all__ = [
     "SpeedOf",
     "Transmission",
 ]
+
+_CLASSES = {
+    "ClutchDump": "vstatics.model.clutch_dump",
+    "Converter": "vstatics.model.converters",
+    "Fatigue": "vstatics.model.fatigue",
+    "Vehicle": "vstatics.model.vehicle",
+}
+"""The modules of parts that few cases have."""
 
 
 class Transmission(TransmissionFields):
@@ -212,6 +221,13 @@ class Transmission(TransmissionFields):
 
     def __post_init__(self) -> None:
         """Check everything, then fill in the defaults."""
+        try:
+            self._complete()
+        except (AttributeError, TypeError):
+            refuse_fields("Transmission", self, **_CLASSES)
+            raise
+
+    def _complete(self) -> None:
         if self.drawing is not None and self.drawing != self._lowered:
             self._follow(self.drawing)
         errors = list(problems(self))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator
 from typing import Any
 
@@ -32,11 +33,17 @@ def as_floats(name: str, given: object, hint: str = "") -> Floats:
     Traceback (most recent call last):
     vstatics.errors.CaseError: load.torque: read `['100 N*m']`, expected numbers [E701]
     """
-    try:
-        return np.asarray(given, dtype=np.float64)
-    except (TypeError, ValueError):
-        message = f"{name}: read {quoted(str(given))}, expected numbers{hint}"
-        raise CaseError("E701", message) from None
+    with contextlib.suppress(TypeError, ValueError):
+        if not _has_truths(given):
+            return np.asarray(given, dtype=np.float64)
+    raise CaseError("E701", f"{name}: read {quoted(str(given))}, expected numbers{hint}")
+
+
+def _has_truths(given: object) -> bool:
+    """Whether there is a True or False, which NumPy takes as 1 or 0."""
+    if isinstance(given, list | tuple):
+        return any(map(_has_truths, given))
+    return isinstance(given, bool) or getattr(given, "dtype", None) == np.bool_
 
 
 def first_largest(sizes: Floats) -> Integers:

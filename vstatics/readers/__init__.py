@@ -15,8 +15,8 @@ written as results.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from contextlib import nullcontext
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from importlib import import_module
 from os import PathLike, fspath
 from os.path import split, splitext
@@ -136,13 +136,33 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     >>> load(io.StringIO(text))
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
+    with content(source) as (data, name):
+        return read(data, name, format).case
+
+
+@contextmanager
+def content(source: str | PathLike[str] | Stream) -> Iterator[tuple[bytes, str]]:
+    """What a file or a stream holds, and its name, to read it in the block.
+
+    Files that the text of a stream without a name names are refused there: nobody knows whose
+    text it is.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be opened.
+    """
     if isinstance(source, str | PathLike):
         with open(source, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
-            return read(file.read(), fspath(source), format).case
+            data = file.read()
+        yield data, fspath(source)
+        return
     name = getattr(source, "name", "")
-    if name and isinstance(name, str):
-        return read(_encoded(source.read()), name, format).case
-    return loads(source.read(), format=format)
+    is_named = isinstance(name, str) and bool(name)
+    from vstatics.readers.named.csv_files import no_files
+
+    with nullcontext() if is_named else no_files():
+        yield _encoded(source.read()), name if is_named else "<text>"
 
 
 @refusing()

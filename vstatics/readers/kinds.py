@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from vstatics.errors import ReadError
@@ -20,6 +21,20 @@ def kind_of(root: Node) -> Kind | None:
     """What a document in YAML or JSON is."""
     keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
     return next((kind for kind, own in _KEYS.items() if not keys.isdisjoint(own.split())), None)
+
+
+def is_foreign(data: bytes, file: str) -> bool:
+    """Whether a file is a text of other matters, as no key of a case stands in it.
+
+    >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
+    (True, False)
+    """
+    from vstatics.readers import format_of
+
+    keys = rb"(?:^|[\s{,\"'])(?:%s)[\"']?\s*:" % _KEYS["case"].replace(" ", "|").encode()
+    if b"\0" in data or re.search(keys, data):  # a zero is of a wider encoding
+        return False
+    return format_of(file, data) not in ("deck", "xlsx")
 
 
 def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:

@@ -63,7 +63,7 @@ def finish(
     Raises
     ------
     ReadError
-        If there is any error, with all of them in the order of the text.
+        If there is any error: errors in the order of the text, then what is doubtful.
     """
     found = list(found)
     is_certain = certain(unreadable)
@@ -75,7 +75,7 @@ def finish(
         found += [locate(one) for one in doubts(case) if is_certain(one.path)]
     found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     if any(problem.severity == "error" for problem in found):
-        raise ReadError(found)
+        raise ReadError(sorted(found, key=lambda problem: problem.severity != "error"))
     return Reading(case, not_allowed(found, case.untold), locate)
 
 

@@ -48,8 +48,9 @@ def solve(  # noqa: PLR0913
         Convention for idle mechanisms; the case's own when not given.
     vary : mapping of str to array_like, optional
         Other numbers by their paths, such as `load.torque`, `gears.low.speeds.motor` or
-        `P1.teeth.sun`; see `vstatics.statics.points`. In rad/s and N*m, without units for
-        ratios and efficiencies. Arrays go together, on one axis.
+        `P1.teeth.sun`; see `vstatics.statics.points`. In rad/s (also `load.speed`, where `Load`
+        has rpm) and N*m, without units for ratios and efficiencies. Arrays go together, on one
+        axis.
 
     Returns
     -------

@@ -77,6 +77,9 @@ def _of_speeds(state: GearState) -> list[float]:
 
 EFFICIENCY_DIFFERENCE = 1e-3
 """Of an efficiency, as a part of it: differences of fourth order then have ten digits."""
+NEARLY_LOSSLESS = 1 - 1e-13
+"""In place of 1, which is a special case: variants with it, each of a structure of its own, would
+be calculated one by one."""
 NO_DIFFERENCE = 1e-10
 """What is less is rounding of the differences. [-]"""
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
@@ -135,7 +138,7 @@ def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
 
 def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) -> Floats:
     """``n dETA/dn`` of other mechanisms in a case, (mechanisms, gears)."""
-    own = np.array([one.efficiency for one in mechanisms])
+    own = np.minimum([one.efficiency for one in mechanisms], NEARLY_LOSSLESS)
     count, steps = len(own), len(BACKWARD)
     efficiencies = np.tile(own, (count, steps, 1))
     lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)

@@ -60,7 +60,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
         elastic or heavy: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
         ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques
-        and powers are in rad/s, N*m and W, of a scenario too; of ``"load.speed [rpm]"`` in rpm.
+        and powers are in rad/s, N*m and W, of a scenario too, although `Load` has rpm; of
+        ``"load.speed [rpm]"`` they are in rpm.
     zip : bool
         Take the values in parallel, in place of a grid.
     sample : int, optional

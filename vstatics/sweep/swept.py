@@ -86,7 +86,8 @@ class Sweep(Iterator[Chunk]):
         -------
         DataFrame
             A row per variant, or per gear of one; the index is the number of the variant from 0.
-            Columns as in a file: varied numbers, `status`, what was asked for. [-]
+            Columns as in a file: varied numbers, `status`, what was asked for; what they are in
+            says `attrs["units"]`: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in rpm. [-]
 
         Raises
         ------
@@ -102,7 +103,9 @@ class Sweep(Iterator[Chunk]):
         {1: 4.0}
         """
         require("pandas", "to_dataframe")
-        return self._rows("a table").to_dataframe()
+        frame = self._rows("a table").to_dataframe()
+        frame.attrs["units"] = units_of(self.plan)
+        return frame
 
     def to_xarray(self) -> xr.Dataset:
         """All variants as a dataset of xarray.

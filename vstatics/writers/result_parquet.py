@@ -34,7 +34,8 @@ def rows(file: str, results: Results) -> bytes:
                 (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
                 for column in table.columns
             ]
-    columns = [[file] * len(places), *map(list, zip(*places, strict=True))]
+    name = file.encode(errors="backslashreplace").decode()  # it need not be UTF-8
+    columns = [[name] * len(places), *map(list, zip(*places, strict=True))]
     coded = [pa.array(column, pa.string()).dictionary_encode() for column in columns]
     numbers = pa.array(np.concatenate(values), from_pandas=True)
     batch = pa.record_batch([*coded, numbers], names=[*NAMES, "value"])

@@ -7,6 +7,8 @@ import io
 import json
 import os
 import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -44,6 +46,18 @@ def test_patterns_are_expanded_in_order() -> None:
     assert (missing.status, "no file matches `drawer/*.yaml`" in missing.err) == (2, True)
     Path("odd[1].dat").write_bytes(MZKT.read_bytes())
     assert vstatics("run", "odd[1].dat", "-f", "json").status == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a right there")
+def test_a_link_back_up_is_no_way_to_more_files() -> None:
+    """As in shells: a link that is named is a folder as any."""
+    Path("drawer/up").symlink_to("..")
+    Path("linked").symlink_to("drawer")
+    linked = tuple(name.replace("drawer", "linked") for name in NAMES)
+    for pattern, found in (("**/*.dat", NAMES), ("linked/**/*.dat", linked)):
+        said = vstatics("run", pattern, "-q", "-f", "csv")
+        cases = dict.fromkeys(row["case"] for row in csv.DictReader(io.StringIO(said.out)))
+        assert tuple(filter(None, cases)) == found
 
 
 def test_files_of_one_name_are_told_with_their_folders() -> None:
@@ -129,6 +143,22 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     assert not Path(f"all.{form}.parts").exists()
 
 
+@pytest.mark.skipif(os.name == "nt", reason="there are no limits of files")
+def test_a_disk_that_is_full_at_the_parts_is_told_of_them() -> None:
+    import resource
+
+    def full() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
+
+    cases = ["drawer/a.dat"] * 4
+    line = [sys.executable, "-m", "vstatics", "run", *cases, "-o", "all.jsonl", "-q"]
+    done = subprocess.run(line, preexec_fn=full, capture_output=True, text=True, check=False)
+    told, last = done.stderr.splitlines()
+    assert (done.returncode, Path("all.jsonl").exists()) == (1, False)
+    assert told.endswith("all.jsonl.parts/parts: error: can't be written: File too large [E030]")
+    assert last.endswith("all.jsonl was not written; the same command with --resume goes on")
+
+
 def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
     """And it may be begun anew, since it was not stopped."""
     cases = ("drawer/a.dat", "bad.yaml", "neutral.yaml")
@@ -139,6 +169,7 @@ def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
             "all.jsonl.parts keeps the others: the same command with --resume calculates what "
             "failed or is changed",
         )
+    Path("all.jsonl.parts/.vstatics-7-0").touch()  # the output, of a run that was killed
     Path("bad.yaml").write_text(NEUTRAL, encoding="utf-8")
     said = vstatics("run", *cases, "-o", "all.jsonl", "--resume")
     assert (said.status, said.err.splitlines()[-1]) == (
@@ -190,7 +221,8 @@ def test_a_table_of_nothing_has_its_headings() -> None:
 
 
 def test_a_file_that_a_pattern_finds_is_there_once() -> None:
-    named = ["./drawer/deep/c.dat", "drawer/deep/?.dat", "drawer/**/*.dat", "drawer/a.dat"]
+    again = f"../{Path.cwd().name}/drawer/a.dat"
+    named = ["./drawer/deep/c.dat", "drawer/deep/?.dat", "drawer/**/*.dat", "drawer/a.dat", again]
     said = vstatics("run", *named, "-q", "-f", "csv")
     cases = dict.fromkeys(row["case"] for row in csv.DictReader(io.StringIO(said.out)))
     assert [*filter(None, cases)] == ["./drawer/deep/c.dat", "drawer/deep/b.dat", "drawer/a.dat"]

@@ -43,6 +43,12 @@ argument, optional_argument = (
     for required in (True, False)
 )
 """Cases of a command, and of one that may do without; patterns among them are expanded."""
+files_from = click.option(
+    "--files-from",
+    type=click.Path(),
+    metavar="FILE",
+    help="More cases: one a line, # begins a comment; or ended by NUL; - is standard input.",
+)
 input_format = click.option(
     "--from",
     "input_format",
@@ -246,6 +252,28 @@ def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> N
     """Print problems of a file on stderr, and that it fails by what is not printed."""
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
+
+
+def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
+    """All cases, of arguments and of the list.
+
+    Raises
+    ------
+    UsageError
+        If there is none, or standard input is to be two things.
+    ReadError
+        If the list can't be read.
+    """
+    if files_from is None:
+        if not cases:
+            raise click.UsageError("Missing argument 'CASE...'.")
+        names = [*cases]
+    else:
+        if files_from == files.STDIN and files.STDIN in cases:
+            raise click.UsageError("standard input (-) is the list of cases, and no case")
+        names = [*cases, *files.read_names(files_from)]
+    check_streams(names)
+    return names
 
 
 def check_streams(cases: Sequence[str]) -> None:

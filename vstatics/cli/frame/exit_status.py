@@ -4,7 +4,7 @@ from __future__ import annotations
 
 DONE = 0
 FAILED = 1
-"""A case is in error, or a gear of it can't be; an output could not be written."""
+"""A case is in error, or a gear of it can't be; an output was not written to its end."""
 WRONG_USE = 2
 """Of the command line; `cli` tells click to leave with it."""
 EMPTY = 3

@@ -224,8 +224,10 @@ def write_coloured(text: str) -> None:
 
 
 @contextlib.contextmanager
-def stream(output: str | None, *, coloured: bool = False) -> Iterator[Write]:
+def stream(output: str | None, *, coloured: bool = False, folder: str = "") -> Iterator[Write]:
     """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
+
+    Until then it is in a folder; in its own, if none is given.
 
     Raises
     ------
@@ -236,7 +238,7 @@ def stream(output: str | None, *, coloured: bool = False) -> Iterator[Write]:
         if output is None or output == STDOUT:
             yield partial(_print, coloured=coloured)
         else:
-            with opened(output) if is_stream(output) else replacing(output) as write:
+            with opened(output) if is_stream(output) else replacing(output, folder=folder) as write:
                 yield write
     except BrokenPipeError:
         raise  # the reader has seen enough; click ends quietly

@@ -19,7 +19,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.errors import ReadError, listed, plural
 from vstatics.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.jobs.finished_cases import FinishedCases
-from vstatics.jobs.finished_parts import FinishedParts
+from vstatics.jobs.finished_parts import CaseMark, FinishedParts
 from vstatics.jobs.finished_pieces import SUFFIX
 from vstatics.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.jobs.workers import workers
@@ -188,7 +188,8 @@ def to_stream(
         count = _Count(len(cases), sum(file in done for file in cases))
         todo = [CaseTask(file) for file in cases if file not in done]
         stop = stack.enter_context(_until_stopped(count, kept))
-        write = stack.enter_context(files.stream(output))
+        folder = "" if parts is None else parts.directory
+        write = stack.enter_context(files.stream(output, folder=folder))
         results = stack.enter_context(_results(job, todo, jobs))
         to_stdout = output in (None, STDOUT)
         made = _follow(count, results, stop, telling, beside_stdout=to_stdout, parts=parts)
@@ -257,11 +258,20 @@ def _follow(
             if done.stop:
                 raise _HaltedError
             if parts is not None and done.mark is not None and isinstance(done.part, bytes):
-                parts.put(done.file, done.mark, done.part)
+                _put(parts, done.file, done.mark, done.part)
             yield done.part
             count.add(done)
             advance(1)
             stop.check()
+
+
+def _put(parts: FinishedParts, file: str, mark: CaseMark, part: bytes) -> None:
+    """Keep a part; where the disk is full the run is over."""
+    try:
+        parts.put(file, mark, part)
+    except OSError as error:
+        files.show([unwritable(parts.path, error)])
+        raise _HaltedError from None
 
 
 @contextmanager

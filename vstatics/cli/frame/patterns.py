@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import click
 
@@ -14,7 +14,7 @@ WILDCARDS, SIGNS = "*?", "*?["
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """The files of names and patterns; `**` stands for any folders.
+    """The files of names and patterns; `**` stands for any folders, not through links.
 
     A file is there once, however many patterns find it, and whoever names it besides.
 
@@ -32,16 +32,31 @@ def expanded(names: Iterable[str]) -> list[str]:
     by_pattern = set[str]()
     for name in names:
         if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
-            found += [name] * (os.path.normpath(name) not in by_pattern)
+            found += [name] * (os.path.abspath(name) not in by_pattern)  # noqa: PTH100
             continue
-        from glob import glob  # costs start-up time
-
-        files = sorted(one for one in glob(name, recursive=True) if not os.path.isdir(one))  # noqa: PTH112, PTH207
+        files = sorted({one for one in _matching(name) if not os.path.isdir(one)})  # noqa: PTH112
         if not files and not any(sign in name for sign in WILDCARDS):
             files = [name]
         if not files:
             raise click.UsageError(f"no file matches {quoted(name)}")
-        there = {*map(os.path.normpath, found)}
-        found += [one for one in files if os.path.normpath(one) not in there]
-        by_pattern.update(map(os.path.normpath, files))
+        there = {*map(os.path.abspath, found)}
+        found += [one for one in files if os.path.abspath(one) not in there]  # noqa: PTH100
+        by_pattern.update(map(os.path.abspath, files))
     return found
+
+
+def _matching(pattern: str) -> Iterator[str]:
+    """What a pattern finds; `glob` itself follows links, round a loop without end."""
+    from glob import escape, glob  # costs start-up time
+
+    parts = pattern.replace(os.sep, "/").split("/")
+    if "**" not in parts:
+        yield from glob(pattern)  # noqa: PTH207
+        return
+    place = parts.index("**")
+    above, below = "/".join([*parts[:place], ""]), "/".join(parts[place + 1 :]) or "*"
+    for top in glob(above) if above else [""]:  # noqa: PTH207
+        for folder, folders, _ in os.walk(top or os.curdir):
+            folders[:] = [one for one in folders if not one.startswith(".")]
+            path = os.path.join(folder if top else folder[2:], "")  # noqa: PTH118
+            yield from _matching(escape(path) + below)

@@ -50,6 +50,11 @@ def no_files() -> Iterator[None]:
         _ARE_READ.reset(token)
 
 
+def are_read() -> bool:
+    """Whether files that a text names are read."""
+    return _ARE_READ.get()
+
+
 def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
     """Lines that are not empty, each with its number.
 
@@ -65,7 +70,7 @@ def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
     ValueError
         With what was expected.
     """
-    if not _ARE_READ.get():
+    if not are_read():
         hint = "`loads` reads files beside its `name`, if that has a folder"
         raise ValueError(f"expected the points themselves: a text has no folder; {hint}")
     noted = _NOTED.get()

@@ -11,10 +11,13 @@ from collections.abc import Mapping as AnyMapping
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from vstatics import readers
 from vstatics.arguments import refusing
 from vstatics.errors import Path, Problem, ReadError
 from vstatics.model.transmission import Transmission
-from vstatics.readers.kinds import kind_of
+from vstatics.readers import Stream
+from vstatics.readers.kinds import is_foreign, kind_of
+from vstatics.readers.named.csv_files import are_read
 from vstatics.readers.named.nodes import (
     Found,
     Mapping,
@@ -37,6 +40,7 @@ from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.values import ScenarioValues
 from vstatics.simulation.scenario.words import name_problems, vocabulary
 
+FileOrStream = str | os.PathLike[str] | Stream
 EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
 _OTHERS = {
     "case": f"this is a case, expected {EXPECTED}",
@@ -190,13 +194,13 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     return ScenarioDocument(root, found)
 
 
-def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:
+def load_scenario_file(source: FileOrStream, case: FileOrStream | None = None) -> ScenarioFile:
     """Read the file of a scenario and that of its case.
 
     Parameters
     ----------
-    file : str
-    case : str, optional
+    source : path-like or stream
+    case : path-like or stream, optional
         A case in place of that which the scenario names.
 
     Raises
@@ -206,11 +210,13 @@ def load_scenario_file(file: str, case: str | None = None) -> ScenarioFile:
     OSError
         If the scenario, or a case that is given, cannot be opened.
     """
-    from vstatics import readers
-
-    with open(file, "rb") as stream:  # noqa: PTH123
-        document = read_scenario(stream.read(), file)
-    return document.with_case(readers.read(*case_bytes(document, case)))
+    given = None
+    if case is not None:
+        with readers.content(case) as (data, name):
+            given = readers.read(data, name)
+    with readers.content(source) as (data, name):
+        document = read_scenario(data, name)
+        return document.with_case(given or readers.read(*case_bytes(document)))
 
 
 def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[bytes, str]:
@@ -226,25 +232,30 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
     name = case or document.case_file
     if not name:
         raise document.no_case("`case` is missing: the file of the case")
+    if not (case or are_read()):
+        raise document.no_case("files that a text names are not read: give the case itself")
     try:
         with open(name, "rb") as stream:  # noqa: PTH123
-            return stream.read(), name
+            data = stream.read()
     except OSError as error:
         if case:
             raise
         raise document.no_case(f"{name} can't be read: {error.strerror}") from None
+    if not case and is_foreign(data, name):  # nothing of it is told: it may be anybody's
+        raise document.no_case(f"{name} is no case: it has none of its keys")
+    return data, name
 
 
 @refusing()
-def load_scenario(
-    source: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
-) -> Scenario:
+def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Scenario:
     """Read a scenario in YAML or JSON, and its case.
 
     Parameters
     ----------
-    source : path-like
-    case : path-like, optional
+    source : path-like or stream
+        A file, whose `case` and tables are files of their own and opened wherever they are; or
+        something opened. Of a stream without a name no file is opened: give the case.
+    case : path-like or stream, optional
         A case in place of that which the scenario names.
 
     Returns
@@ -271,7 +282,7 @@ def load_scenario(
     ...     load_scenario(Path(folder, "run.yaml")).duration
     2.0
     """
-    return load_scenario_file(os.fspath(source), None if case is None else os.fspath(case)).scenario
+    return load_scenario_file(source, case).scenario
 
 
 def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
