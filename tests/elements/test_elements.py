@@ -313,7 +313,7 @@ def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
 
 def test_drag_below_0_is_told_as_it_was_read() -> None:
     text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
-    *_, told = problems(text + "load: {torque: -100 N*m}\n")
+    told, *_ = problems(text + "load: {torque: -100 N*m}\n")
     assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
 
 

@@ -79,7 +79,7 @@ def torque_of_pump(converter: Mechanism, speed_ratio: float, speed: float) -> fl
     --------
     >>> from vstatics import Mechanism
     >>> points = ((0, 2, 0.01), (1, 1, 0.0))
-    >>> torque_of_pump(Mechanism(1, 2, kind="converter", points=points), 0.5, -100.0)
+    >>> torque_of_pump(Mechanism(1, 2, 0, 0.5, kind="converter", points=points), 0.5, -100.0)
     -50.0
     """
     by_ratio, _, factors = np.transpose(converter.points)

@@ -159,7 +159,7 @@ def plain_data(value: Any) -> Any:
 
     >>> from vstatics.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
-    {'load': {'speed': 2000.0, 'torque': None}, 'steps': [1.5, None], \
+    {'load': {'speed': 2000.0, 'torque': None, 'power': None}, 'steps': [1.5, None], \
 'root': {'real': 1.0, 'imag': -2.0}}
     """
     if isinstance(value, float):

@@ -184,7 +184,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     >>> from vstatics.model.keys import LOAD
     >>> load, spots = read_document(b"torque: 200 N*m", "load.yaml", LOAD, "a load")
     >>> load, spots.place(("torque",)).column
-    (Load(speed=None, torque=200.0), 9)
+    (Load(speed=None, torque=200.0, power=None), 9)
     """
     found = decode(data, file, expected)
     root = _mapping(_tree(found, "yaml"), found, expected)

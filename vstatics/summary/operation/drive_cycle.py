@@ -78,6 +78,7 @@ def drive(
     1000 kg from rest to 10 m/s in 10 s through a pair of .8: 50 kJ at the wheels.
 
     >>> from vstatics import Gear, Mechanism
+    >>> from vstatics.model.vehicle import Vehicle
     >>> from vstatics.summary.operation.trace import read_trace
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
     ...                     vehicle=Vehicle(1000, 0.5))
