@@ -91,6 +91,7 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     assert (told.id, told.message) == ("E660", "users is no case: it has none of its keys")
     assert told.place is not None
     assert told.place.file == "run.yaml"
+    assert "user1" not in commands.vstatics("simulate", "run.yaml").err
 
 
 @pytest.mark.parametrize(

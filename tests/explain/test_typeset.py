@@ -128,3 +128,18 @@ def test_what_a_symbol_stands_for_is_told_in_the_language(lang: str, said: str, 
     [told] = [line for line in made.splitlines() if "k1" in line and "rear:" in line]
     assert said in told
     assert "sun" not in told
+
+
+def test_tables_wider_or_longer_than_a_page_go_on_in_others_that_name_their_rows() -> None:
+    """Seen in print: a matrix 320 pt too wide, and rows below the foot of the page."""
+    name = str(CASES / "driveline-8hp70.yaml")
+    made = vstatics("explain", name, "--gear", "1", "-f", "latex").out
+    found: dict[str, list[list[str]]] = {}
+    for title, body in re.findall(r"\\textbf\{([^}]*)\}.*?\\hline\n(.*?)\\end", made, re.DOTALL):
+        rows = [line for line in body.splitlines() if line != r"\hline"]
+        assert len(rows) <= 1 + 28
+        found.setdefault(title, []).append(rows)
+    wide = next(parts for title, parts in found.items() if "matrix" in title.lower())
+    assert len(wide) > 1
+    names = [[row.split(" & ")[0] for row in part[1:]] for part in wide]
+    assert names == [names[0]] * len(names)

@@ -18,6 +18,7 @@ SECTIONS = {
     "efficiency": "Efficiency",
     "plan": "Kinematic plan",
     "vehicle": "Vehicle",
+    "duty": "Duty cycle",
     "vibration": "Vibration",
     "largest": "Largest values",
     "shifts": "Shifts",
@@ -26,7 +27,9 @@ SECTIONS = {
     "conventions": "Conventions",
 }
 """The sections of a page by the words that choose them, in their order."""
-PRINTED = (*("overview", "run", "gears", "flow", "efficiency", "vehicle", "vibration", "largest"),)
+PRINTED = (
+    *("overview", "run", "gears", "flow", "efficiency", "vehicle", "duty", "vibration", "largest"),
+)
 """Those that are printed where nobody asks for others."""
 
 

@@ -62,6 +62,8 @@ SHIFTS = ("transitions", "margins", "margins by gear")
 """Tables that are about what shifts, and what it can carry."""
 VEHICLE = ("vehicle gears", "vehicle")
 """Tables of what a vehicle does."""
+DUTY = ("duty", "duty members", "damage")
+"""Tables of a duty cycle."""
 
 
 def sections(material: Material) -> Iterator[Part]:
@@ -83,6 +85,7 @@ def sections(material: Material) -> Iterator[Part]:
             if kind in pictures and not (kind == "plan" and _has_run_plan(material))
         },
         "vehicle": _vehicle(material, others),
+        "duty": tables(one for one in others if one.key in DUTY),
         "vibration": (
             shown_vibration(material.vibration, material.digits, has_marks=material.has_marks)
             if material.vibration
@@ -264,7 +267,14 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (one.with_digits(material.digits) for one in results)
-    elsewhere = {SPREAD, *SHIFTS, *VEHICLE, *LARGEST, *(f"{one}{WITH_LOAD}" for one in LARGEST)}
+    elsewhere = {
+        SPREAD,
+        *SHIFTS,
+        *VEHICLE,
+        *DUTY,
+        *LARGEST,
+        *(f"{one}{WITH_LOAD}" for one in LARGEST),
+    }
     if not _has_further_ports(material):
         elsewhere.add(PORTS)
     told = (one for one in summary if one.key not in elsewhere)

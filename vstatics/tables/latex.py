@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Iterator, Sequence
-from itertools import groupby, starmap
+from itertools import chain, groupby, starmap
 
 from vstatics.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
@@ -49,7 +49,8 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
             items = (rf"\item {grid.prose}" for grid in some)
             parts.append("\n".join([r"\begin{itemize}", *items, r"\end{itemize}"]))
         else:
-            parts += ["\n".join(_lines(grid)) for grid in some]
+            pages = chain.from_iterable(_pages(grid.spoken) for grid in some)
+            parts += ["\n".join(_lines(grid)) for grid in pages]
     return "\n\n\\medskip\n".join(parts) + "\n"
 
 
@@ -62,21 +63,52 @@ def escaped(text: str) -> str:
     return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text).replace("--", "-{}-")
 
 
-PAGE, SMALL_PAGE = 66, 92
+PAGE, SMALL_PAGE = 66, 86
 """Signs that fit beside one another, and in small type."""
 SHORT, ENOUGH = 20, 24
 """Signs of a column of words that is not broken, and of a broken one in usual type."""
 
 
+MOST_ROWS = 28
+"""Of a page."""
+
+
+def _pages(grid: Grid) -> Iterator[Grid]:
+    """A table in parts that fit a page: some of the rows, and of the columns behind the first."""
+    if not grid.rows:
+        yield grid
+        return
+    lengths = _lengths(grid)
+    widths = [
+        length if column.is_number else min(length, ENOUGH)
+        for length, column in zip(lengths, grid.columns, strict=True)
+    ]
+    groups, room = [[0]], SMALL_PAGE - widths[0]
+    for place, width in enumerate(widths[1:], 1):
+        if width > room and groups[-1][1:]:
+            groups.append([0])
+            room = SMALL_PAGE - widths[0]
+        groups[-1].append(place)
+        room -= width
+    for start in range(0, len(grid.rows), MOST_ROWS):
+        rows = grid._replace(rows=grid.rows[start : start + MOST_ROWS])
+        yield from map(rows.with_columns, groups)
+
+
+def _lengths(grid: Grid) -> list[int]:
+    """Signs of each column, with the room beside it."""
+    return [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
+
+
 def _lines(grid: Grid) -> Iterator[str]:
-    grid = grid.spoken
     title = rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
     if not grid.rows:
         yield title
         return
     yield rf"{title}\nobreak\smallskip"
-    lengths = [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
-    is_wide = sum(lengths) > PAGE
+    lengths = _lengths(grid)
+    heads = [len(one.heading) + 2 for one in grid.columns]
+    is_wide = sum(map(max, lengths, heads)) > PAGE
     page, broken = _broken(grid, lengths) if is_wide else (PAGE, {})
     is_small = page > PAGE
     alignment = "".join(

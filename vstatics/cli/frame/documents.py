@@ -135,9 +135,12 @@ def case_of(
     if file in texts:
         return texts[file], file
     try:
-        return files.read_input(file)
+        data, name = files.read_input(file)
     except ReadError as error:
         if case:
             raise
         why = f"{file} {error.problems[0].message}"
         raise document.no_case(why) from None
+    if not case:
+        document.refuse_foreign(data, name)
+    return data, name

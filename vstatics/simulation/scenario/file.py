@@ -96,6 +96,17 @@ class ScenarioDocument(NamedTuple):
         place = self.found.source.place(node.line, node.column)
         return ReadError([Problem("E660", why, ("case",), place)])
 
+    def refuse_foreign(self, data: bytes, name: str) -> None:
+        """Refuse what the file it names holds if that is no case; it may be anybody's.
+
+        Raises
+        ------
+        ReadError
+            That tells nothing of the file.
+        """
+        if is_foreign(data, name):
+            raise self.no_case(f"{name} is no case: it has none of its keys")
+
     def with_case(self, reading: Reading) -> ScenarioFile:
         """The scenario of a case.
 
@@ -241,8 +252,8 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
         if case:
             raise
         raise document.no_case(f"{name} can't be read: {error.strerror}") from None
-    if not case and is_foreign(data, name):  # nothing of it is told: it may be anybody's
-        raise document.no_case(f"{name} is no case: it has none of its keys")
+    if not case:
+        document.refuse_foreign(data, name)
     return data, name
 
 
