@@ -172,6 +172,9 @@ def test_what_a_sweep_wrote_are_the_variants_of_the_next(tmp_path: Path, suffix:
     assert [one.name for one in table.targets] == ["P1.teeth.sun", "P1.efficiency"]
     assert table.block(0, 4).tolist() == [[47, 0.9], [47, 1.5], [48, 0.9], [48, 1.5]]
     assert command("sweep", case, "--variants", file).status == 0
+    command("sweep", case, *asked[:2], "--by", "gear", "-o", file)
+    with pytest.raises(ReadError, match="has each variant once a gear"):
+        load_table(file, vstatics.example("zf-8hp70"))
 
 
 def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:

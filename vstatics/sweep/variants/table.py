@@ -30,6 +30,7 @@ from vstatics.sweep.variants.subject import Subject, target_of
 from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
 from vstatics.tables.csv import unguarded
+from vstatics.tables.written_results import GEAR
 
 _OF_PANDAS = "__index_level_0__"
 """With this it numbers rows in Parquet, in CSV with a first column without a name."""
@@ -182,6 +183,9 @@ def targets_of(
     targets: list[Varied] = []
     chosen: list[int] = []
     problems: list[Problem] = []
+    if is_own and GEAR in names:
+        message = "a sweep `--by gear` has each variant once a gear, expected it without"
+        problems.append(Problem("E717", message, place=cells[names.index(GEAR)][1]))
     for index, (name, place) in enumerate(cells[: names.index(STATUS) if is_own else None]):
         if len(problems) >= MOST_PROBLEMS:
             break
