@@ -125,7 +125,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
         yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
     if any(one.back_efficiency is not None for one in case.mechanisms):
         yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
-    kinds = {one.kind for one in case.mechanisms}
+    bypassed = case.bypassed(state.gear)
+    kinds = {one.kind for n, one in enumerate(case.mechanisms) if n not in bypassed}
     if "variator" in kinds:
         yield tr(
             "A variator of the speed ratio w_second/w_first has the inverse of it as u; with the "
@@ -137,6 +138,9 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "straight between its points over the speed ratio w_second/w_first, constant outside. "
             "It loses M (w_first - K w_second)."
         )
+    if bypassed:
+        names = ", ".join(case.mechanisms[n].name for n in sorted(bypassed))
+        yield tr("Bypassed by a lock-up clutch, without torque: {names}.", names=names)
     efficiencies = (n for one in case.mechanisms for n in (one.efficiency, one.back_efficiency))
     if any(isinstance(one, Law) for one in efficiencies):
         yield tr(

@@ -106,8 +106,9 @@ def ranges_of(
 ) -> list[list[int]]:
     """As `ranges`, of ratios that are told by whatever else makes gears comparable.
 
-    The first range is the longest: a final drive may turn the sign of all gears. Of several of one
-    length it is that with the fewest names of reverse gears, else that which is written first.
+    The first range is the longest: a final drive may turn the sign of all gears. One whose gears
+    all have names of reverse gears is behind others; of several of one length the first has the
+    fewest such names, else it is written first.
 
     >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"], ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -132,9 +133,13 @@ def is_guess(ranges_: Sequence[Sequence[int]], names: Sequence[str]) -> bool:
     return len({_likeness_of_reverse(one, names) for one in ranges_[:2]}) < len(ranges_[:2])
 
 
-def _likeness_of_reverse(indices: Sequence[int], names: Sequence[str]) -> tuple[int, int]:
-    return -len(indices), sum(bool(_REVERSE.match(names[index])) for index in indices)
+def _likeness_of_reverse(indices: Sequence[int], names: Sequence[str]) -> tuple[bool, int, int]:
+    named = sum(bool(_REVERSE.match(names[index])) for index in indices)
+    return named == len(indices), -len(indices), named
 
 
-_REVERSE = re.compile(r"-|[\W\d_]*(r|з\W*х|задн)|.*(revers|rückw|rueckw|backw|задн)", re.IGNORECASE)
-"""Names of reverse gears: -1, R, R1, 1R, low reverse, Rückwärts, ЗХ."""
+_REVERSE = re.compile(
+    r"-|[\W\d_]*(r[a-z]?[\W\d_]*$|rev|rück|з\W*х|задн)|.*(revers|rückw|rueckw|backw|задн)",
+    re.IGNORECASE,
+)
+"""Names of reverse gears: -1, R, R1, RL, 1R, low reverse, Rückwärts, ЗХ."""

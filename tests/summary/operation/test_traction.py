@@ -48,6 +48,22 @@ def test_top_speed_is_where_force_is_resistance() -> None:
     assert made.top_speed == pytest.approx(3.6 * 7 / 8 * 100 * 0.5, rel=1e-9)
 
 
+def test_a_box_is_as_fast_as_its_forward_gears() -> None:
+    """A reversing unit with the faster half of its gears backward, of names that tell it."""
+    car = Vehicle(1000, 0.5, engine=[(0.0, 500.0), (400.0, 500.0)])
+    ratios = {"RL": -8.0, "RM": -4.0, "RH": -2.0, "FL": 10.0, "FH": 5.0}
+    case = Transmission(
+        1 + len(ratios),
+        [],
+        [Mechanism(1, n, 0, ratio) for n, ratio in enumerate(ratios.values(), 2)],
+        [Gear([], name=name, output=n) for n, name in enumerate(ratios, 2)],
+        vehicle=car,
+    )
+    made = performance(case)
+    assert made.top_speed == pytest.approx(3.6 * 400 / 5 * 0.5)
+    assert made.gears["RH"].top_speed == pytest.approx(3.6 * 400 / 2 * 0.5)
+
+
 def test_inertias_add_to_the_mass() -> None:
     """J k^2 with k = 4 2/.25 of the engine: 0.5 1024 kg."""
     car = Vehicle(1000, 0.25, 0.0, 0.0, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])

@@ -20,6 +20,7 @@ from vstatics.model.vehicle import GRAVITY, Vehicle, beside_engine
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
+from vstatics.summary.operation.shifting import directions
 
 KMH = 3.6
 """1 m/s."""
@@ -47,7 +48,7 @@ class Performance(NamedTuple):
 
     gears: Mapping[str, GearPerformance]
     top_speed: float
-    """[km/h]"""
+    """Forward. [km/h]"""
     time_to_100: float
     """From rest to 100 km/h at full load, without time for shifts; NaN if it is not reached [s]."""
 
@@ -84,7 +85,8 @@ def performance(case: Transmission) -> Performance:
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
         for number, gear in enumerate(case.gears)
     }
-    known = [one.top_speed for one in gears.values() if math.isfinite(one.top_speed)]
+    ahead = [case.gears[index].name for index in pull.ahead]
+    known = [gears[one].top_speed for one in ahead if math.isfinite(gears[one].top_speed)]
     return Performance(gears, max(known, default=math.nan), pull.time_to(HUNDRED))
 
 
@@ -115,14 +117,10 @@ class Traction:
             turned = np.where(links > 0, links * (speeds / self.per_engine[:, None]) ** 2, 0.0)
             self.mass = vehicle.mass + turned.sum(axis=1)
         """By gear, with what turns. [kg]"""
-        self.ahead = self._ahead(output)
-
-    def _ahead(self, output: Floats) -> list[int]:
-        """Indices of the gears of the direction that most have."""
-        drive = [n for n, turns in enumerate(output) if turns and math.isfinite(turns)]
-        ways = [math.copysign(1, output[n]) for n in drive]
-        way = 1.0 if ways.count(1.0) >= ways.count(-1.0) else -1.0
-        return [n for n in drive if output[n] * way > 0]
+        with np.errstate(divide="ignore"):
+            own = directions(1 / output, [gear.name for gear in case.gears])
+        self.ahead = next(iter(own), [])
+        """Indices of the gears that are forward."""
 
     def results(self, speeds: Floats) -> Results:
         """At full load, at speeds of the engine [rad/s]."""
