@@ -12,7 +12,7 @@ import pytest
 
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-from vstatics.model.parts import SpeedOf
+from vstatics.model.parts import Load, SpeedOf
 from vstatics.statics.results import Results
 
 
@@ -79,13 +79,24 @@ def test_only_torques_that_are_not_held_are_told() -> None:
     assert texts(solve(case))[-1].endswith("balance: nothing holds the torque of 4")
 
 
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", [1000.0, -1000.0])
 @pytest.mark.parametrize("ratio", [2.0, -2.0])
-def test_the_torque_that_is_proposed_for_a_further_output_takes_power(ratio: float) -> None:
+def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
+    ratio: float, speed: float, *, coast: bool
+) -> None:
+    """As power enters by the input, or, coasting, by the other output: that gives more then."""
     pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)]
-    case = Transmission(3, [], pairs, [Gear()], output=2, outputs=[2, 3])
-    [said] = [text for text in texts(solve(case)) if "gives no torque" in text]
+    case = Transmission(
+        3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=Load(speed, 100.0), coast=coast
+    )
+    results = solve(case)
+    [said] = [text for text in texts(results) if "gives no torque" in text]
     proposed = float(said.rpartition("3: ")[2].partition("}")[0])
-    assert proposed * ratio < 0
+    taken = solve(case.replace(gears=[Gear(torques={3: proposed})]))
+    own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
+    assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
+    assert (own < 0) == coast
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:

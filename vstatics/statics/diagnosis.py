@@ -235,7 +235,8 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
     if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
-        side, torque = _taking(float(results.speeds[number, idle[0] - 1]))
+        way = -1.0 if case.coasts(gear) else 1.0  # torques are parts of one against its speed
+        side, torque = _taking(way * float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
         expected = f"a given torque, {side} 0 where it takes some, such as {example}"
     verb = "give" if names[1:] else "gives"
