@@ -61,6 +61,22 @@ def test_the_mass_of_a_vehicle_is_not_among_the_inertias(
     assert [one.id for one in doubts(case)] == ["W202"] * told
 
 
+@pytest.mark.parametrize("gears", [["open"], ["locked"], ["open", "locked"], ["locked", "both"]])
+def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(
+    gears: list[str],
+) -> None:
+    engaged: dict[str, list[int]] = {"open": [], "locked": [1], "both": [1, 2]}
+    converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2), ShiftElement(2, 3)],
+        [converter, Mechanism(2, 3, 0, 1.0)],
+        [Gear(engaged[name]) for name in gears],
+        vehicle=Vehicle(1200, 0.3),
+    )
+    assert [one.id for one in doubts(case)] == ["W891"] * ("open" in gears)
+
+
 @pytest.mark.parametrize("link", [4, 5, 1])
 def test_nor_among_those_of_what_is_geared_to_the_output(link: int) -> None:
     """Behind the output: a pair of 4, then a hub of a held ring whose carrier is 1/(1 + 3).

@@ -40,7 +40,12 @@ def doubts_of_vehicle(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Pr
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
-    converters = [one.name for one in case.mechanisms if one.kind == "converter"]
+    everywhere = set.intersection(*map(case.bypassed, case.gears)) if case.gears else set()
+    converters = [
+        one.name
+        for place, one in enumerate(case.mechanisms)
+        if one.kind == "converter" and place not in everywhere
+    ]
     if converters:
         message = (
             f"{spoken(converters)} stays at its speed ratio at every speed, also at rest: forces "
