@@ -277,9 +277,15 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
     """Whether a mechanism, by its number among the case's own, is a bypassed converter."""
-    elements = len(case.shift_elements)
-    if not all(is_number(one, elements, 1) for one in gear.engaged):
+    elements = case.shift_elements
+    if not all(is_number(one, len(elements), 1) for one in gear.engaged):
         return False  # said already
+    parts: list[ShiftElement | Mechanism] = [elements[one - 1] for one in gear.engaged]
+    parts += case.mechanisms
+    links = [link for part in parts for link in (part.first, part.second)]
+    links += [link for spring in case.springs for link in spring.form]
+    if not all(is_number(link, case.links) for link in links):
+        return False  # likewise
     return case.own_mechanisms.start + number - 1 in case.bypassed(gear)
 
 
