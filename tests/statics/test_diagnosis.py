@@ -7,12 +7,15 @@ links 1 (sun), 2 (ring) and 3 (carrier).
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.model.parts import Load, SpeedOf
+from vstatics.readers import from_dict
 from vstatics.statics.results import Results
 
 
@@ -97,6 +100,23 @@ def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
     own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
     assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
     assert (own < 0) == coast
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", ["1000 rpm", "-1000 rpm"])
+def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coast: bool) -> None:
+    """A bare number is a part of that of the input, which is none."""
+    pairs = {"axle": (2, -3.0), "pto": (3, 2.0)}
+    made = {name: {"first": 1, "second": n, "ratio": u} for name, (n, u) in pairs.items()}
+    data = {"links": 3, "outputs": [2, 3], "mechanisms": made, "coast": coast}
+    data["load"] = {"speed": speed, "torque": "0 N*m"}
+    [said] = [
+        text for text in texts(solve(from_dict(data | {"gears": {"1": {}}}))) if "N*m" in text
+    ]
+    proposed = said.rpartition("3: ")[2].partition("}")[0]
+    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: proposed}}}}))
+    assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
+    assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:
