@@ -9,7 +9,8 @@ import pytest
 
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
 from vstatics import solve as solved
-from vstatics.model.checks import doubts
+from vstatics.model.checks import doubts, hints
+from vstatics.model.springs import Spring
 from vstatics.model.vehicle import Vehicle
 from vstatics.readers import from_dict
 
@@ -59,6 +60,45 @@ def test_the_mass_of_a_vehicle_is_not_among_the_inertias(
     pair = Mechanism(1, 2, 0, -3.0)
     case = Transmission(2, [], [pair], [Gear()], inertias=inertias, vehicle=car)
     assert [one.id for one in doubts(case)] == ["W202"] * told
+
+
+@pytest.mark.parametrize("output", [2, 3])
+@pytest.mark.parametrize("link", [2, 3])
+@pytest.mark.parametrize("part", [0.45, 0.55])
+def test_the_mass_of_a_vehicle_may_stand_behind_its_tyre(
+    output: int, link: int, part: float
+) -> None:
+    """1200 kg on wheels of .3 m are 108 kg*m^2: those of `inertias` move in runs and vibration."""
+    case = Transmission(
+        3,
+        [],
+        [Mechanism(1, 2, 0, 4.0)],
+        [Gear()],
+        output=output,
+        springs=[Spring({2: 1, 3: -1}, stiffness=1e4)],
+        inertias={1: 0.2, link: part * 108},
+        vehicle=Vehicle(1200, 0.3),
+    )
+    is_engine_side = output == 3 and link == 2  # where a flywheel may have as much
+    has_mass = part > 0.5 and not is_engine_side
+    assert [one.id for one in doubts(case)] == ["W202"] * has_mass
+    assert ["N607"] * (not has_mass) == [one.id for one in hints(case)]
+
+
+@pytest.mark.parametrize("gears", [["open"], ["locked"], ["open", "locked"], ["locked", "both"]])
+def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(
+    gears: list[str],
+) -> None:
+    engaged: dict[str, list[int]] = {"open": [], "locked": [1], "both": [1, 2]}
+    converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2), ShiftElement(2, 3)],
+        [converter, Mechanism(2, 3, 0, 1.0)],
+        [Gear(engaged[name]) for name in gears],
+        vehicle=Vehicle(1200, 0.3),
+    )
+    assert [one.id for one in doubts(case)] == ["W891"] * ("open" in gears)
 
 
 @pytest.mark.parametrize("link", [4, 5, 1])

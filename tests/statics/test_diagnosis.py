@@ -7,12 +7,15 @@ links 1 (sun), 2 (ring) and 3 (carrier).
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-from vstatics.model.parts import SpeedOf
+from vstatics.model.parts import Load, SpeedOf
+from vstatics.readers import from_dict
 from vstatics.statics.results import Results
 
 
@@ -79,13 +82,41 @@ def test_only_torques_that_are_not_held_are_told() -> None:
     assert texts(solve(case))[-1].endswith("balance: nothing holds the torque of 4")
 
 
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", [1000.0, -1000.0])
 @pytest.mark.parametrize("ratio", [2.0, -2.0])
-def test_the_torque_that_is_proposed_for_a_further_output_takes_power(ratio: float) -> None:
+def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
+    ratio: float, speed: float, *, coast: bool
+) -> None:
+    """As power enters by the input, or, coasting, by the other output: that gives more then."""
     pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)]
-    case = Transmission(3, [], pairs, [Gear()], output=2, outputs=[2, 3])
-    [said] = [text for text in texts(solve(case)) if "gives no torque" in text]
+    case = Transmission(
+        3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=Load(speed, 100.0), coast=coast
+    )
+    results = solve(case)
+    [said] = [text for text in texts(results) if "gives no torque" in text]
     proposed = float(said.rpartition("3: ")[2].partition("}")[0])
-    assert proposed * ratio < 0
+    taken = solve(case.replace(gears=[Gear(torques={3: proposed})]))
+    own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
+    assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
+    assert (own < 0) == coast
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", ["1000 rpm", "-1000 rpm"])
+def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coast: bool) -> None:
+    """A bare number is a part of that of the input, which is none."""
+    pairs = {"axle": (2, -3.0), "pto": (3, 2.0)}
+    made = {name: {"first": 1, "second": n, "ratio": u} for name, (n, u) in pairs.items()}
+    data = {"links": 3, "outputs": [2, 3], "mechanisms": made, "coast": coast}
+    data["load"] = {"speed": speed, "torque": "0 N*m"}
+    [said] = [
+        text for text in texts(solve(from_dict(data | {"gears": {"1": {}}}))) if "N*m" in text
+    ]
+    proposed = said.rpartition("3: ")[2].partition("}")[0]
+    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: proposed}}}}))
+    assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
+    assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:

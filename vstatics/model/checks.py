@@ -51,7 +51,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         path = ("gears", number)
         yield from of_gear(case, gear, path)
         if gear.load:
-            yield from of_load(case.gear_load(gear), path)
+            yield from of_load(gear.load, path)
     yield from of_missing_ratios(case, open_too=False)
     yield from _laws(case)
     for number, identity in enumerate(case.allow, 1):

@@ -201,7 +201,10 @@ class TransmissionFields:
         if coast is None or not load.torque:
             return load
         against = load.torque * (load.speed or 1.0) < 0
-        return load if against == coast else load._replace(torque=-load.torque)
+        if against == coast:
+            return load
+        power = None if load.power is None else -load.power
+        return load._replace(torque=-load.torque, power=power)
 
     def gear_coast(self, gear: Gear) -> bool | None:
         """What a gear, or else the case, says of power that enters at the output."""

@@ -14,6 +14,7 @@ from vstatics.model.parts import (
     ELEMENT_KINDS,
     GEAR_KINDS,
     HOUSING,
+    KW_OF_RPM_NM,
     MECHANISM_KINDS,
     CoefficientTable,
     Friction,
@@ -25,6 +26,9 @@ from vstatics.model.parts import (
     ShiftElement,
     SpeedOf,
 )
+
+SAME_POWER = 1e-9
+"""So much the power of a load may be off from its torque: what rounding leaves. [-]"""
 
 
 def called(case: TransmissionFields, link: int) -> str:
@@ -277,9 +281,15 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
     """Whether a mechanism, by its number among the case's own, is a bypassed converter."""
-    elements = len(case.shift_elements)
-    if not all(is_number(one, elements, 1) for one in gear.engaged):
+    elements = case.shift_elements
+    if not all(is_number(one, len(elements), 1) for one in gear.engaged):
         return False  # said already
+    parts: list[ShiftElement | Mechanism] = [elements[one - 1] for one in gear.engaged]
+    parts += case.mechanisms
+    links = [link for part in parts for link in (part.first, part.second)]
+    links += [link for spring in case.springs for link in spring.form]
+    if not all(is_number(link, case.links) for link in links):
+        return False  # likewise
     return case.own_mechanisms.start + number - 1 in case.bypassed(gear)
 
 
@@ -438,6 +448,24 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
         elif value == 0 and quantity == "speed":
             message = "read 0, expected a speed other than 0, as of an input that turns"
             yield Problem("E241", message, (*path, "load", quantity))
+    if load.power is not None and math.isfinite(load.power):
+        yield from _of_power(load, load.power, (*path, "load", "power"))
+
+
+def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
+    """The power of a load, which is written in place of its torque: both are one."""
+    if load.speed is None:
+        message = f"read {power:g} kW without a speed, expected `speed` and `torque`"
+        yield Problem("E238", message, path)
+        return
+    own = load.speed * (load.torque or 0.0) * KW_OF_RPM_NM
+    if load.speed and not (own and math.isclose(power, own, rel_tol=SAME_POWER)):
+        torque = power / load.speed / KW_OF_RPM_NM
+        message = (
+            f"read {power:g} kW, which at {load.speed:g} rpm are {torque:.6g} N*m: expected these "
+            "as `torque`, or no `power`"
+        )
+        yield Problem("E238", message, path)
 
 
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:

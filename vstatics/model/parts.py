@@ -390,7 +390,7 @@ class Load(NamedTuple):
     torque : float, optional
         [N*m]
     power : float, optional
-        That which gave the torque: it stays where the speed is another. [kW]
+        That which gave the torque, beside it: it stays where the speed is another. [kW]
 
     Examples
     --------

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from vstatics.errors import Problem, spoken
 from vstatics.model.fields import TransmissionFields
 from vstatics.model.part_checks import no_unit
+from vstatics.model.springs import ends
 from vstatics.model.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
 
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
@@ -40,7 +41,12 @@ def doubts_of_vehicle(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Pr
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
-    converters = [one.name for one in case.mechanisms if one.kind == "converter"]
+    everywhere = set.intersection(*map(case.bypassed, case.gears)) if case.gears else set()
+    converters = [
+        one.name
+        for place, one in enumerate(case.mechanisms)
+        if one.kind == "converter" and place not in everywhere
+    ]
     if converters:
         message = (
             f"{spoken(converters)} stays at its speed ratio at every speed, also at rest: forces "
@@ -123,27 +129,27 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Speeds of outputs, and of what pairs of wheels join to them, by that of the output.
+    """Speeds of outputs, and of what pairs of wheels and shafts join to them, by the output's.
 
     What pairs join to an input past the outputs is the side of the engine, as in a box of one
     gear: a flywheel may have half of the mass of the vehicle there.
     """
-    ends = {*outputs, 0}
-    inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in ends]
-    before = _geared(case, inputs, ends)
+    limits = {*outputs, 0}
+    inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in limits]
+    before = _geared(case, inputs, limits)
     found = _geared(case, outputs, {0})
     return {link: speed for link, speed in found.items() if link in outputs or link not in before}
 
 
 def _geared(
-    case: TransmissionFields, starts: Sequence[int], ends: Collection[int]
+    case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Speeds of what pairs join to some links, by theirs; the way there does not pass `ends`."""
+    """Speeds of what pairs join to some links, by theirs; the way there does not pass `limits`."""
     found, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()
         for one, other, speed in pairs:
-            if one == link and other not in found and other not in ends:
+            if one == link and other not in found and other not in limits:
                 found[other] = found[link] * speed
                 new.append(other)
     return found
@@ -152,7 +158,7 @@ def _geared(
 def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
     """Links that one mechanism joins at a fixed ratio, and the speed of the second by the first's.
 
-    So does a set whose third link is the housing.
+    So does a set whose third link is the housing, and so do springs as shafts, such as tyres.
     """
     for one in case.mechanisms:
         parts = {one.first: 1.0, one.second: -one.ratio, one.third: one.ratio - 1}
@@ -161,3 +167,9 @@ def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
             (first, of_first), (second, of_second) = turning
             yield first, second, -of_first / of_second
             yield second, first, -of_second / of_first
+    for spring in case.springs:
+        joined = ends(spring.twist)
+        if joined and all(joined):
+            first, second = joined
+            yield first, second, 1.0
+            yield second, first, 1.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +14,7 @@ from vstatics.numerics.traced import plain
 from vstatics.statics.result_arrays import Message
 
 if TYPE_CHECKING:
-    from vstatics.model.transmission import Mechanism, Transmission
+    from vstatics.model.transmission import Transmission
     from vstatics.statics.results import Results
 
 SAME_TORQUE = 0.05
@@ -58,11 +58,15 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     return torques, carrying
 
 
-def torque_of_pump(converter: Mechanism, speed_ratio: float, speed: float) -> float:
+def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, speed: float) -> float:
     """``lambda w |w|`` that a converter takes, straight between its points, constant outside.
 
     Parameters
     ----------
+    points : sequence of (float, float, float)
+        i [-], K [-], lambda [N*m*s^2]; i ascends.
+    speed_ratio : float
+        [-]
     speed : float
         Of the pump. [rad/s]
 
@@ -77,12 +81,10 @@ def torque_of_pump(converter: Mechanism, speed_ratio: float, speed: float) -> fl
 
     Examples
     --------
-    >>> from vstatics import Mechanism
-    >>> points = ((0, 2, 0.01), (1, 1, 0.0))
-    >>> torque_of_pump(Mechanism(1, 2, 0, 0.5, kind="converter", points=points), 0.5, -100.0)
+    >>> torque_of_pump([(0, 2, 0.01), (1, 1, 0.0)], 0.5, -100.0)
     -50.0
     """
-    by_ratio, _, factors = np.transpose(converter.points)
+    by_ratio, _, factors = np.transpose(points)
     return float(np.interp(speed_ratio, by_ratio, factors)) * speed * abs(speed)
 
 
@@ -102,7 +104,7 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
             if not one.can_be_open or place in bypassed:
                 continue
             speed = plain(state.speeds[one.first - 1]) * load.speed * RAD_PER_RPM
-            able = torque_of_pump(one, plain(ratios[place]), speed)
+            able = torque_of_pump(one.points, plain(ratios[place]), speed)
             on_pump = state.lossy_torques.on_first_link[len(case.shift_elements) + place]
             brought = plain(on_pump) * load.torque
             if abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able)):

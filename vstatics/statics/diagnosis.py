@@ -235,7 +235,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
     if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
-        side, torque = _taking(float(results.speeds[number, idle[0] - 1]))
+        side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
         expected = f"a given torque, {side} 0 where it takes some, such as {example}"
     verb = "give" if names[1:] else "gives"
@@ -244,9 +244,17 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     )
 
 
-def _taking(speed: float) -> tuple[str, str]:
-    """On which side of 0 a torque takes power, and one that does."""
-    return ("above", ".2") if speed < 0 else ("below", "-.2")
+def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
+    """On which side of 0 a torque takes power at a link of a speed [-], and one that does.
+
+    It is a part of the input's, which in coasting is against its speed; where that is none it is
+    in N*m.
+    """
+    if case.input_torque(gear):
+        way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
+    else:
+        way, size = case.gear_load(gear).speed or 1.0, "20 N*m"
+    return ("above", size) if way * speed < 0 else ("below", f"-{size}")
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:

@@ -114,6 +114,8 @@ def ranges_of(
     [[2, 1], [0]]
     >>> ranges_of([-3.3, 4.7], ["a", "a"], ["R", "F"]), ranges_of([-3.3, 4.7], [1, 1], ["", ""])
     ([[1], [0]], [[0], [1]])
+    >>> ranges_of([3.3, -4.7], ["a", "a"], ["road 1", "low R"])
+    [[0], [1]]
     """
     alike: dict[Hashable, list[int]] = {}
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
@@ -139,7 +141,8 @@ def _likeness_of_reverse(indices: Sequence[int], names: Sequence[str]) -> tuple[
 
 
 _REVERSE = re.compile(
-    r"-|[\W\d_]*(r[a-z]?[\W\d_]*$|rev|rück|з\W*х|задн)|.*(revers|rückw|rueckw|backw|задн)",
+    r"-|[\W\d_]*(r[\W\d_]|r[a-z]?[\W\d_]*$|rev|rück|з\W*х|задн)"
+    r"|.*([\W_]r[\W\d_]*$|revers|rückw|rueckw|backw|задн)",
     re.IGNORECASE,
 )
-"""Names of reverse gears: -1, R, R1, RL, 1R, low reverse, Rückwärts, ЗХ."""
+"""Names of reverse gears: -1, R, R1, RL, 1R, low R, low reverse, Rückwärts, ЗХ; not road, range."""

@@ -19,11 +19,11 @@ from vstatics.model.converters import Converter
 from vstatics.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Gear, Transmission
+from vstatics.statics.carried import torque_of_pump
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.torsion.system.converters import (
     WorkingConverter,
-    characteristic,
     working_converter,
 )
 from vstatics.torsion.system.gear_system import torsional_system
@@ -173,7 +173,7 @@ class _WorkingPoints:
         speed = self._pump_speed(converter, results)
         behind = len(case.devices) - case.devices.index(converter.name)
         brought = float(results.lossy_torques_Nm[0, -1 - behind])
-        return characteristic(converter.points, ratio).factor * speed * abs(speed) - brought
+        return torque_of_pump(converter.points, ratio, speed) - brought
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:
         names = spoken([one.name for one in converters])
