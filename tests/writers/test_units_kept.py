@@ -61,7 +61,7 @@ def with_units(data: dict[str, Any], chance: random.Random) -> dict[str, Any]:
 
 def with_load(case: Transmission, torque: float) -> Transmission:
     assert case.load is not None
-    return case.replace(load=case.load._replace(torque=torque))
+    return case.replace(load=case.load._replace(torque=torque, power=None))
 
 
 def again(case: Transmission, folder: Path, suffix: str) -> Transmission:

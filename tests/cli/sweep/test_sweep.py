@@ -157,7 +157,10 @@ def test_few_rows_go_to_tables_that_people_read(folder: Path) -> None:
     rows = list(csv.reader((folder / "out.csv").read_text(encoding="utf-8").splitlines()))
     lines = (folder / "out.md").read_text(encoding="utf-8").replace("\\", "").splitlines()
     assert [[one.strip() for one in line.strip("|").split("|")] for line in lines[4:]] == rows[1:]
-    assert (folder / "out.tex").read_text(encoding="utf-8").count("\\\\\n") == len(rows)
+    told = (folder / "out.tex").read_text(encoding="utf-8")
+    tables = told.count(r"\begin{tabular}")  # which go on beside the variants' numbers
+    assert told.count("\\\\\n") == len(rows) * tables
+    assert sum(line.count(" & ") for line in told.splitlines()) == (len(rows[0]) - 1) * len(rows)
     sheet = openpyxl.load_workbook(folder / "out.xlsx")["Variants"]
     head, *body = sheet.iter_rows(values_only=True)
     assert list(head) == rows[0]
