@@ -127,7 +127,8 @@ def _overview(material: Material) -> Iterator[Markup]:
     if bare is None:
         yield from _of_gears(material, "stick")
     else:
-        yield tag("div", on_paper(bare, tr(NAMES[bare.kind])), class_="bare")
+        shown = on_paper(bare, tr(NAMES[bare.kind]))
+        yield tag("div", shown, class_="bare") if material.run else shown
         yield on_screen(_of_gears(material, "stick"))
     yield from alerts(material.messages)
 
