@@ -124,6 +124,10 @@ class Verdict(NamedTuple):
     gone: int
     cases: Sequence[CaseVerdict]
 
+    def __repr__(self) -> str:
+        """How many of each state; not all their numbers."""
+        return f"<Verdict: {self.tally}>"
+
     @property
     def differs(self) -> bool:
         """Whether anything is not as expected but changes of cases without effect."""
@@ -150,8 +154,8 @@ class Verdict(NamedTuple):
 def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
     """Many of them with their count.
 
-    >>> verdict([CaseVerdict("a", "same"), CaseVerdict("b", "gone", differs=True)]).tally
-    '1 same, 0 changed, 0 added, 1 gone'
+    >>> verdict([CaseVerdict("a", "same"), CaseVerdict("b", "gone", differs=True)])
+    <Verdict: 1 same, 0 changed, 0 added, 1 gone>
     """
     counts = Counter(one.state for one in cases)
     return Verdict(counts["same"], counts["changed"], counts["added"], counts["gone"], cases)
