@@ -120,14 +120,15 @@ def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coa
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:
-    """Two brakes on one link; the fourth link hangs free."""
-    case = train([(2, 0), (2, 0)], Gear([1, 2]), links=4)
+    """Two brakes on one link; the fourth and fifth link hang on the sun."""
+    case = train([(2, 0), (2, 0)], Gear([1, 2]), links=5)
+    case = case.replace(mechanisms=[*case.mechanisms, Mechanism(1, 4, 5, -2.0)])
     results = solve(case)
     assert [*results.missing, *results.excess] == [1, 1]
     first, second = texts(results)[:2]
     assert first.startswith("warning: A and B: 1 engaged element is in excess")
     assert second.startswith("warning: 1 condition missing")
-    assert "free: link 4" in second
+    assert "free: links 4 and 5" in second
     assert results.ratio == pytest.approx(3)
     assert results.output_torque == pytest.approx(3)
 

@@ -20,7 +20,7 @@ from vstatics.cli.frame.options import completing, refuse
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.values import separated
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural
+from vstatics.errors import CaseError, Problem, ReadError, Severity, not_allowed, plural, spoken
 from vstatics.statics.diagnosis import freedom, given_conditions
 from vstatics.statics.freewheels import with_engaged
 from vstatics.statics.results import Results
@@ -101,10 +101,12 @@ def conditions(file: str, results: Results) -> Grid:
         results.conflict,
         strict=True,
     )
-    for gear, holds, missing, excess, tied_up, conflict in states:
+    for index, (gear, holds, missing, excess, tied_up, conflict) in enumerate(states):
         held = [number for number in case.freewheels if holds[number - 1]]
         engaged = " ".join(names[number - 1] for number in (*gear.engaged, *held)) or "nothing"
-        verdict = [f"{missing} missing"] * bool(missing)
+        unloaded = results.gear_at(index).unloaded if missing else ()
+        verdict = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)
+        verdict += [f"{missing} missing"] * bool(missing and not unloaded)
         verdict += [f"{excess} in excess"] * bool(excess)
         verdict += [TIED_UP.english] * bool(tied_up)
         verdict += [CONFLICT.english] * bool(conflict)

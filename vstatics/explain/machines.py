@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.statics.points.balance import battery_power
+from vstatics.statics.points.balance import battery_power, sought_link
 from vstatics.statics.results import Results
 from vstatics.tables.answer import Known
 
@@ -68,6 +68,7 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
         shares.append(MachineShare(case.link_name(link), power, efficiency, given))
     if any(math.isnan(one.power_kW) for one in shares):
         return None
-    [open_link] = gear.open_links([case.gear_input(gear), case.gear_output(gear)])
-    torque = float(results.holding_torques[number, open_link - 1])
-    return MachineBalance(case.link_name(open_link), torque, shares, gear.balance.battery)
+    assert results.points is not None  # noqa: S101 - a case with a balance has them
+    link = sought_link(gear, results.points.gears[number])
+    torque = float(results.holding_torques[number, link - 1])
+    return MachineBalance(case.link_name(link), torque, shares, gear.balance.battery)

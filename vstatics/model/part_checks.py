@@ -407,7 +407,7 @@ def _sides_given(
         if link == ends[1]:
             message = f"link {called(case, link)} is the output, whose torque is calculated"
             yield Problem("E234", f"{message}; expected another link", (*path, "torques", link))
-        elif link in gear.speeds:
+        elif link in gear.speeds and gear.holding is None:
             message = f"link {called(case, link)} has a given speed, so its torque is calculated"
             yield Problem("E235", f"{message}; give one of the two", (*path, "torques", link))
 

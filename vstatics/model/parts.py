@@ -615,10 +615,13 @@ class Gear(NamedTuple):
     coast : bool, optional
         Power enters at the output; as the case or the sign of its load says when not given.
     balance : BatteryBalance, optional
-        One of its links has neither a speed nor a torque, which is found.
+        The torque of one of its links is found; those of the others follow from equilibrium.
     speed_ratios : mapping of int to float
         Number of a variator or converter among the mechanisms that the case gives, behind which
         its `converters` stand -> its speed ratio in this gear, in place of its own. [-]
+    holding : tuple of int, optional
+        Links whose external torque follows from equilibrium; those with a given speed when not
+        given. The search for the torque of a `balance` sets it.
 
     Examples
     --------
@@ -644,6 +647,7 @@ class Gear(NamedTuple):
     coast: bool | None = None
     balance: BatteryBalance | None = None
     speed_ratios: Mapping[int, float] = MappingProxyType({})
+    holding: tuple[int, ...] | None = None
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
         """Links of its balance that have neither speed nor torque, and are none of its ends."""

@@ -23,6 +23,7 @@ from vstatics.statics.idling import coincidences
 from vstatics.statics.result_arrays import Message
 from vstatics.statics.results import Results
 from vstatics.statics.speeds import solve_speeds
+from vstatics.statics.state import GearState
 from vstatics.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
 
 NOTHING_HOLDS = "nothing holds the torque of the input"
@@ -197,8 +198,8 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
         )
 
 
-def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
-    """Names of the freewheels that would put an end to a neutral if they held."""
+def _missed(results: Results, number: int, gear: Gear) -> list[int]:
+    """Return the numbers of freewheels that would make the output turn if they held."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
@@ -208,9 +209,7 @@ def _overrunning(results: Results, number: int, gear: Gear) -> list[str]:
         return speeds.consistent and not is_nan(speeds.links[output])
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
-    if not chosen and free and drives(*free):
-        chosen = free
-    return [case.shift_elements[n - 1].name for n in chosen]
+    return chosen or [*free] * drives(*free)
 
 
 def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
@@ -228,7 +227,12 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
             f"power enters at output{_s(len(driving))} {spoken(driving)}: a torque that is taken "
             "there has the other sign than the speed",
         )
-    idle = [link for link in case.further_outputs(gear) if link not in given]
+    unloaded = results.gear_at(number).unloaded
+    idle = [
+        link
+        for link in case.further_outputs(gear)
+        if link not in given and case.link_name(link) not in unloaded
+    ]
     if not idle:
         return
     names = [case.link_name(link) for link in idle]
@@ -265,25 +269,53 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
         yield from _excess(results, number, gear)
-    if missing:
-        free = _without_value(case.link_names, results.gear_at(number).speeds)
-        named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
-        links = "" if results.tied_up[number] else named
-        neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
-        unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
-        advice = "; engage another shift element or give a speed" if neutral else ""
-        over = _overrunning(results, number, gear) if neutral else []
-        verb = "overruns" if len(over) == 1 else "overrun"
-        why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
-        yield Said(
-            "W414",
-            f"{missing} condition{_s(missing)} missing for the speeds"
-            f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}",
-        )
+    if missing and (unloaded := results.gear_at(number).unloaded):
+        what = "turns freely and carries" if len(unloaded) == 1 else "turn freely and carry"
+        yield Said("N420", f"link{_s(len(unloaded))} {spoken(unloaded)} {what} no torque")
+    elif missing:
+        yield _too_free(results, number, gear, missing)
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
         name = case.link_name(output)
         yield Said("W415", f"the output, link {name}, stands still: there is no ratio")
+
+
+def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
+    """Say that a shift element is missing: the gear is neutral, or a loaded link is free."""
+    case = results.case
+    free = _without_value(case.link_names, results.gear_at(number).speeds)
+    named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
+    links = "" if results.tied_up[number] else named
+    neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+    unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
+    over = _missed(results, number, gear) if neutral else []
+    why, exchange = _overrunning(case, results.gear_at(number), over)
+    advice = "; engage another shift element or give a speed" if neutral else ""
+    return Said(
+        "W414",
+        f"{missing} condition{_s(missing)} missing for the speeds"
+        f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}{exchange}",
+    )
+
+
+def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
+    """Return a clause on freewheels that overrun, and advice where their links are exchanged."""
+    if not numbers:
+        return "", ""
+    names = [case.shift_elements[number - 1].name for number in numbers]
+    verb = "overruns" if len(names) == 1 else "overrun"
+    exchanged: list[tuple[str, str]] = []
+    for number in freewheels.in_wrong_order(state, numbers):
+        element = case.shift_elements[number - 1]
+        links = ", ".join(map(case.link_name, (element.second, element.first)))
+        exchanged.append((element.name, f"[{links}]"))
+    why = f", as freewheel{_s(len(names))} {spoken(names)} {verb}"
+    if not exchanged:
+        return why, ""
+    wrong, right = map(spoken, zip(*exchanged, strict=True))
+    return why, (
+        f"; the links of {wrong} may be in the wrong order: with {right} the gear would drive"
+    )
 
 
 def _is_adrift(results: Results, number: int) -> bool:
@@ -439,10 +471,9 @@ def _unheld(results: Results, number: int) -> str:
         )
     links = ["the input" if link == own else case.link_name(link) for link in unheld]
     what = "torque of " if len(links) == 1 else "torques of "
-    over = [case.shift_elements[n - 1].name for n in case.freewheels if n not in gear.engaged]
-    verb = "overruns" if len(over) == 1 else "overrun"
-    why = f", as freewheel{_s(len(over))} {spoken(over)} {verb}" if over else ""
-    return f"nothing holds the {what}{' and of '.join(links)}{why}"
+    over = [n for n in case.freewheels if n not in gear.engaged]
+    why, exchange = _overrunning(case, state, over)
+    return f"nothing holds the {what}{' and of '.join(links)}{why}{exchange}"
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:

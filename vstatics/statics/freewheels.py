@@ -143,6 +143,36 @@ def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[in
     return sorted(others.difference(held))
 
 
+def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
+    """Return the numbers of freewheels whose links are to be exchanged for the gear to drive.
+
+    Each of them is exchanged alone, and then all together. The list is empty where that does not
+    help, and where the gear coasts, as a freewheel overruns there by design.
+
+    Parameters
+    ----------
+    state : GearState
+        Neutral, or without torques in balance.
+    overrunning : sequence of int
+        Numbers of freewheels that do not hold.
+    """
+    case, variant = state.case, state.ideal.variant
+    if case.coasts(state.gear):
+        return []
+    for numbers in dict.fromkeys([*((number,) for number in overrunning), (*overrunning,)]):
+        elements = [
+            element._replace(first=element.second, second=element.first)
+            if number in numbers
+            else element
+            for number, element in enumerate(case.shift_elements, 1)
+        ]
+        exchanged = case.replace(shift_elements=elements)
+        found = find_state(exchanged, state.gear, variant.ratios, variant.efficiencies)
+        if found.calculable and not is_nan(found.output_speed):
+            return [*numbers]
+    return []
+
+
 def with_engaged(gear: Gear, held: Sequence[int]) -> Gear:
     """The gear with some freewheels engaged."""
     return gear._replace(engaged=(*gear.engaged, *held)) if held else gear

@@ -302,11 +302,12 @@ def always_loaded(case: Transmission, gear: Gear) -> list[int]:
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:
-    """Links whose given speed is held by an unknown external torque.
+    """Return the links with an unknown external torque, as it holds their given speed.
 
     A speed given on the output adds no unknown: its torque is the output torque.
     """
-    return [link for link in gear.speeds if link != case.gear_output(gear)]
+    holding = gear.speeds if gear.holding is None else gear.holding
+    return [link for link in holding if link != case.gear_output(gear)]
 
 
 def torque_rows(

@@ -14,11 +14,11 @@ from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.signed import Condition
 from vstatics.numerics.tape import Residual
 from vstatics.numerics.tolerances import CLOSED
-from vstatics.numerics.traced import Number, guard_within, is_traced, plain, residual, where
+from vstatics.numerics.traced import Number, guard_within, is_nan, is_traced, plain, residual, where
 from vstatics.statics.bodies import turning_as_one
 from vstatics.statics.efficiency import Signs, lossy_ratios
 from vstatics.statics.ideal import IdealGear
-from vstatics.statics.matrix import column_of, columns, value
+from vstatics.statics.matrix import always_loaded, column_of, columns, value
 from vstatics.statics.power import LinkPower, device_powers, drag_powers, port_powers
 from vstatics.statics.signs import SignSearch
 from vstatics.statics.status import OK, Status, statuses
@@ -169,6 +169,30 @@ class GearState(NamedTuple):
     def status(self) -> Status:
         """The first of `statuses`; `OK` if there is none."""
         return next(iter(self.statuses), OK)
+
+    @property
+    def unloaded(self) -> list[str]:
+        """Names of links whose speeds are undetermined because nothing loads or drives them.
+
+        They are free on purpose, such as the race between an open brake and a freewheel, or an
+        engine with its generator behind an open clutch. The list is empty where a shift element is
+        missing: the output is undetermined, or a device joins an undetermined link to a link that
+        turns, or loads it.
+        """
+        case = self.case
+        free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}
+        if not self.calculable or case.gear_output(self.gear) in free:
+            return []
+        turning = {link for link, speed in enumerate(self.speeds, 1) if speed != 0} - free
+        carried = [self.torques, self.lossy_torques][: 1 + self.consistent]
+        always = always_loaded(case, self.gear)
+        for device, shares in enumerate(columns(case, self.ideal.variant.ratios)):
+            is_driven = device in always and turning & shares.keys()
+            is_loaded = any(torques.factors[device] != 0 for torques in carried)
+            if free & shares.keys() and (is_driven or is_loaded):
+                return []
+        names = enumerate(case.link_names[: case.own_links], 1)
+        return [name for link, name in names if link in free]
 
     @property
     def bodies(self) -> Bodies:

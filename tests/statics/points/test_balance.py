@@ -116,7 +116,7 @@ def test_a_machine_that_stands_balances_nothing() -> None:
     ("old", "new", "said"),
     [
         ("balance: {MG1: .92, MG2: .90,", "balance: {MG1: .92,", "read no link without speed"),
-        ("speeds: {MG1: 3000 rpm}, ", "", "read MG1, MG2 without speed and torque"),
+        ("speeds: {MG1: 3000 rpm}, ", "", "read MG1 and MG2 without speed and torque"),
         ("MG2: .90", "MG2: 1.90", "read 1.9, expected an efficiency above 0 and up to 1"),
         ("MG2: .90", "MG3: .90", "MG3"),
         ("-2 kW", "-2 N*m", "power"),
@@ -125,7 +125,7 @@ def test_a_machine_that_stands_balances_nothing() -> None:
 )
 def test_a_balance_that_can_not_be_is_told(old: str, new: str, said: str) -> None:
     with pytest.raises(Exception, match=r"\[E\d\d\d\]") as caught:
-        loads(SPLIT.replace(old, new))
+        solve(loads(SPLIT.replace(old, new)))
     assert said in str(caught.value)
 
 
@@ -221,3 +221,61 @@ def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
         else:
             assert said == ["two" if expected else "none"], seed
     assert len(seeds) < 60 or counts == {0, 1, 2}
+
+
+SERIES = """\
+links: [engine, MGA, MGB, sun, ring, output]
+input: engine
+output: output
+load: {{speed: {speed!r} rad/s, torque: {torque!r} N*m}}
+mechanisms:
+  first: {{first: engine, second: MGA, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
+  second: {{first: MGB, second: sun, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
+  set: {{first: sun, second: ring, third: output, ratio: {u[2]!r}, efficiency: {eta[2]!r}}}
+shift_elements: {{B: [ring, housing]}}
+gears:
+  series:
+    engaged: [B]
+    speeds: {{{given}: {held!r} rad/s}}
+    balance: {{MGA: {of[0]!r}, MGB: {of[1]!r}, battery: {battery!r} W}}
+"""
+"""A series hybrid: two trains that the battery alone connects, a gear pair before each machine."""
+
+
+@pytest.mark.parametrize("given", ["MGB", "output"])
+def test_a_series_hybrid_is_balanced_as_by_hand(given: str) -> None:
+    """The engine's train gives MGA all of its power but the loss; the battery gives the rest."""
+    for seed in range(count(12, 200)):
+        rng = seeded(seed)
+        u = [rng.choice([-1, 1]) * rng.uniform(0.4, 3) for _ in range(2)] + [-rng.uniform(1.3, 3)]
+        eta, of = [rng.uniform(0.9, 1) for _ in range(3)], [rng.uniform(0.8, 1) for _ in range(2)]
+        speed, torque = rng.uniform(80, 400), rng.uniform(30, 200)
+        battery, held = rng.uniform(-2e4, 2e4), rng.uniform(50, 500)
+        text = SERIES.format(**locals())
+        results = solve(loads(text))
+        brought = torque * speed * eta[0]
+        spare = brought * of[0] - battery
+        mgb = held if given == "MGB" else held * (1 - u[2]) * u[1]
+        power = spare * of[1] if spare > 0 else spare / of[1]
+        torques = results.lossy_holding_torques_Nm[0]
+        assert torques[1] == pytest.approx(-brought * u[0] / speed, rel=1e-9), seed
+        assert torques[2] == pytest.approx(power / mgb, rel=1e-8), seed
+        assert results.messages == (), seed
+        assert results.power_balance[0] == pytest.approx(0, abs=1e-9)
+
+
+def test_the_series_mode_of_an_output_split_needs_no_torque_by_hand() -> None:
+    """Engine 16.755 kW, the battery at rest: MGB has 16.755 x .92 x .90 = 13.873 kW at 5000 rpm."""
+    text = """
+links: [engine, MGA, ring, MGB, out]
+input: engine
+output: out
+load: {speed: 2000 rpm, torque: 80 N*m}
+elements: {P: {kind: planetary, sun: MGB, ring: ring, carrier: out, teeth: {sun: 37, ring: 83}, efficiency: .98}}
+shift_elements: {C1: [ring, housing], C2: [MGA, ring], C3: [engine, MGA]}
+gears: {series: {engaged: [C1, C3], speeds: {MGB: 5000 rpm}, balance: {MGA: .92, MGB: .90}}}
+"""
+    results = solve(loads(text))
+    mgb = 80 * 2000 / 5000 * 0.92 * 0.9
+    np.testing.assert_allclose(results.lossy_holding_torques_Nm[0, [1, 3]], [-80, mgb], rtol=1e-12)
+    assert results.lossy_output_torque_Nm[0] == pytest.approx(mgb * (1 + 83 / 37 * 0.98), rel=1e-12)

@@ -71,7 +71,7 @@ def shown_of(state: GearState) -> PictureState:
     """What pictures show of the state of a gear."""
     case, gear = state.case, state.gear
     faults = [one for one in state.statuses if one.is_fault]
-    if state.ideal.speeds.missing:
+    if state.ideal.speeds.missing and not state.unloaded:
         faults.append(NOT_DETERMINED)
     torques = state.torques.on_first_link
     return PictureState(

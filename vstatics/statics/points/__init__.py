@@ -19,7 +19,14 @@ from vstatics.model.transmission import Transmission
 from vstatics.numerics.arrays import Floats
 from vstatics.statics import diagnosis
 from vstatics.statics.efficiency import Efficiency
-from vstatics.statics.points.balance import NO_BALANCE, TWO_BALANCES, balanced, settled_gear
+from vstatics.statics.points.balance import (
+    NO_BALANCE,
+    TWO_BALANCES,
+    balanced,
+    settled_gear,
+    sought_link,
+    without_balances,
+)
 from vstatics.statics.points.laws import NONE, SEVERAL, Followed, follow_laws
 from vstatics.statics.points.parts import cases_of_points, joined
 from vstatics.statics.points.paths import (
@@ -72,8 +79,8 @@ def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
     """All that depends on load and speed, with the torques of balances."""
     if not any(gear.balance for gear in case.gears):
         return follow_laws(case, columns, variants)
-    plain = case.replace(gears=[gear._replace(balance=None) for gear in case.gears])
-    return balanced(case, columns, variants, partial(follow_laws, plain))
+    plain, balances = without_balances(case)
+    return balanced(plain, balances, columns, variants, partial(follow_laws, plain))
 
 
 def solve_laws(
@@ -152,13 +159,13 @@ def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]
 
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
     """Where no single torque agrees with efficiencies, or balances a battery."""
-    for gear, state in zip(case.gears, points.open.tolist(), strict=True):
+    for gear, settled, state in zip(case.gears, points.gears, points.open.tolist(), strict=True):
         if state in (NONE, SEVERAL):
             words = "no torques agree" if state == NONE else "more than one torque agrees"
             text = f"{words} with the losses that depend: there are no torques with losses"
             yield Message("W426", text, gear.name)
         if state in (NO_BALANCE, TWO_BALANCES):
-            link = gear.open_links((case.gear_input(gear), case.gear_output(gear)))[0]
+            link = sought_link(gear, settled)
             none, two = "none of the torques on {} balances", "two of the torques on {} balance"
             text = (none if state == NO_BALANCE else two).format(case.link_name(link))
             text = f"balance: {text} the battery: there are no torques"

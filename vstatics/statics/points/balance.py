@@ -9,19 +9,20 @@ torques of both signs and of all sizes, and wherever it changes its sign a solut
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from vstatics.errors import CaseError, spoken
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.tolerances import BALANCED, EPSILON
 from vstatics.statics.physical import RELATIVE_TO_INPUT
-from vstatics.statics.points.laws import Followed
+from vstatics.statics.points.laws import Followed, without_laws
 from vstatics.statics.points.paths import CaseNumber, Columns
-from vstatics.statics.points.relative import loads_of
+from vstatics.statics.points.relative import loads_of, solve_points
 from vstatics.statics.results import Results
 
 TRIED = 65
@@ -38,6 +39,8 @@ MOST_SOLUTIONS = 3
 """Changes of sign that are followed."""
 MOST_AT_ONCE = 100_000
 """Points that are calculated at once."""
+TRIED_PART = 0.37
+"""Part of the load's torque at which it is tried whether the other torques follow. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
 
 Follow = Callable[[Columns, int], Followed]
@@ -50,7 +53,7 @@ class OpenBalance:
 
     gear: int
     link: int
-    """Whose torque is looked for."""
+    """The link whose torque is sought."""
     efficiencies: tuple[tuple[int, float], ...]
     battery: Floats
     """(points,) [W]"""
@@ -79,15 +82,23 @@ def battery_power(power: Any, efficiency: float) -> Any:
     return np.where(power > 0, power * efficiency, power / efficiency)
 
 
-def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) -> Followed:
-    """The results of all points, each balance with the torque that it needs.
+def balanced(
+    case: Transmission,
+    balances: Sequence[OpenBalance],
+    given: Columns,
+    variants: int,
+    follow: Follow,
+) -> Followed:
+    """Return the results of all points, each balance with the torque that it needs.
 
     Parameters
     ----------
+    case : Transmission
+        Without its balances.
     follow : callable
         Calculates points whose torques are all given.
     """
-    asked = [*_asked(case, given, variants)]
+    asked = [_at_points(balance, given, variants) for balance in balances]
     columns = {number: column for number, column in given.items() if number.quantity != "battery"}
     columns |= {one.number: np.zeros(variants) for one in asked}
     scales = _scales(case, asked, follow(columns, variants).results, columns)
@@ -117,23 +128,79 @@ def balanced(case: Transmission, given: Columns, variants: int, follow: Follow) 
 
 
 def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
-    """A gear, whose open link has no torque where none balances it, or two do."""
+    """Return a gear whose sought torque is NaN where none balances it, or two do."""
     if state not in (NO_BALANCE, TWO_BALANCES):
         return gear
-    balance = case.gears[case.gear_number(gear.name) - 1]
-    [link] = balance.open_links((case.gear_input(gear), case.gear_output(gear)))
+    link = sought_link(case.gears[case.gear_number(gear.name) - 1], gear)
     return gear._replace(torques={**gear.torques, link: math.nan})
 
 
-def _asked(case: Transmission, given: Columns, variants: int) -> list[OpenBalance]:
-    found = []
+def sought_link(gear: Gear, settled: Gear) -> int:
+    """Return the link whose torque balances a gear: only in the settled gear is it given."""
+    return next(link for link in settled.torques if link not in gear.torques)
+
+
+def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance]]:
+    """Return the case to be solved at given torques, and the balances that these have to meet.
+
+    Raises
+    ------
+    CaseError
+        If several links have neither a speed nor a torque, and equilibrium does not determine all
+        of them but one.
+    """
+    gears, balances = list(case.gears), []
     for index, gear in enumerate(case.gears):
         if gear.balance:
-            [link] = gear.open_links((case.gear_input(gear), case.gear_output(gear)))
-            own = np.full(variants, 1000 * gear.balance.battery)
-            battery = given.get(CaseNumber(index, "battery"), own)
-            found.append(OpenBalance(index, link, tuple(gear.balance.efficiencies), battery))
-    return found
+            link, holding = _sought(case, index)
+            gears[index] = gear._replace(balance=None, holding=holding)
+            battery = np.array([1000 * gear.balance.battery])
+            balances.append(OpenBalance(index, link, tuple(gear.balance.efficiencies), battery))
+    return case.replace(gears=gears), balances
+
+
+def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
+    """Return the link whose torque is sought in a gear, and those whose torques then follow.
+
+    The torque of a machine on a train of its own follows from that train alone. So the torque of
+    another machine is sought, although its speed is given.
+    """
+    gear = case.gears[index]
+    output = case.gear_output(gear)
+    free = gear.open_links((case.gear_input(gear), output))
+    machines = [link for link, _ in gear.balance.efficiencies] if gear.balance else []
+    candidates = [*free, *(link for link in machines if link in gear.speeds and link != output)]
+    for link in candidates:
+        others = (other for other in (*gear.speeds, *free) if other not in (link, output))
+        holding = tuple(others)
+        if _follow(case, index, link, holding):
+            return link, holding
+    if len(free) > 1:
+        names = spoken(map(case.link_name, free))
+        message = (
+            f"read {names} without speed and torque, but equilibrium does not determine all of "
+            "their torques but one: expected a speed or a torque for one of them"
+        )
+        raise CaseError("E269", message, ("gears", index + 1, "balance"))
+    return free[0], None
+
+
+def _follow(case: Transmission, index: int, link: int, holding: tuple[int, ...]) -> bool:
+    """Whether all torques of a gear follow from equilibrium, once that on a link is given."""
+    gear = case.gears[index]._replace(balance=None, holding=holding)
+    alone = without_laws(case.replace(gears=[gear]))
+    load: Any = loads_of(alone, {}, 1)[0].torque
+    torque = TRIED_PART * np.concatenate([load, -load]) + TRIED_PART
+    results = solve_points(alone, {CaseNumber(0, "torques", link): torque}, len(torque))
+    held = results.in_own_unit("holding_torques")[:, 0, [other - 1 for other in holding]]
+    known = np.isfinite(held).all(axis=-1) & np.isfinite(results.in_own_unit("output_torque")[:, 0])
+    return bool((results.balanced[:, 0] & known).any() or results.tied_up.any())
+
+
+def _at_points(balance: OpenBalance, given: Columns, variants: int) -> OpenBalance:
+    """Return a balance with the power of the battery at each point."""
+    battery = given.get(CaseNumber(balance.gear, "battery"), np.repeat(balance.battery, variants))
+    return replace(balance, battery=battery)
 
 
 def _scales(

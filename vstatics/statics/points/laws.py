@@ -67,7 +67,7 @@ def laws_of(case: Transmission) -> Laws:
     return {number: law for number, law in numbers.items() if isinstance(law, Law)}
 
 
-def _without_laws(case: Transmission) -> Transmission:
+def without_laws(case: Transmission) -> Transmission:
     """The case with plain numbers in place of laws: no drag, efficiencies as at 0."""
 
     def plain(number: Any, instead: float) -> Any:
@@ -95,7 +95,7 @@ def _without_laws(case: Transmission) -> Transmission:
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     """The results of all points, with drags and efficiencies as they are there."""
     laws = {number: law for number, law in laws_of(case).items() if number not in given}
-    plain = _without_laws(case)
+    plain = without_laws(case)
     over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
     over_torque = {number: law for number, law in laws.items() if law.over == "torque"}
     columns: dict[CaseNumber, Floats] = dict(given)
