@@ -107,6 +107,32 @@ def test_all_that_is_printed_goes_through_two_modules() -> None:
             assert not called(path) & printing, name
 
 
+OF_OTHER_FILES = {
+    "vstatics.jobs.files",  # outputs, and hashes of what is read
+    "vstatics.jobs.page_files",  # outputs
+    "vstatics.jobs.state_files",
+    "vstatics.sweep.variants.subject",  # cases and scenarios
+    "vstatics.sweep.variants.table_file",  # tables of variants
+}
+
+
+def imported_names(path: Path) -> set[str]:
+    """The modules that a module imports, by their names."""
+    nodes = [*ast.walk(tree(path))]
+    plain = {one.name for node in nodes if isinstance(node, ast.Import) for one in node.names}
+    return plain | {str(node.module) for node in nodes if isinstance(node, ast.ImportFrom)}
+
+
+def test_one_module_opens_state_files() -> None:
+    """It looks at them before; any other way to a file would follow a link."""
+    acts = ("open", "truncate", "unlink", "remove", "rename", "replace", "rmdir", "mkdir")
+    calls = {"open", *(f"os.{act}" for act in acts)}
+    for name, path in modules().items():
+        if room(name) in ("jobs", "sweep", "synthesis") and name not in OF_OTHER_FILES:
+            assert not called(path) & calls, name
+            assert not {"pathlib", "shutil"} & imported_names(path), name
+
+
 def test_a_class_name_is_used_once() -> None:
     """A name stands for one thing, so that it can be searched for."""
     homes: dict[str, list[str]] = {}

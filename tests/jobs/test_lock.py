@@ -12,15 +12,17 @@ import pytest
 from tests.sweep.sweeps import names
 from vstatics.errors import ReadError
 from vstatics.jobs.lock import lock, unlock
+from vstatics.jobs.state_files import StateFolder
 
 
-def test_a_lock_names_its_process_and_is_removed_with_it(tmp_path: Path) -> None:
-    held = lock(str(tmp_path), "mine", "run")
+def test_a_lock_names_its_process_until_it_is_let_go(tmp_path: Path) -> None:
+    folder = StateFolder(str(tmp_path))
+    held = lock(folder, "mine", "run")
     with pytest.raises(ReadError, match=rf"another run \(process {os.getpid()}\) is writing"):
-        lock(str(tmp_path), "mine", "run")
-    unlock(lock(str(tmp_path), "other", "run"), str(tmp_path / "other"))
-    unlock(held, str(tmp_path / "mine"))
-    assert names(tmp_path) == []
+        lock(folder, "mine", "run")
+    unlock(lock(folder, "other", "run"))
+    unlock(held)
+    unlock(lock(folder, "mine", "run"))
 
 
 @pytest.mark.parametrize("code", [errno.ENOLCK, errno.EOPNOTSUPP])
@@ -33,7 +35,7 @@ def test_a_file_system_without_locks_is_used_without_them(
         raise OSError(code, os.strerror(code))
 
     monkeypatch.setattr(fcntl, "flock", flock)
-    assert lock(str(tmp_path), "mine", "run") is None
+    assert lock(StateFolder(str(tmp_path)), "mine", "run") is None
     assert names(tmp_path) == []
 
 
@@ -45,4 +47,4 @@ def test_any_other_fault_of_locking_is_told(
 
     monkeypatch.setattr(fcntl, "flock", flock)
     with pytest.raises(OSError, match="I/O error"):
-        lock(str(tmp_path), "mine", "run")
+        lock(StateFolder(str(tmp_path)), "mine", "run")

@@ -60,14 +60,14 @@ def test_where_a_page_cannot_be_written_all_are_as_they_were(
 ) -> None:
     path = str(tmp_path / "box.svg")
     replace_pages(path, pages(3, "old"))
-    before, write = held(tmp_path), files._write
+    before, write = held(tmp_path), files.write_all
 
     def full(handle: int, data: bytes | memoryview) -> None:
         write(handle, data[:5])
         if b'data-page="3"' in bytes(data):
             raise OSError(28, "no space left")
 
-    monkeypatch.setattr(files, "_write", full)
+    monkeypatch.setattr(files, "write_all", full)
     with pytest.raises(OSError, match="no space"):
         replace_pages(path, pages(4, "new"))
     assert held(tmp_path) == before

@@ -9,6 +9,6 @@ worker that dies is replaced; what was finished before a run was stopped is trus
 [10, 100, 1000]
 
 Who does it: `workers` (choice), `alone`, `processes`, `cluster`. What lasts:
-`finished_cases`, `finished_parts`, `finished_pieces`, `piece_file`, `lock`, `files`,
+`finished_cases`, `finished_parts`, `finished_pieces`, `piece_file`, `lock`, `state_files`, `files`,
 `page_files`, `spool`. How it ends: `stopping`.
 """

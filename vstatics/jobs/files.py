@@ -70,16 +70,11 @@ def opened(output: str) -> contextlib.AbstractContextManager[Write]:
     return _writing(handle)
 
 
-def appending(path: str) -> contextlib.AbstractContextManager[Write]:
-    """Write at the end of a file, each time all at once; it need not be there."""
-    return _writing(os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666))
-
-
 @contextlib.contextmanager
 def _writing(handle: int) -> Iterator[Write]:
     """Write to a file that is open, and close it."""
     try:
-        yield partial(_write, handle)
+        yield partial(write_all, handle)
     finally:
         os.close(handle)
 
@@ -92,7 +87,7 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
     path : str
     data : bytes
     mark : str, optional
-        Whose file it is, for `forget`: what is written when a process is killed stays.
+        Whose file it is, by which the rest of a killed process is removed later.
 
     Raises
     ------
@@ -104,42 +99,55 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 
 
 @contextlib.contextmanager
-def replacing(path: str, mark: str = "", folder: str = "") -> Iterator[Write]:
-    """Write beside a file, or in a folder, and move it into place when the block ends well.
+def replacing(path: str, mark: str = "", folder: int | None = None) -> Iterator[Write]:
+    """Write beside a file, or in an open folder, and move it into place when the block ends well.
 
     An old file keeps its permissions; a link stays, and its file is written.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
     mode = _mode(path or os.curdir)
-    temporary, handle = _beside(os.path.join(folder, "") or path, mark)  # noqa: PTH118
+    with whole_file(path, mark, mode, source=folder) as write:
+        yield write
+
+
+@contextlib.contextmanager
+def whole_file(
+    path: str,
+    mark: str = "",
+    mode: int | None = None,
+    *,
+    source: int | None = None,
+    target: int | None = None,
+) -> Iterator[Write]:
+    """Write a new file, and rename it to a path when the block ends well.
+
+    Parameters
+    ----------
+    path : str
+    mark : str
+        As of `replace`.
+    mode : int, optional
+        Its permissions; otherwise those of the umask.
+    source, target : int, optional
+        Open folders: in which it is written, instead of the folder of the path, and in which
+        the path is.
+    """
+    folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
+    temporary, handle = _new_file(folder, mark, source)
     try:
         with _writing(handle) as write:
             if mode is not None:
                 os.fchmod(handle, stat.S_IMODE(mode))
             yield write
-        os.replace(temporary, path)  # noqa: PTH105
+        os.replace(temporary, path, src_dir_fd=source, dst_dir_fd=target)
     except BaseException:
         with contextlib.suppress(OSError):
-            os.unlink(temporary)  # noqa: PTH108
+            os.unlink(temporary, dir_fd=source)
         raise
 
 
-def put_for_good(source: str, target: str) -> None:
-    """Rename a file, so that it is on the disk under its new name even if the power fails now.
-
-    Raises
-    ------
-    OSError
-        If its data do not get there; then both files are as they were.
-    """
-    _sync(source)
-    os.replace(source, target)  # noqa: PTH105
-    with contextlib.suppress(OSError):  # not every system can do that for a folder
-        _sync(os.path.dirname(target) or os.curdir)  # noqa: PTH120
-
-
-def _sync(path: str) -> None:
+def sync(path: str) -> None:
     """Wait until what was written to a file is on the disk, whoever wrote it."""
     handle = os.open(path, os.O_RDONLY)
     try:
@@ -157,12 +165,22 @@ def set_aside(path: str) -> str:
     return ""
 
 
-def forget(folder: str, mark: str = "") -> None:
-    """Remove files of a mark that were not finished; nobody may be writing one."""
-    for name in os.listdir(folder):  # noqa: PTH208
-        if re.fullmatch(rf"{re.escape(_front(mark))}\d+-\d+", name):
-            with contextlib.suppress(OSError):
-                os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118
+def hash_of(case: bytes) -> str:
+    """The hash of a case as it was read."""
+    from hashlib import sha256  # costs start-up time
+
+    return sha256(case).hexdigest()
+
+
+def hash_of_file(name: str) -> str | None:
+    """The hash of a case; None if it is no file that stays."""
+    try:
+        if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
+            with open(name, "rb") as file:  # noqa: PTH123
+                return hash_of(file.read())
+    except OSError:
+        pass
+    return None
 
 
 def is_temporary(name: str) -> bool:
@@ -170,27 +188,27 @@ def is_temporary(name: str) -> bool:
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names
 
 
-def _front(mark: str) -> str:
-    """How the names of files of a mark begin."""
+def front(mark: str) -> str:
+    """Return the beginning of the names of files of a mark."""
     return f"{PREFIX}{mark}-" if mark else PREFIX
 
 
-def _beside(path: str, mark: str) -> tuple[str, int]:
-    """A new file in the same folder, with the permissions of the umask; its name and handle."""
-    front = f"{_front(mark)}{os.getpid()}-"
+def _new_file(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
+    """Create a file in a folder, with the permissions of the umask; its name and handle."""
     for number in itertools.count():
-        temporary = os.path.join(os.path.dirname(path), f"{front}{number}")  # noqa: PTH118, PTH120
+        temporary = os.path.join(folder, f"{front(mark)}{os.getpid()}-{number}")  # noqa: PTH118
         try:
-            return temporary, os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+            flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+            return temporary, os.open(temporary, flags, 0o666, dir_fd=opened)
         except FileExistsError:  # left by a process that was killed
             continue
         except OSError as error:
-            error.filename = os.path.dirname(path) or os.curdir  # noqa: PTH120 - not our own file
+            error.filename = folder or os.curdir  # not our own file
             raise
     raise AssertionError
 
 
-def _write(handle: int, data: bytes | memoryview) -> None:
+def write_all(handle: int, data: bytes | memoryview) -> None:
     """Write all of it: one call takes 2 GB at most, and less where a disk gets full."""
     left = memoryview(data)
     while left:

@@ -5,7 +5,7 @@ on (options and the build of this package), then a line for each result as it is
 The line holds the hash of the case that was read and of the files that it names, a number for
 all that the run depends on, the state of the result, and whether the case failed (a gear is tied
 up). A result counts as done if its line says so: of this case, this run, and not written by
-anybody since.
+anybody since. Each line begins with its own hash; a line that is damaged does not count.
 """
 
 from __future__ import annotations
@@ -13,18 +13,20 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import stat
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import build
-from vstatics.jobs.files import appending, forget, replace
+from vstatics.jobs.files import hash_of, hash_of_file
 from vstatics.jobs.lock import lock, unlock
+from vstatics.jobs.state_files import StateFolder
 
 Description = dict[str, Any]
 """Everything that finished work depends on, besides what is read."""
 LOCKED = ".lock"
+_SEAL = 16
+"""Digits of the hash of a line: 64 bits."""
 NO_RUN = "there is no run to go on with"
 OTHER_BUILD = "what is there is of another build of vstatics"
 
@@ -38,20 +40,19 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
     return [key for key in wanted if key in known and known[key] != wanted[key]]
 
 
-def hash_of(case: bytes) -> str:
-    """The hash of a case as it was read."""
-    return hashlib.sha256(case).hexdigest()
+def sealed(text: bytes) -> bytes:
+    r"""Return a line of a state: its hash, by which damage is noticed later, and a text.
+
+    >>> unsealed(sealed(b"[1, 2]").rstrip(b"\n")), unsealed(b"[1, 3]")
+    (b'[1, 2]', None)
+    """
+    return hash_of(text)[:_SEAL].encode() + b" " + text + b"\n"
 
 
-def hash_of_file(name: str) -> str | None:
-    """The hash of a case; None if it is no file that stays."""
-    try:
-        if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
-            with open(name, "rb") as file:  # noqa: PTH123
-                return hash_of(file.read())
-    except OSError:
-        pass
-    return None
+def unsealed(line: bytes) -> bytes | None:
+    """Return the text of a line of a state, without its end; None if it is damaged."""
+    text = line[_SEAL + 1 :]
+    return text if sealed(text) == line + b"\n" else None
 
 
 def described(options: Description) -> bytes:
@@ -122,7 +123,8 @@ class FinishedCases:
         self.folder = folder
         self.mark = suffix[1:]
         self.name = f".vstatics-run-{self.mark}"
-        self.path = os.path.join(folder, self.name)  # noqa: PTH118
+        self._files = StateFolder(folder, has_results=True)
+        self.path = self._files.file(self.name)
         self.options = options
         self._run = hashlib.sha256(described(options)).hexdigest()[:16]
         self._done: dict[str, _Entry] = {}
@@ -134,17 +136,17 @@ class FinishedCases:
 
     def __exit__(self, *_: object) -> None:
         """Let go of the directory, without what a worker was writing when it was ended."""
-        self._forget()
-        unlock(self._lock, self.path + LOCKED)
+        if self._lock is not None:
+            self._files.forget(self.mark)
+            self._files.remove(self.name + LOCKED)
+        unlock(self._lock)
 
     def lock(self) -> None:
         """Take the results of this format for this process; see `vstatics.jobs.lock.lock`."""
-        self._lock = lock(self.folder, self.name + LOCKED, "run")
-        self._forget()  # of a run that was killed
-
-    def _forget(self) -> None:
+        self._files.check(self.name, self.name + LOCKED)
+        self._lock = lock(self._files, self.name + LOCKED, "run")
         if self._lock is not None:
-            forget(self.folder, self.mark)
+            self._files.forget(self.mark)  # of a run that was killed
 
     def begin(self) -> None:
         """Begin a run.
@@ -154,7 +156,7 @@ class FinishedCases:
         OSError
             If that cannot be written.
         """
-        replace(self.path, described(self.options) + b"\n")
+        self._files.replace(self.name, described(self.options) + b"\n")
 
     def resume(self) -> str:
         """Take up the run that is there; why every case is calculated, if there is none.
@@ -166,24 +168,24 @@ class FinishedCases:
             with those to come.
         """
         try:
-            with open(self.path, encoding="utf-8") as file:  # noqa: PTH123
-                first, *lines = file.read().splitlines()
-        except (OSError, ValueError):
+            with self._files.reading(self.name) as file:
+                first, *lines = file.read().split(b"\n")
+        except FileNotFoundError:
             return NO_RUN
-        without = why_not_taken(first.encode(), self.options, self.path)
+        without = why_not_taken(first, self.options, self.path)
         if without:
             return without
         for line in lines:
             self._take(line)
         return ""
 
-    def _take(self, line: str) -> None:
-        """An entry; the last line may have been cut."""
-        try:
-            name, case, beside, run, state, failed = json.loads(line)
-            self._done.pop(name, None)
-        except (ValueError, TypeError):
+    def _take(self, line: bytes) -> None:
+        """Take up an entry, unless its line was cut or damaged."""
+        text = unsealed(line)
+        if text is None:
             return
+        name, case, beside, run, state, failed = json.loads(text)
+        self._done.pop(name, None)
         if not failed:
             self._done[name] = _Entry(case, dict(beside), run, state)
 
@@ -223,8 +225,8 @@ class FinishedCases:
         replace_pages(target, result, self.mark)
         name, others = os.path.basename(target), {one: hash_of_file(one) for one in beside}  # noqa: PTH119
         entry = [name, hash_of(case), others, self._run, _state(target), failed]
-        with appending(self.path) as write:
-            write(json.dumps(entry).encode() + b"\n")
+        with self._files.appending(self.name) as write:
+            write(sealed(json.dumps(entry).encode()))
 
 
 def _state(target: str) -> list[int] | None:

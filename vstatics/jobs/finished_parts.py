@@ -2,8 +2,10 @@
 
 While a run writes one file, a directory beside it holds the parts of cases that are finished: a
 line for what they depend on (options and the build of this package), then for each part a line,
-with the hash of the case that was read and of the files that it names, and the part itself. It
-goes when the output is there, if no case failed: else the others need not be calculated again.
+with the hashes of the case that was read, of the files that it names and of the part, and the part
+itself. Each of these lines begins with its own hash, and whatever is damaged does not count. The
+directory goes when the output is there, if no case failed: else the others need not be calculated
+again.
 """
 
 from __future__ import annotations
@@ -15,17 +17,18 @@ from collections.abc import Iterable, Iterator
 from typing import IO, NamedTuple, Self
 
 from vstatics.errors import ReadError, of_file, plural
-from vstatics.jobs.files import forget, replace
+from vstatics.jobs.files import hash_of, hash_of_file, write_all
 from vstatics.jobs.finished_cases import (
     NO_RUN,
     Description,
     described,
-    hash_of,
-    hash_of_file,
+    sealed,
+    unsealed,
     why_not_taken,
 )
 from vstatics.jobs.finished_pieces import LOCK, SUFFIX
 from vstatics.jobs.lock import lock, unlock
+from vstatics.jobs.state_files import StateFolder
 
 PARTS, OVER = "parts", "over"
 """The parts; a file that is there where their run was not stopped."""
@@ -51,7 +54,7 @@ def case_mark(data: bytes, beside: Iterable[str]) -> CaseMark:
 
 
 class _Stretch(NamedTuple):
-    """Where a part stands."""
+    """Place of a part in the file of parts."""
 
     mark: CaseMark
     start: int
@@ -72,7 +75,8 @@ class FinishedParts:
     def __init__(self, output: str, options: Description) -> None:
         self.output = output
         self.directory = os.path.realpath(output) + SUFFIX
-        self.path = os.path.join(self.directory, PARTS)  # noqa: PTH118
+        self.folder = StateFolder(self.directory)
+        self.path = self.folder.file(PARTS)
         self.options = options
         self.stays = False
         """Whether parts stay after a run that came to its end."""
@@ -80,7 +84,7 @@ class FinishedParts:
         """Of the run that is taken up."""
         self._added = False
         self._lock: int | None = None
-        self._file: IO[bytes] | None = None
+        self._file: int | None = None
 
     def __enter__(self) -> Self:
         """Nothing is touched yet."""
@@ -89,7 +93,7 @@ class FinishedParts:
     def __exit__(self, *error: object) -> None:
         """Let go of the parts; they stay after an error, or where that is wanted."""
         if self._file is not None:
-            self._file.close()
+            os.close(self._file)
             self._leave(is_over=error[0] is None)
         unlock(self._lock)
 
@@ -98,21 +102,15 @@ class FinishedParts:
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
-                    replace(self._over, b"")
+                    self.folder.replace(OVER, b"")
             return
-        for path in (self.path, os.path.join(self.directory, LOCK)):  # noqa: PTH118
-            with contextlib.suppress(OSError):
-                os.unlink(path)  # noqa: PTH108
-        with contextlib.suppress(OSError):
-            os.rmdir(self.directory)  # noqa: PTH106
-
-    @property
-    def _over(self) -> str:
-        return os.path.join(self.directory, OVER)  # noqa: PTH118
+        self.folder.remove(PARTS)
+        self.folder.remove(LOCK)
+        self.folder.drop()
 
     def exists(self) -> bool:
-        """Whether there is a directory of parts."""
-        return os.path.isdir(self.directory)  # noqa: PTH112
+        """Return whether anything has the name of the directory of parts."""
+        return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
         """Begin, or take up what is there; why nothing is taken up, where that was asked for.
@@ -125,28 +123,28 @@ class FinishedParts:
         OSError
             If nothing can be written.
         """
-        self._lock = lock(self.directory, LOCK, "run")
+        self.folder.make()
+        self.folder.check()
+        self._lock = lock(self.folder, LOCK, "run")
         if self._lock is not None:
-            forget(self.directory)  # the output itself, of a run that was killed
-        if not (resume or os.path.exists(self._over)):  # noqa: PTH110
+            self.folder.forget()  # the output itself, of a run that was killed
+        if not (resume or OVER in self.folder.names()):
             self._refuse()
         without = self._take() if resume else NO_RUN
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(self._over)  # noqa: PTH108
+        self.folder.remove(OVER)
+        first = described(self.options) + b"\n"
         if without:
-            self._parts.clear()
-            replace(self.path, described(self.options) + b"\n")
-        self._file = open(self.path, "r+b")  # noqa: PTH123, SIM115 - closed with the parts
-        self._file.readline()  # what the parts depend on
-        ends = [one.start + one.size for one in self._parts.values()]
-        self._file.truncate(max([self._file.tell(), *ends]))  # what a run that was killed has cut
-        self._file.seek(0, os.SEEK_END)
+            self.folder.replace(PARTS, first)
+        self._file = self.folder.open(PARTS, os.O_RDWR)
+        end = max([len(first), *(one.start + one.size for one in self._parts.values())])
+        os.ftruncate(self._file, end)  # what a run that was killed has cut
+        os.lseek(self._file, end, os.SEEK_SET)
         return without if resume else ""
 
     def _refuse(self) -> None:
         """Keep the parts of a run that was stopped."""
         count = 0
-        with contextlib.suppress(FileNotFoundError), open(self.path, "rb") as file:  # noqa: PTH123
+        with contextlib.suppress(FileNotFoundError), self.folder.reading(PARTS) as file:
             file.readline()
             count = len(dict(_whole_parts(file)))
         if count:
@@ -157,7 +155,7 @@ class FinishedParts:
     def _take(self) -> str:
         """Learn which parts are there; why they can't be taken up."""
         try:
-            with open(self.path, "rb") as file:  # noqa: PTH123
+            with self.folder.reading(PARTS) as file:
                 without = why_not_taken(file.readline(), self.options, self.path, ANEW)
                 if not without:
                     self._parts.update(_whole_parts(file))
@@ -175,10 +173,9 @@ class FinishedParts:
 
     def part(self, file: str) -> bytes:
         """The part of a case."""
-        found = self._parts[file]
         assert self._file is not None  # noqa: S101 - it was opened
-        self._file.seek(found.start)
-        return self._file.read(found.size)
+        stretch = self._parts[file]
+        return os.pread(self._file, stretch.size, stretch.start)
 
     def put(self, file: str, mark: CaseMark, part: bytes) -> None:
         """Keep the part of a case.
@@ -189,21 +186,18 @@ class FinishedParts:
             If that is not possible.
         """
         assert self._file is not None  # noqa: S101 - it was opened
-        head = json.dumps([file, mark.case, mark.beside, len(part)]).encode() + b"\n"
-        self._file.seek(0, os.SEEK_END)
-        self._file.write(head + part)
-        self._file.flush()
+        entry = [file, mark.case, mark.beside, len(part), hash_of(part)]
+        write_all(self._file, sealed(json.dumps(entry).encode()) + part)
         self._added = True  # what is new is in memory no longer than it takes to write it
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
-    """The parts that stand behind the first line, each with its case; what is cut is left out."""
-    size = os.fstat(file.fileno()).st_size
-    with contextlib.suppress(ValueError, TypeError):  # a disk was full; what is before it counts
-        while (line := file.readline()).endswith(b"\n"):
-            name, case, beside, length = json.loads(line)
-            start = file.tell()
-            if start + length > size:
-                return
+    """Give the parts behind the first line, each with its case, without damaged parts.
+
+    A line that is cut or damaged ends them: nobody knows where the next one begins.
+    """
+    while (text := unsealed(file.readline()[:-1])) is not None:
+        name, case, beside, length, known = json.loads(text)
+        start = file.tell()
+        if hash_of(file.read(length)) == known:
             yield name, _Stretch(CaseMark(case, beside), start, length)
-            file.seek(start + length)

@@ -7,17 +7,17 @@ whether its output is a directory too, it says itself.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import json
 import os
 from typing import Self
 
 from vstatics.errors import ReadError, of_file
-from vstatics.jobs.files import is_temporary, put_for_good, replace
+from vstatics.jobs.files import is_temporary
 from vstatics.jobs.finished_cases import OTHER_BUILD, Description, differing
 from vstatics.jobs.lock import lock, unlock
 from vstatics.jobs.piece_file import ASSEMBLED, Account, read_account
+from vstatics.jobs.state_files import StateFolder
 
 SUFFIX = ".parts"
 PLAN = "plan.json"
@@ -46,6 +46,7 @@ class FinishedPieces:
         self.output = os.path.realpath(output)
         self.what, self.into_folder = what, into_folder
         self.directory = self.output + SUFFIX
+        self.folder = StateFolder(self.directory)
         self.accounts: dict[int, Account] = {}
         self._lock: int | None = None
         self.is_open = False
@@ -61,16 +62,16 @@ class FinishedPieces:
         self.unlock()
 
     def path(self, name: str) -> str:
-        """A file in the directory."""
-        return os.path.join(self.directory, name)  # noqa: PTH118
+        """Return the path of a file in the directory."""
+        return self.folder.file(name)
 
     def exists(self) -> bool:
-        """Whether there is a directory of pieces."""
-        return os.path.isdir(self.directory)  # noqa: PTH112
+        """Return whether anything has the name of the directory of pieces."""
+        return self.folder.exists()
 
     def size(self) -> int:
-        """Bytes of what is there."""
-        return sum(os.stat(self.path(name)).st_size for name in self._names())  # noqa: PTH116
+        """Return the size of all files in bytes."""
+        return self.folder.size()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
         """Make the directory, or take up the pieces that it holds; why not, if so.
@@ -104,33 +105,29 @@ class FinishedPieces:
             accounts = (read_account(self.directory, piece) for piece in finished if not without)
             self.accounts = {account.piece: account for account in accounts if account}
         self.is_open = True
-        for name in self._names():  # what a killed process left unfinished
+        for name in self.folder.names():  # what a killed process left unfinished
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
-                os.unlink(self.path(name))  # noqa: PTH108
-        replace(self.path(PLAN), json.dumps(description, indent=2, ensure_ascii=False).encode())
+                self.folder.remove(name)
+        self.folder.replace(PLAN, json.dumps(description, indent=2, ensure_ascii=False).encode())
         return without
 
     def _known(self) -> Description | None:
         """The description of the work whose pieces are there."""
         try:
-            with open(self.path(PLAN), encoding="utf-8") as file:  # noqa: PTH123
+            with self.folder.reading(PLAN) as file:
                 known = json.load(file)
         except (OSError, ValueError):
             known = None
         if isinstance(known, dict) and "fingerprint" in known:
             return known
-        if all(name == LOCK or is_temporary(name) for name in self._names()):
+        if all(name == LOCK or is_temporary(name) for name in self.folder.names()):
             return None
         message = f"holds no {self.what} that can be taken up; move it away"
         raise ReadError([of_file("E032", self.directory, message)])
 
-    def _names(self) -> list[str]:
-        """What is in the directory."""
-        return os.listdir(self.directory) if self.exists() else []  # noqa: PTH208
-
     def finished(self) -> list[int]:
         """The numbers of the pieces that are there, whoever finished them."""
-        return sorted(int(name) for name in self._names() if name.isdigit())
+        return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(
         self, known: Description, wanted: Description, finished: int, *, resume: bool
@@ -156,7 +153,9 @@ class FinishedPieces:
 
     def lock(self) -> None:
         """Take the directory for this process; see `vstatics.jobs.lock.lock`."""
-        self._lock = lock(self.directory, LOCK, self.what)
+        self.folder.make()
+        self.folder.check()
+        self._lock = lock(self.folder, LOCK, self.what)
 
     def unlock(self) -> None:
         """Let go of the directory."""
@@ -165,8 +164,7 @@ class FinishedPieces:
 
     def discard(self, name: str) -> None:
         """Remove a file from the directory, if it is there."""
-        with contextlib.suppress(OSError):
-            os.unlink(self.path(name))  # noqa: PTH108
+        self.folder.remove(name)
 
     def finish(self) -> None:
         """Move the assembled output into place and, when it is on the disk, remove the pieces.
@@ -175,7 +173,7 @@ class FinishedPieces:
         ------
         OSError
         """
-        put_for_good(self.path(ASSEMBLED), self.output)
+        self.folder.put_for_good(ASSEMBLED, self.output)
         self.drop()
 
     def drop(self) -> None:
@@ -185,7 +183,6 @@ class FinishedPieces:
 
     def _remove(self) -> None:
         """Remove the directory, last what tells of which work it is: so any rest can go on."""
-        for name in sorted(self._names(), key=(PLAN, LOCK).__contains__):
-            self.discard(name)
-        with contextlib.suppress(OSError):
-            os.rmdir(self.directory)  # noqa: PTH106
+        for name in sorted(self.folder.names(), key=(PLAN, LOCK).__contains__):
+            self.folder.remove(name)
+        self.folder.drop()

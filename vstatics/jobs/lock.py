@@ -8,6 +8,7 @@ import os
 import time
 
 from vstatics.errors import ReadError, of_file
+from vstatics.jobs.state_files import StateFolder
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
 """How a file system says that it has no locks."""
@@ -15,26 +16,26 @@ LOCK_TENTHS = 10
 """Tenths of a second to wait for it."""
 
 
-def lock(directory: str, name: str, what: str) -> int | None:
-    """Make a directory, if need be, and lock it; the file to `unlock` in the end.
+def lock(folder: StateFolder, name: str, what: str) -> int | None:
+    """Make a folder, if need be, and lock it; the file to `unlock` in the end.
 
     None where a system, or the file system, has no such locks.
 
     Parameters
     ----------
-    directory : str
+    folder : StateFolder
     name : str
-        Of the file in the directory; it names the process.
+        Of the file in the folder; it names the process.
     what : str
         What the process does, for the message to others.
 
     Raises
     ------
     ReadError
-        If another process has it.
+        If another process has it, or something else has its name.
     OSError
     """
-    _make(directory)
+    folder.make()
     try:
         import fcntl
     except ImportError:
@@ -43,45 +44,31 @@ def lock(directory: str, name: str, what: str) -> int | None:
     for attempt in range(LOCK_TENTHS):
         if attempt:
             time.sleep(0.1)  # workers of a killed process leave soon
-            _make(directory)
-        path = os.path.join(directory, name)  # noqa: PTH118
-        file = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+            folder.make()
+        file = folder.open(name, os.O_RDWR | os.O_CREAT)
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             holder = os.read(file, 100).decode(errors="replace").strip()
         except OSError as error:
-            unlock(file, path)
+            folder.remove(name)
+            os.close(file)
             if error.errno in WITHOUT:
                 return None
             raise
         else:
-            if _is_same(file, path):  # else it was removed, by one that has finished
-                os.truncate(file, 0)
-                os.write(file, f"{os.getpid()}\n".encode())
+            if folder.has(name, file):  # else it was removed, by one that has finished
+                with contextlib.suppress(OSError):  # a full disk: it is locked all the same
+                    os.ftruncate(file, 0)
+                    os.write(file, f"{os.getpid()}\n".encode())
                 return file
         os.close(file)
     process = f" (process {holder})" if holder else ""
-    raise ReadError([of_file("E034", directory, f"another {what}{process} is writing this output")])
+    message = f"another {what}{process} is writing this output"
+    raise ReadError([of_file("E034", folder.path, message)])
 
 
-def unlock(file: int | None, path: str = "") -> None:
-    """Let go of a directory; with a path remove the file before."""
+def unlock(file: int | None) -> None:
+    """Let go of a folder."""
     if file is not None:
-        if path:
-            with contextlib.suppress(OSError):
-                os.unlink(path)  # noqa: PTH108
         os.close(file)
-
-
-def _make(directory: str) -> None:
-    with contextlib.suppress(FileExistsError):
-        os.mkdir(directory)  # noqa: PTH102
-
-
-def _is_same(file: int, path: str) -> bool:
-    """Whether an open file still has this name."""
-    try:
-        return os.path.samestat(os.fstat(file), os.stat(path))  # noqa: PTH116
-    except OSError:
-        return False

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Any, NamedTuple
 
-from vstatics.jobs.files import replacing
+from vstatics.jobs.state_files import StateFolder
 
 ASSEMBLED = "output"
 """The file that becomes the output."""
@@ -123,7 +123,7 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
     ------
     OSError
     """
-    with replacing(piece_path(directory, piece)) as write:
+    with StateFolder(directory).replacing(piece_name(piece)) as write:
         for buffer in buffers:
             write(memoryview(buffer).cast("B"))
 
@@ -131,7 +131,7 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 def read_account(directory: str, piece: int) -> Account | None:
     """The account of a piece, if it is there and its data are what was written."""
     try:
-        with open(piece_path(directory, piece), "rb") as file:  # noqa: PTH123
+        with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)
             file.seek(size - _END.size)
             length, magic = _END.unpack(file.read(_END.size))
@@ -161,9 +161,25 @@ def _crc(file: Any, length: int) -> int:
     return crc
 
 
+def read_segments(directory: str, account: Account) -> list[bytes]:
+    """Read the data of a piece.
+
+    Raises
+    ------
+    OSError
+    """
+    with StateFolder(directory).reading(piece_name(account.piece)) as file:
+        return [file.read(segment.length) for segment in account.segments]
+
+
+def piece_name(piece: int) -> str:
+    """Return the name of the file of a piece."""
+    return f"{piece:08}"
+
+
 def piece_path(directory: str, piece: int) -> str:
-    """The file of a piece."""
-    return os.path.join(directory, f"{piece:08}")  # noqa: PTH118
+    """Return the path of the file of a piece."""
+    return StateFolder(directory).file(piece_name(piece))
 
 
 def copy(directory: str, copies: Sequence[Copy]) -> int:
@@ -175,10 +191,11 @@ def copy(directory: str, copies: Sequence[Copy]) -> int:
     ------
     OSError
     """
-    target = os.open(os.path.join(directory, ASSEMBLED), os.O_WRONLY)  # noqa: PTH118
+    folder = StateFolder(directory)
+    target = folder.open(ASSEMBLED, os.O_WRONLY)
     try:
         for piece, group in groupby(copies, key=lambda one: one.piece):
-            source = os.open(piece_path(directory, piece), os.O_RDONLY)
+            source = folder.open(piece_name(piece), os.O_RDONLY)
             try:
                 for one in group:
                     _copy(source, target, one)

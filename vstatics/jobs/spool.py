@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import weakref
 from tempfile import mkstemp
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.errors import ReadError, of_file
+from vstatics.jobs.state_files import StateFolder
 from vstatics.numerics.arrays import Floats
 
 PREFIX = "vstatics-table-"
@@ -35,6 +35,7 @@ class Spool:
 
     Examples
     --------
+    >>> import contextlib
     >>> with contextlib.closing(Spool(2)) as spool:
     ...     spool.write(np.array([[1.0, 2.0], [3.0, 4.0]]))
     ...     spool.take(1, 2)
@@ -49,7 +50,9 @@ class Spool:
         except OSError as error:
             raise _unwritable("the folder for temporary files", error) from None
         os.close(handle)
-        self._remove = weakref.finalize(self, _remove, self.path, os.getpid())
+        folder, self._name = os.path.split(self.path)
+        self._folder = StateFolder(folder, has_results=True)
+        self._remove = weakref.finalize(self, _remove, self._folder, self._name, os.getpid())
 
     def write(self, rows: Floats) -> None:
         """Append rows of shape (n, columns).
@@ -60,8 +63,8 @@ class Spool:
             If they cannot be written; the file is removed.
         """
         try:
-            with open(self.path, "ab") as opened:  # noqa: PTH123
-                opened.write(np.ascontiguousarray(rows, dtype=np.float64).data)
+            with self._folder.appending(self._name) as write:
+                write(np.ascontiguousarray(rows, dtype=np.float64).data.cast("B"))
         except OSError as error:
             self.close()
             raise _unwritable(self.path, error) from None
@@ -77,7 +80,7 @@ class Spool:
         """
         count, before = (stop - start) * self.columns, start * self.columns * 8
         try:
-            with open(self.path, "rb") as opened:  # noqa: PTH123
+            with self._folder.reading(self._name) as opened:
                 opened.seek(before)
                 data = opened.read(count * 8)
         except OSError as error:
@@ -96,11 +99,10 @@ class Spool:
         return {**vars(self), "_remove": None}
 
 
-def _remove(path: str, owner: int) -> None:
+def _remove(folder: StateFolder, name: str, owner: int) -> None:
     """Remove a file, but not in a process that was forked off the owner."""
     if os.getpid() == owner:
-        with contextlib.suppress(OSError):
-            os.unlink(path)  # noqa: PTH108
+        folder.remove(name)
 
 
 def _unwritable(path: str, error: OSError) -> ReadError:

@@ -154,7 +154,7 @@ class Output:
         from vstatics.sweep.formats import tables
 
         rows = self.task.plan.output_headings, self._chunks(accounts)
-        with open(self.store.path(piece_file.ASSEMBLED), "wb") as file:  # noqa: PTH123
+        with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             if self.task.form == "parquet":
                 tables.write_parquet(file, *rows, by_gear=self.task.plan.by_gear)
             else:
@@ -175,7 +175,7 @@ class Output:
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
         """Write what is known and let the workers copy the rest, each piece to its place."""
-        with open(self.store.path(piece_file.ASSEMBLED), "wb") as file:  # noqa: PTH123
+        with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
             for place, known in layout.texts:
                 file.seek(place)

@@ -127,8 +127,7 @@ def columns_of(rows: Chunk) -> list[Any]:
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:
     """A piece of columns back from disk."""
-    with open(piece_file.piece_path(task.directory, account.piece), "rb") as file:  # noqa: PTH123
-        data = [file.read(segment.length) for segment in account.segments]
+    data = piece_file.read_segments(task.directory, account)
     names, headings, gears = task.plan.names, task.plan.headings, task.plan.gears
     values = 1 + len(names)
     first = values + 1 + bool(gears)

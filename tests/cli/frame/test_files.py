@@ -58,7 +58,7 @@ def test_a_failing_run_leaves_the_old_file(folder: Path) -> None:
 def test_a_write_that_breaks_off_leaves_the_old_file(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(source: str, target: str) -> None:
+    def full(source: str, target: str, **_: object) -> None:
         raise OSError(28, "No space left on device", source, None, target)
 
     old = folder / "old.lst"

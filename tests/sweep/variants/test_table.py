@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import multiprocessing
 import os
@@ -329,11 +330,13 @@ def test_a_folder_that_cannot_be_written(spooled: Path) -> None:
     assert "set TMPDIR to another folder" in message
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
 def test_a_full_disk_leaves_no_file(spooled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
     monkeypatch.setattr(tempfile, "tempdir", str(spooled))
     spool = Spool(2)
-    spool.path = "/dev/full"
+    monkeypatch.setattr(os, "write", full)
     with pytest.raises(ReadError, match="can't be written: No space left on device; make room"):
         spool.write(EXPECTED)
     assert not list(spooled.iterdir())

@@ -9,11 +9,15 @@ import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import click
 
 from vstatics.errors import CaseError, Problem, ReadError, excerpt, nearest, of_file, printable
 from vstatics.jobs.files import STDIN_NAME, STDOUT, Write, is_stream, opened, replacing, unwritable
+
+if TYPE_CHECKING:
+    from vstatics.jobs.state_files import StateFolder
 
 STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
@@ -224,10 +228,12 @@ def write_coloured(text: str) -> None:
 
 
 @contextlib.contextmanager
-def stream(output: str | None, *, coloured: bool = False, folder: str = "") -> Iterator[Write]:
+def stream(
+    output: str | None, *, coloured: bool = False, folder: StateFolder | None = None
+) -> Iterator[Write]:
     """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
 
-    Until then it is in a folder; in its own, if none is given.
+    Until then the file is in a folder; in its own, if none is given.
 
     Raises
     ------
@@ -238,7 +244,11 @@ def stream(output: str | None, *, coloured: bool = False, folder: str = "") -> I
         if output is None or output == STDOUT:
             yield partial(_print, coloured=coloured)
         else:
-            with opened(output) if is_stream(output) else replacing(output, folder=folder) as write:
+            if is_stream(output):
+                way = opened(output)
+            else:
+                way = replacing(output) if folder is None else folder.replacing_output(output)
+            with way as write:
                 yield write
     except BrokenPipeError:
         raise  # the reader has seen enough; click ends quietly

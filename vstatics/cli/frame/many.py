@@ -149,8 +149,10 @@ def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> 
     """What is left of a run that is taken up; all of it where none can be."""
     try:
         without = finished.resume()
-    except ReadError as error:  # it had other options
-        raise click.UsageError(error.problems[0].message) from None
+    except ReadError as error:
+        if error.problems[0].id != "E031":
+            raise
+        raise click.UsageError(error.problems[0].message) from None  # it had other options
     if without:
         if not quiet:
             files.say(f"{finished.folder}: {without}; every case is calculated")
@@ -188,7 +190,7 @@ def to_stream(
         count = _Count(len(cases), sum(file in done for file in cases))
         todo = [CaseTask(file) for file in cases if file not in done]
         stop = stack.enter_context(_until_stopped(count, kept))
-        folder = "" if parts is None else parts.directory
+        folder = None if parts is None else parts.folder
         write = stack.enter_context(files.stream(output, folder=folder))
         results = stack.enter_context(_results(job, todo, jobs))
         to_stdout = output in (None, STDOUT)

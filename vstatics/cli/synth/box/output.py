@@ -17,8 +17,8 @@ from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import CaseOutput
 from vstatics.errors import plural
 from vstatics.jobs.alone import Workers
-from vstatics.jobs.files import appending, replace
-from vstatics.jobs.finished_cases import hash_of, hash_of_file
+from vstatics.jobs.files import hash_of, hash_of_file, replace
+from vstatics.jobs.state_files import StateFolder
 from vstatics.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
@@ -118,8 +118,9 @@ def write_folder(
     os.makedirs(folder, exist_ok=True)  # noqa: PTH103
     items = _items(found)
     own: dict[str, str] = {}
+    state = StateFolder(folder, has_results=True)
     with (
-        appending(os.path.join(folder, RECORD)) as record,  # noqa: PTH118
+        state.appending(RECORD) as record,
         progress(len(items) + 1, "boxes written", quiet=quiet) as advance,
     ):
 
@@ -140,7 +141,7 @@ def write_folder(
         put("boxes.csv", found.table(TextStyle(raw=style.raw)))
         for form, name in TABLES.items():  # the document last: where it is all is
             put(name, found.text(form, style))
-    _put(folder, RECORD, "".join(f"{one}\n" for one in own.values()).encode())
+    state.replace(RECORD, "".join(f"{one}\n" for one in own.values()).encode())
     if len(items) > MOST_DRAWN_CASES and not quiet:
         some = "those of the Pareto list, the first of each family, and the next in order"
         files.say(f"{folder}: {MOST_DRAWN_CASES} of {len(items)} boxes have a diagram: {some}")
@@ -197,8 +198,8 @@ def of_others(folder: str) -> str:
     if not os.path.isdir(folder):  # noqa: PTH112
         return ""
     known = frozenset[str]()
-    with suppress(OSError), open(os.path.join(folder, RECORD), encoding="ascii") as record:  # noqa: PTH118, PTH123
-        known = frozenset(record.read().split())
+    with suppress(OSError), StateFolder(folder, has_results=True).reading(RECORD) as record:
+        known = frozenset(record.read().decode(errors="replace").split())
     for name in sorted(filter(OWN.fullmatch, os.listdir(folder))):  # noqa: PTH208
         path = os.path.join(folder, name)  # noqa: PTH118
         if not os.path.islink(path) and hash_of_file(path) not in known:  # noqa: PTH114

@@ -15,7 +15,7 @@ from vstatics.cli.synth.box.options import BoxAsked
 from vstatics.cli.synth.box.output import FoundBoxes, write_folder
 from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
-from vstatics.jobs.files import is_stream, replace, unwritable
+from vstatics.jobs.files import is_stream, unwritable
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
@@ -153,7 +153,7 @@ def _to_store(run: BoxRun, count: int) -> FoundBoxes:
                 write_folder(output, found, run.to.style, called, quiet=run.quiet)
                 store.drop()
             else:
-                replace(store.path(ASSEMBLED), found.text(run.to.form, run.to.style))
+                store.folder.replace(ASSEMBLED, found.text(run.to.form, run.to.style))
                 store.finish()
     if run.to.is_folder and run.to.form != "xlsx":
         files.write_data(found.text(run.to.form, run.to.style), None)

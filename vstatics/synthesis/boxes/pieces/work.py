@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import CaseError
 from vstatics.extras import build
 from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.piece_file import Account, piece_bytes, piece_path, write_piece
+from vstatics.jobs.piece_file import Account, piece_bytes, read_segments, write_piece
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
 from vstatics.synthesis.boxes.pieces.found import FoundPiece, found_in
@@ -153,8 +153,7 @@ class SearchedPieces:
     def _text(self, piece: int) -> bytes:
         if self._store is None:
             return self._lines[piece]
-        with open(piece_path(self._store.directory, piece), "rb") as file:  # noqa: PTH123
-            return file.read(self._accounts[piece].length)
+        return b"".join(read_segments(self._store.directory, self._accounts[piece]))
 
 
 def check_most(count: int, most: int) -> None:

@@ -1,0 +1,245 @@
+"""Locks and finished work in a folder, where anybody may have put something else.
+
+Nothing else opens, renames or removes these files. A folder is opened first and its files by
+their names in it, so what was looked at is what is used. A file counts if it is a regular file of
+this user with a single name. A link, a FIFO, a device, a socket, a folder or a file of another
+owner is refused by name before anything is read or written, and so is such a folder.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import stat
+from collections.abc import Iterator
+from functools import partial
+from typing import IO, NamedTuple
+
+from vstatics.errors import ReadError, of_file
+from vstatics.jobs.files import Write, front, replacing, sync, whole_file, write_all
+
+_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0)
+"""A FIFO that takes the place of a file after it was looked at makes nobody wait."""
+_FOLDER = getattr(os, "O_DIRECTORY", 0)
+_KINDS = {
+    stat.S_IFLNK: "a link",
+    stat.S_IFDIR: "a folder",
+    stat.S_IFREG: "a file",
+    stat.S_IFIFO: "a FIFO",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+CURE = "remove it, or choose another output"
+
+
+class StateFolder(NamedTuple):
+    """A folder with files of a state.
+
+    Parameters
+    ----------
+    path : str
+    has_results : bool
+        Whether the folder is the output itself, so that it may be a link or belong to others.
+        Otherwise it belongs to the state alone.
+    """
+
+    path: str
+    has_results: bool = False
+
+    def file(self, name: str) -> str:
+        """Return the path of a file in the folder, for messages."""
+        return os.path.join(self.path, name)  # noqa: PTH118
+
+    def exists(self) -> bool:
+        """Return whether anything has the name of the folder."""
+        return os.path.lexists(self.path)
+
+    def make(self) -> None:
+        """Create the folder unless it is there."""
+        with contextlib.suppress(FileExistsError):
+            os.mkdir(self.path)  # noqa: PTH102
+
+    def check(self, *names: str) -> None:
+        """Refuse whatever is not a file of a state; without names, anywhere in the folder.
+
+        Raises
+        ------
+        ReadError
+            With the name of what is refused.
+        """
+        if not self.exists():
+            return
+        with self._opened() as folder:
+            for name in names or os.listdir(folder):  # noqa: PTH208
+                self._look(folder, name)
+
+    def names(self) -> list[str]:
+        """Return the names of all files, if the folder is there."""
+        if not self.exists():
+            return []
+        with self._opened() as folder:
+            return os.listdir(folder)  # noqa: PTH208
+
+    def size(self) -> int:
+        """Return the size of all files in bytes."""
+        if not self.exists():
+            return 0
+        with self._opened() as folder:
+            names = os.listdir(folder)  # noqa: PTH208
+            return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
+
+    def open(self, name: str, flags: int) -> int:
+        """Open a file; the descriptor, which the caller closes.
+
+        Raises
+        ------
+        ReadError
+            If it is not a file of a state.
+        OSError
+        """
+        with self._opened() as folder:
+            self._look(folder, name)
+            handle = os.open(name, flags | _NO_LINK | _AT_ONCE, 0o666, dir_fd=folder)
+        try:
+            _refuse(self.file(name), os.fstat(handle), stat.S_IFREG)
+        except BaseException:
+            os.close(handle)
+            raise
+        return handle
+
+    def has(self, name: str, handle: int) -> bool:
+        """Return whether an open file still has this name."""
+        try:
+            with self._opened() as folder:
+                return os.path.samestat(os.fstat(handle), os.lstat(name, dir_fd=folder))
+        except OSError:
+            return False
+
+    def reading(self, name: str) -> IO[bytes]:
+        """Open a file to read it."""
+        return open(self.open(name, os.O_RDONLY), "rb")  # noqa: PTH123
+
+    @contextlib.contextmanager
+    def appending(self, name: str) -> Iterator[Write]:
+        """Write at the end of a file, each time all at once; it need not be there."""
+        handle = self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+        try:
+            yield partial(write_all, handle)
+        finally:
+            os.close(handle)
+
+    def writing(self, name: str) -> IO[bytes]:
+        """Open a new file to write it; an earlier file of this name is removed."""
+        self.check(name)
+        self.remove(name)
+        return open(self.open(name, os.O_RDWR | os.O_CREAT | os.O_EXCL), "r+b")  # noqa: PTH123
+
+    @contextlib.contextmanager
+    def replacing(self, name: str, mark: str = "") -> Iterator[Write]:
+        """Write a file whole or not at all; see `vstatics.jobs.files.replacing`."""
+        with self._opened() as folder:
+            self._look(folder, name)
+            with whole_file(name, mark, source=folder, target=folder) as write:
+                yield write
+
+    def replace(self, name: str, data: bytes) -> None:
+        """Write a file whole or not at all."""
+        with self.replacing(name) as write:
+            write(data)
+
+    @contextlib.contextmanager
+    def replacing_output(self, path: str) -> Iterator[Write]:
+        """Write a file in the folder, and move it to a path when the block ends well."""
+        with self._opened() as folder, replacing(path, folder=folder) as write:
+            yield write
+
+    def put_for_good(self, name: str, path: str) -> None:
+        """Move a file to a path, so that it is on the disk there even if the power fails now.
+
+        Raises
+        ------
+        OSError
+            If its data do not get there; then both files are as they were.
+        """
+        with self.reading(name) as file:
+            os.fsync(file.fileno())
+        with self._opened() as folder:
+            os.replace(name, path, src_dir_fd=folder)
+        with contextlib.suppress(OSError):  # not every system can do that for a folder
+            sync(os.path.dirname(path) or os.curdir)  # noqa: PTH120
+
+    def remove(self, name: str) -> None:
+        """Remove a file, if it is there and can be removed."""
+        with contextlib.suppress(OSError), self._opened() as folder:
+            os.unlink(name, dir_fd=folder)
+
+    def forget(self, mark: str = "") -> None:
+        """Remove files of a mark that were not finished; nobody may be writing one."""
+        for name in self.names():
+            if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
+                self.remove(name)
+
+    def drop(self) -> None:
+        """Remove the folder, if it is empty."""
+        with contextlib.suppress(OSError):
+            os.rmdir(self.path)  # noqa: PTH106
+
+    @contextlib.contextmanager
+    def _opened(self) -> Iterator[int]:
+        """Open the folder.
+
+        Raises
+        ------
+        ReadError
+            If the state's own folder is something else, or of another owner.
+        OSError
+        """
+        if not self.has_results:
+            _refuse(self.path, os.lstat(self.path), stat.S_IFDIR)
+        handle = os.open(self.path, os.O_RDONLY | _FOLDER | (0 if self.has_results else _NO_LINK))
+        try:
+            if not self.has_results:
+                _refuse(self.path, os.fstat(handle), stat.S_IFDIR)
+            yield handle
+        finally:
+            os.close(handle)
+
+    def _look(self, folder: int, name: str) -> None:
+        """Refuse a name in the open folder that is not a file of a state."""
+        try:
+            status = os.lstat(name, dir_fd=folder)
+        except FileNotFoundError:
+            return
+        _refuse(self.file(name), status, stat.S_IFREG)
+
+
+def _refuse(path: str, status: os.stat_result, kind: int) -> None:
+    """Refuse a path by what was seen of it.
+
+    Raises
+    ------
+    ReadError
+    """
+    seen, expected = stat.S_IFMT(status.st_mode), _KINDS[kind]
+    if seen != kind:
+        message = f"is {_KINDS.get(seen, 'something else')}, expected {expected}; {CURE}"
+        raise ReadError([of_file("E040", path, message)])
+    if status.st_uid != os.geteuid():
+        message = f"has another owner ({_user(status.st_uid)}), expected {expected} of your own"
+        raise ReadError([of_file("E041", path, f"{message}; {CURE}")])
+    if kind == stat.S_IFREG and status.st_nlink > 1:
+        message = f"has a second name (a hard link), expected {expected} of one name; {CURE}"
+        raise ReadError([of_file("E040", path, message)])
+
+
+def _user(number: int) -> str:
+    """Return the name of a user, or the number of a user without a name."""
+    try:
+        import pwd
+
+        return pwd.getpwuid(number).pw_name
+    except (ImportError, KeyError):
+        return f"user {number}"
