@@ -1,7 +1,8 @@
 """The scheme of a dumped clutch integrated in time, from event to event, to its first peak.
 
 It knows nothing of closed forms: the clutch slips at first with .8 of the torque at which it
-breaks away, and grabs where the speeds of engine and disc meet. The engine gives no torque.
+breaks away, and grabs where the speeds of engine and disc meet; or it sticks from the start, and
+everything before the spring turns with the engine. The engine gives no torque.
 """
 
 from __future__ import annotations
@@ -22,16 +23,24 @@ class Contacts(NamedTuple):
     grip: bool = True
 
 
-def first_peak(given: Dump, slipping: float = 0.8) -> tuple[float, list[str]]:
+START = Contacts()
+"""Contacts of a clutch that is dumped: it slips at first."""
+
+
+def first_peak(
+    given: Dump, slipping: float = 0.8, sticks: Contacts = START
+) -> tuple[float, list[str]]:
     """The torque of the spring at its first maximum, and the events before it.
 
     Parameters
     ----------
     slipping : float
         Torque of the clutch that slips by that at which it breaks away.
+    sticks : Contacts
+        Contacts that stick at the start.
     """
-    sticks = Contacts()
-    state = np.array([0.0, given.omega1, 0.0, 0.0, 0.0])  # twist; engine, disc, wheels, vehicle
+    disc = given.omega1 * sticks.clutch
+    state = np.array([0.0, given.omega1, disc, 0.0, 0.0])  # twist; engine, disc, wheels, vehicle
     said: list[str] = []
     span = 10 * np.sqrt((given.J1 + given.J2 + given.J3) * given.E)
     while True:

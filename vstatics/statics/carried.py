@@ -107,14 +107,32 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
             able = torque_of_pump(one.points, plain(ratios[place]), speed)
             on_pump = state.lossy_torques.on_first_link[len(case.shift_elements) + place]
             brought = plain(on_pump) * load.torque
-            if abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able)):
-                yield (
-                    index,
-                    f"the load brings {_told(brought)} N*m to the pump of {one.name}, which at the "
-                    f"speed ratio {plain(ratios[place]):.4g} and {speed / RAD_PER_RPM:.5g} rpm "
-                    f"takes {_told(able)} N*m: give the speed ratio or the load at which they "
-                    "agree",
-                )
+            if disagree(brought, able):
+                at = plain(ratios[place]), speed
+                yield index, disagreement(one.name, brought, able, at)
+
+
+def disagree(brought: float, able: float) -> bool:
+    """Whether the torque that comes to a pump differs from the torque that the pump takes."""
+    return abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able))
+
+
+def disagreement(name: str, brought: float, able: float, at: tuple[float, float]) -> str:
+    """Text about a converter that cannot take the torque of the load.
+
+    Parameters
+    ----------
+    brought, able : float
+        Torque that comes to the pump, and torque that the pump takes. [N*m]
+    at : tuple of float
+        Speed ratio [-] and speed of the pump [rad/s].
+    """
+    ratio, speed = at
+    return (
+        f"the load brings {_told(brought)} N*m to the pump of {name}, which at the speed ratio "
+        f"{ratio:.4g} and {speed / RAD_PER_RPM:.5g} rpm takes {_told(able)} N*m: give the speed "
+        "ratio or the load at which they agree"
+    )
 
 
 def overloads(results: Results) -> Iterator[tuple[int, str]]:

@@ -132,8 +132,12 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
 
 
 def _structures(case: Transmission, targets: Sequence[Target], values: Floats) -> Integers:
-    """A number for each variant: one for equal ratios, with freewheels also efficiencies."""
-    deciding = ("ratio", "efficiency") if case.freewheels else ("ratio",)
+    """A number for each variant: one for equal ratios.
+
+    Efficiencies count where freewheels or the slopes of springs with points depend on torques.
+    """
+    by_torque = case.freewheels or any(spring.points for spring in case.springs)
+    deciding = ("ratio", "efficiency") if by_torque else ("ratio",)
     columns = [place for place, target in enumerate(targets) if target.quantity in deciding]
     numbers = values[:, columns]
     if not len(values) or (numbers == numbers[0]).all():

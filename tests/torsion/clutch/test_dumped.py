@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.torsion.stick_slip import first_peak
+from tests.chance import count, seeded
+from tests.torsion.stick_slip import Contacts, first_peak
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics.errors import CaseError
 from vstatics.torsion.clutch.dumped import dump
@@ -108,6 +109,61 @@ def test_an_integration_in_time_agrees(line: Line) -> None:
     assert least < made.max_torque / peak - 1 < most
     if made.case.startswith("A"):
         assert events == ["grip slips"] * (made.case == "A3")
+
+
+STUCK = Contacts(clutch=True)
+
+
+def test_a_clutch_that_breaks_away_once_is_exact_for_one_that_sticks_at_the_start() -> None:
+    """B1 to B3 and V1 of random schemes, integrated in time from the state that (3.32) assumes.
+
+    After it broke away the clutch has its whole torque, as in (3.45).
+    """
+    random, tried = seeded(353), dict.fromkeys(("B2", "B3", "V1"), 0)
+    for _ in range(count(20, 400)):
+        disc, boxes, wheels = (10 ** random.uniform(-1, 0.3) for _ in range(3))
+        given = Dump(
+            10 ** random.uniform(0, 2), disc, boxes, wheels, 10 ** random.uniform(1, 2), 7e-4,
+            6000.0, 6000 * 10 ** random.uniform(-0.5, 0.7), random.uniform(20, 90),
+        )  # fmt: skip
+        made = dump(given)
+        if made.case in tried:
+            tried[made.case] += 1
+            peak, events = first_peak(given, 1.0, STUCK)
+            assert made.max_torque == pytest.approx(peak, rel=1e-6)
+            assert events == {"B3": ["grip slips"], "V1": ["clutch slips"]}.get(made.case, [])
+    assert all(tried.values())
+
+
+def test_the_first_approximation_of_a_clutch_that_breaks_away() -> None:
+    """(3.51), V1: M_C0 + (omega1/1.5)/(K25 E), with K25^2 = (1/J23 + 1/J45)/E.
+
+    With an engine and a vehicle that are heavy beyond all others it is exact, at the speed of
+    twist that it assumes: there the integration in time from omega1/1.5 agrees.
+    """
+    random = seeded(352)
+    for _ in range(count(20, 200)):
+        disc, boxes, wheels = (10 ** random.uniform(-1, 0.3) for _ in range(3))
+        limit, compliance = 10 ** random.uniform(2, 4), 10 ** random.uniform(-4, -2)
+        speed = random.uniform(0.3, 0.95) * 0.8 * limit * math.sqrt(compliance / disc)
+        heavy = 1e5 * (disc + boxes), 1e5 * (disc + boxes + wheels)
+        given = Dump(heavy[0], disc, boxes, wheels, heavy[1], compliance, limit, math.inf, speed)
+        made = dump(given)
+        far = wheels + heavy[1]
+        frequency = math.sqrt((1 / (disc + boxes) + 1 / far) / compliance)
+        torque = limit + speed / 1.5 / (frequency * compliance)
+        assert (made.case, made.max_torque_simplified) == ("V1", pytest.approx(torque, rel=1e-12))
+        peak, _ = first_peak(given._replace(omega1=speed / 1.5), 1.0, STUCK)
+        assert made.max_torque_simplified == pytest.approx(peak, rel=1e-3)
+
+
+def test_dynamic_factors_of_a_printed_torque() -> None:
+    """ZIL-130 in gear I, table 3.8: 5.441 kN*m; by (3.1) and (3.4) 6101/3760 and 5441/3760."""
+    made = dump(Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 6101, 3760, 45))
+    assert made.grip_ratio == pytest.approx(6101 / 3760)
+    assert made.dynamic_factor_of_least == pytest.approx(5441 / 3760, rel=1e-3)
+    gripping = dump(Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 3760, 6101, 45))
+    assert gripping.dynamic_factor_of_least == pytest.approx(gripping.max_torque / 3760)
 
 
 @pytest.mark.parametrize(

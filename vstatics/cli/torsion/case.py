@@ -36,7 +36,7 @@ static_torque = click.option(
     callback=value(_torque),
     metavar="T",
     help="Torque at the input, in N*m, under which springs with `points` have their slopes; "
-    "that of the load of CASE when not given, else 0.",
+    "that of the load of CASE when not given, else 0. A given speed ratio of a converter decides.",
 )
 
 
@@ -164,21 +164,24 @@ def located(
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
-    """Which slopes springs with points have in gears, by their names; converters are open."""
-    from vstatics.torsion.system.working_points import WorkingGear
+    """Slopes of springs with points in gears, by their names, with doubts about their load."""
+    from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
-    return working_slope_notes(reading, [WorkingGear(reading.case, by_name[one]) for one in gears])
+    return working_notes(reading, [mean_gear(reading.case, by_name[one]) for one in gears])
 
 
-def working_slope_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
-    """The same where converters work."""
+def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
+    """The same of gears at their working points."""
     from vstatics.torsion.system.slopes import spring_slopes
 
-    return [
+    gears = list(gears)
+    doubts = ((one.gear.name, text) for one in gears for text in one.doubts)
+    notes = [
         reading.locate(
             Problem("N506", f"gear {gear.name}: {one}", ("springs", one.number, "points"))
         )
-        for case, gear, _ in gears
+        for case, gear, *_ in gears
         for one in spring_slopes(case, gear)
     ]
+    return [*located(reading, doubts, "W431"), *notes]

@@ -9,8 +9,8 @@ from vstatics.cli.torsion.case import (
     WorkingAsked,
     elastic_case,
     located,
+    working_notes,
     working_options,
-    working_slope_notes,
 )
 from vstatics.readers.reading import Reading
 
@@ -59,9 +59,10 @@ def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
         working = asked.of(case)
         names = [one.gear.name for one in working]
         found = modes_of(case, names, count=count, speed_ratios=asked.ratios)
-        notes = working_slope_notes(reading, working)
+        notes = working_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
-        doubts = ((gear.name, text) for gear in found for text in gear.warnings)
+        told = {text for gear in working for text in gear.doubts}
+        doubts = ((gear.name, text) for gear in found for text in gear.warnings if text not in told)
         return CaseAnswer(
             lambda: modes_grids(found),
             ModesAnswer(case.name, found),

@@ -16,8 +16,8 @@ from vstatics.cli.torsion.case import (
     WorkingAsked,
     link_name,
     located,
+    working_notes,
     working_options,
-    working_slope_notes,
 )
 from vstatics.cli.torsion.response import speeds_of
 from vstatics.errors import Problem, quoted
@@ -96,7 +96,7 @@ def random(
         return CaseAnswer(
             lambda: random_grids(found),
             RandomAnswer(case.name, link, by, found),
-            [*faults, *_lifeless(reading, found), *working_slope_notes(reading, working)],
+            [*faults, *_lifeless(reading, found), *working_notes(reading, working)],
             failed=bool(faults),
         )
 

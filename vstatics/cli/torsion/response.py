@@ -17,8 +17,8 @@ from vstatics.cli.torsion.case import (
     WorkingAsked,
     link_name,
     located,
+    working_notes,
     working_options,
-    working_slope_notes,
 )
 from vstatics.errors import listed, plural
 from vstatics.readers.reading import Reading
@@ -171,7 +171,7 @@ def response(
         found = responses(case, link, harmonics, speed, names, speed_ratios=asked.ratios)
         if with_sum:
             found = [gear.with_sum() for gear in found]
-        notes = working_slope_notes(reading, working)
+        notes = working_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
         unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in found), "N630")
         grids = speed_grids if to.form == "xlsx" else largest_grids

@@ -187,7 +187,7 @@ def response(  # noqa: PLR0913 - all but the first by name
 def _gear_response(
     working: WorkingGear, at: int, harmonics: Sequence[Harmonic], speeds: Floats
 ) -> GearResponse:
-    case, gear, converters = working
+    case, gear, converters, *_ = working
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearResponse(gear.name, speeds, error=system)

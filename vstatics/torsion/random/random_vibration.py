@@ -145,7 +145,7 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
 def _gear_random(
     working: WorkingGear, at: int, by: Excitation, spectrum: Spectrum, omegas: Floats | None
 ) -> GearRandom:
-    case, gear, converters = working
+    case, gear, converters, *_ = working
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearRandom(gear.name, error=system)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from vstatics.errors import CaseError
 from vstatics.model.transmission import Gear, Transmission
 from vstatics.statics.solve import solve
+from vstatics.torsion.system.working_points import mean_gear
 
 
 class SpringSlope(NamedTuple):
@@ -30,6 +31,8 @@ class SpringSlope(NamedTuple):
 
 def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
     """The slopes of the springs with points, under the torque of the load; without one at 0 N*m.
+
+    Where a gear gives the speed ratio of a converter, they are under the torque of its pump.
 
     Raises
     ------
@@ -64,6 +67,7 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
 
 def _carried(case: Transmission, gear: Gear) -> list[float]:
     """The torques of springs [N*m]; none where no load says so, or nothing comes through."""
+    case, gear, *_ = mean_gear(case, gear)
     if not case.gear_load(gear).torque:
         return [0.0] * len(case.springs)
     results = solve(case.replace(gears=[gear]))

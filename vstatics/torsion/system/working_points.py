@@ -1,8 +1,9 @@
 """At which speeds and torques the converters of a gear work, about which it vibrates.
 
-The pump's speed follows from the load, by the speeds of the gear. The speed ratio is given, or that
-at which the converter takes the torque that the load brings to its pump. Where other devices join
-pump and turbine, as a lock-up clutch does, it is theirs.
+The speed of the pump follows from the load, by the speeds of the gear. Where the speed ratio is
+given, the torque that the pump takes there determines the torque of the input. Else the speed ratio
+is that at which the converter takes the torque that the load brings to its pump. Where other
+devices join pump and turbine, as a lock-up clutch does, the speed ratio is theirs.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from vstatics.model.converters import Converter
 from vstatics.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.model.parts import RAD_PER_RPM
 from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.carried import torque_of_pump
+from vstatics.statics.carried import disagree, disagreement, torque_of_pump
 from vstatics.statics.results import Results
 from vstatics.statics.solve import solve
 from vstatics.torsion.system.converters import (
@@ -39,6 +40,25 @@ class WorkingGear(NamedTuple):
     case: Transmission
     gear: Gear
     converters: tuple[WorkingConverter, ...] = ()
+    doubts: tuple[str, ...] = ()
+    """Converters whose pumps do not take the torque of the load."""
+
+
+SAME_INPUT_TORQUE = 1e-9
+"""Relative difference up to which the torque of the load is that which the pump asks for. [-]"""
+
+
+FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
+"""Torques of the input from which its torque is sought, as parts of the torque that the pump takes:
+less than drag takes may not come through. [-]"""
+
+
+def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
+    """Return a gear at its working point, or as it is where no working point is known."""
+    try:
+        return working_gear(case, gear, {})
+    except CaseError:
+        return WorkingGear(case, gear)
 
 
 def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
@@ -67,6 +87,22 @@ def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
     return _WorkingPoints(case, opened, case.gear_number(gear.name) - 1).found(given)
 
 
+class _OnPump(NamedTuple):
+    """Torques at the pump of a converter."""
+
+    brought: float
+    """Torque that the load brings. [N*m]"""
+    able: float
+    """Torque that the pump takes. [N*m]"""
+    at: tuple[float, float]
+    """Speed ratio [-] and speed of the pump [rad/s]."""
+
+    @property
+    def excess(self) -> float:
+        """What the pump takes less what comes to it [N*m]."""
+        return self.able - self.brought
+
+
 class _WorkingPoints:
     """The converters of a gear."""
 
@@ -78,16 +114,19 @@ class _WorkingPoints:
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
         self.closed = [one for one in opened.converters if one.name not in self.joined]
+        self.driving: list[Converter] = []
+        """Converters at given speed ratios; the first determines the torque of the input."""
 
     def found(self, given: Ratios) -> WorkingGear:
         """Where they work."""
         ratios = self._given() | dict(given)
+        self.driving = [one for one in self.closed if one.name in ratios]
         unknown = [one for one in self.closed if one.name not in ratios]
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
             raise self._unknown(unknown, "of one converter alone it follows from the load")
-        case = self._with(ratios)
+        case, doubts = self._loaded(self._with(ratios))
         results = solve(case)
         working = []
         for one in self.opened.converters:
@@ -99,7 +138,7 @@ class _WorkingPoints:
             speed = self._pump_speed(one, results)
             links = one.pump - 1, one.turbine - 1
             working.append(working_converter(one.name, links, one.points, ratio, speed))
-        return WorkingGear(case, case.gears[0], tuple(working))
+        return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _joined(self) -> Iterator[tuple[str, float]]:
         """Speed ratios of converters whose links other devices join; 0 where the pump stands."""
@@ -149,7 +188,7 @@ class _WorkingPoints:
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
         """The largest speed ratio up to 1 at which a converter takes what comes to its pump."""
-        if self.load.torque is None or self.load.speed is None:
+        if (self.load.torque is None and not self.driving) or self.load.speed is None:
             raise self._unknown([converter], "speed and torque of the `load` would tell it")
         corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
         excess = {ratio: self._excess(converter, ratios, ratio) for ratio in corners}
@@ -168,12 +207,54 @@ class _WorkingPoints:
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
         """What a converter takes at a speed ratio less what comes to its pump [N*m]."""
-        case = self._with({**ratios, converter.name: ratio})
-        results = solve(case)
+        case, _ = self._loaded(self._with({**ratios, converter.name: ratio}))
+        return self._on_pump(converter, case).excess
+
+    def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:
+        """The torques at a pump under the load of a case."""
+        results, place = solve(case), case.devices.index(converter.name)
+        ratio = case.mechanisms[place - len(case.shift_elements)].ratio
         speed = self._pump_speed(converter, results)
-        behind = len(case.devices) - case.devices.index(converter.name)
-        brought = float(results.lossy_torques_Nm[0, -1 - behind])
-        return torque_of_pump(converter.points, ratio, speed) - brought
+        brought = float(results.lossy_torques_Nm[0, place - len(case.devices) - 1])
+        return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
+
+    def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
+        """The case under the torque that the pumps ask for, and doubts about the given one."""
+        if not self.driving:
+            return case, ()
+        doubts = []
+        if self.load.torque is not None:
+            given = [(one.name, self._on_pump(one, case)) for one in self.driving]
+            if abs(given[0][1].excess) <= SAME_INPUT_TORQUE * abs(given[0][1].able):
+                return case, ()
+            doubts = [disagreement(name, *found) for name, found in given if disagree(*found[:2])]
+        torque = self._input_torque(self.driving[0], case)
+        if torque is None:
+            return case, tuple(doubts)
+        about = f"; this vibration is about {torque:.5g} N*m at the input"
+        return case.with_torque(torque), tuple(one + about for one in doubts)
+
+    def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
+        """The torque of the input at which a pump carries what it takes; None if none does so."""
+
+        def excess(torque: float) -> float:
+            return self._on_pump(converter, case.with_torque(torque)).excess
+
+        idle = self._on_pump(converter, case.with_torque(0.0))
+        if not idle.excess:
+            return 0.0
+        size = max(1.0, abs(idle.able))
+        for first in (sign * size * more for more in FAR for sign in (1, -1)):
+            near, far = excess(first), excess(2 * first)
+            start = first - first * near / (far - near) if far != near else math.nan
+            if start / first > 0:
+                if abs(excess(start)) <= SAME_INPUT_TORQUE * abs(idle.able) / 1000:
+                    return start
+                from scipy.optimize import root_scalar  # most gears do without
+
+                found = root_scalar(excess, method="secant", x0=start, x1=start * (1 + 1e-6))
+                return float(found.root) if found.converged else None
+        return None
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:
         names = spoken([one.name for one in converters])

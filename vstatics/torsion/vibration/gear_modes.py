@@ -214,7 +214,7 @@ def modes(
 
 
 def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
-    case, gear, converters = working
+    case, gear, converters, doubts = working
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearModes(gear.name, error=system)
@@ -227,7 +227,7 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
     damped = None
     if converters or any(device.damping for device in system.elastic):
         damped = damped_modes(system, split, natural)
-    warnings = list(_warnings(system, split, held))
+    warnings = [*doubts, *_warnings(system, split, held)]
     if damped and len(natural.omegas) < split.modes:
         part = f"the first {len(natural.omegas)} of {split.modes} modes"
         warnings.append(f"the damped vibration is calculated from {part} alone")

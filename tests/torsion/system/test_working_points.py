@@ -1,0 +1,180 @@
+"""Springs before and behind a converter whose speed ratio is given: the pump sets their torques.
+
+The torques, the slopes and the natural frequencies are calculated here by hand: the torque of the
+pump by (1.38) of Tsitovich, Algin, Vehicle dynamics (1981), pairs by their powers, numpy's
+eigenvalues.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from random import Random
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.torsion.systems import Array
+from vstatics import Gear, Load, Mechanism, Spring, Transmission, solve
+from vstatics.model.converters import Converter
+from vstatics.model.parts import OfLoad
+from vstatics.sweep.frequencies import frequencies
+from vstatics.torsion import Harmonic, modes, response
+from vstatics.torsion.random.random_vibration import random_vibration
+from vstatics.torsion.random.spectra import White
+from vstatics.torsion.system.working_points import working_gear
+
+RPM = math.pi / 30
+
+
+class Train(NamedTuple):
+    """Engine 1, damper, link 2, pair to 3, shaft, pump 4, turbine 5, pair to 6, shaft, link 7.
+
+    Link 8 is a pump of oil on a linear spring at link 2: it branches off and carries nothing.
+    """
+
+    case: Transmission
+    torque: float
+    """Torque of the input. [N*m]"""
+    slopes: list[float]
+    """Slopes of damper and shafts. [N*m/rad]"""
+    inertias: list[float]
+
+
+def slope_at(points: Sequence[tuple[float, float]], torque: float) -> float:
+    """The slope of the piece with a torque; the last pieces go on."""
+    torques = [point[1] for point in points]
+    place = min(max(int(np.searchsorted(torques, torque)), 1), len(points) - 1)
+    (x0, y0), (x1, y1) = points[place - 1 : place + 1]
+    return (y1 - y0) / (x1 - x0)
+
+
+def bent(random: Random) -> list[tuple[float, float]]:
+    """Points of a spring: through 0, and steeper or flatter beyond torques of either sign."""
+    lower = [-random.uniform(50, 900), -random.uniform(1, 50)]
+    upper = [random.uniform(1, 50), random.uniform(50, 900)]
+    twists = np.cumsum([random.uniform(0.01, 0.5) for _ in range(5)])
+    torques = [*lower, 0.0, *upper]
+    return [(float(x - twists[2]), y) for x, y in zip(twists, torques, strict=True)]
+
+
+def train(random: Random) -> Train:
+    """A random train with its numbers by hand, in which drag takes less than the converter."""
+    made = None
+    while made is None:
+        made = any_train(random)
+    return made
+
+
+def any_train(random: Random) -> Train | None:
+    """A train; None where both of its ends would drive, against the drag."""
+    ratio, behind = (random.choice([-1, 1]) * 10 ** random.uniform(-0.5, 0.5) for _ in range(2))
+    efficiency, drag = random.uniform(0.85, 1), random.choice([0.0, random.uniform(0, 30)])
+    speed, at = random.uniform(500, 5000), random.uniform(0.05, 1.15)
+    points = ((0.0, 2.0, 0.008), (0.9, 1.0, 0.004), (1.0, 1.0, 0.0), (1.2, 1.0, -0.004))
+    curves = [bent(random) for _ in range(3)]
+
+    pump = speed * RPM / ratio
+    factors = np.transpose(points)
+    taken = float(np.interp(at, factors[0], factors[2])) * pump * abs(pump)
+    given = float(np.interp(at, factors[0], factors[1])) * taken
+    needed = taken + math.copysign(drag, pump)
+    if needed * taken <= 0:
+        return None
+    torque = needed / ratio / efficiency if needed * pump > 0 else needed / ratio * efficiency
+    brought = given * behind * (efficiency if given * pump > 0 else 1 / efficiency)
+    slopes = [
+        slope_at(points, torque)
+        for points, torque in zip(curves, (torque, taken, brought), strict=True)
+    ]
+
+    masses = [10 ** random.uniform(-1.5, 0.5) for _ in range(8)]
+    ends = ({1: 1, 2: -1}, {3: 1, 4: -1}, {6: 1, 7: -1})
+    springs = [
+        Spring(form, points=curve, name=f"S{n}")
+        for n, (form, curve) in enumerate(zip(ends, curves, strict=True), 1)
+    ]
+    case = Transmission(
+        8, [], [Mechanism(2, 3, 0, ratio, efficiency), Mechanism(5, 6, 0, behind, efficiency)],
+        [Gear(speed_ratios={3: at}, drag={3: OfLoad(drag, 1.0)})],
+        inertias=dict(enumerate(masses, 1)), load=Load(speed=speed), output=7,
+        springs=[*springs, Spring({2: 1, 8: -1}, stiffness=700.0, name="branch")],
+        converters=[Converter("TC", 4, 5, points)],
+    )  # fmt: skip
+    return Train(case, torque, slopes, masses)
+
+
+def omegas_of(one: Train) -> Array:
+    """Natural frequencies, by the angles of links 1, 2, 4, 5, 7 and 8 [rad/s]."""
+    ratio, behind = (mechanism.ratio for mechanism in one.case.mechanisms)
+    links = np.zeros((8, 6))
+    links[[0, 1, 3, 4, 6, 7], range(6)] = 1
+    links[2, 1], links[5, 3] = 1 / ratio, 1 / behind
+    twists = np.array([links[a] - links[b] for a, b in ((0, 1), (2, 3), (5, 6), (1, 7))])
+    stiffness = twists.T @ np.diag([*one.slopes, 700.0]) @ twists
+    mass = links.T @ np.diag(one.inertias) @ links
+    squares = np.sort(np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real)
+    return np.sqrt(squares[2:])  # two rigid motions: before the converter and behind it
+
+
+def test_the_pump_sets_the_torques_of_all_springs() -> None:
+    """With and without a load that agrees, by each way to give the speed ratio, in each answer."""
+    random, coasts = seeded(46), 0
+    for _ in range(count(6, 400)):
+        one = train(random)
+        case, at = one.case, one.case.gears[0].speed_ratios[3]
+        coasts += one.torque < 0
+        [gear] = modes(case)
+        assert [gear.slopes[f"S{n}"] for n in (1, 2, 3)] == pytest.approx(one.slopes, rel=1e-9)
+        expected = omegas_of(one)
+        assert [mode.omega for mode in gear.modes] == pytest.approx(expected, rel=1e-6)
+        assert not gear.warnings
+        agreeing = case.with_torque(one.torque)
+        by_option = case.replace(gears=[case.gears[0]._replace(speed_ratios={})])
+        inside = case.replace(
+            converters=[],
+            mechanisms=[*case.mechanisms, case.converters[0].at_ratio(at)],
+        )
+        for other, ratios in ((agreeing, {}), (by_option, {"TC": at}), (inside, {})):
+            [same] = modes(other, speed_ratios=ratios)
+            assert same.slopes == pytest.approx(gear.slopes)
+            assert not same.warnings
+        found = frequencies(case, [], np.zeros((1, 0)), {0: range(4)}).omegas[0, 0]
+        assert found == pytest.approx(expected, rel=1e-6)
+        linear = case.replace(
+            springs=[
+                Spring(spring.form, stiffness=slope, name=spring.name)
+                for spring, slope in zip(case.springs, [*one.slopes, 700.0], strict=True)
+            ]
+        )
+        speeds = [random.uniform(100, 3000)]
+        for by_points, by_slopes in zip(
+            (response(case, 1, [Harmonic(1.0)], speeds), random_vibration(case, 1, White(1.0))),
+            (response(linear, 1, [Harmonic(1.0)], speeds), random_vibration(linear, 1, White(1.0))),
+            strict=True,
+        ):
+            assert repr(by_points) == repr(by_slopes)
+    assert coasts
+
+
+def test_a_load_that_contradicts_the_pump_is_reported() -> None:
+    """Above a twentieth, as in statics; the vibration is that of the pump all the same."""
+    random, tries, told = seeded(47), count(10, 400), 0
+    for _ in range(tries):
+        one = train(random)
+        factor = random.choice([0.0, -1.0, 1 / 1.2, 1 / 1.01, 1.01, 1.2, 40.0])
+        given = one.torque * factor or random.choice([0.0, 5.0])
+        [gear] = modes(one.case.with_torque(given))
+        assert [gear.slopes[f"S{n}"] for n in (1, 2, 3)] == pytest.approx(one.slopes)
+        working = working_gear(one.case.with_torque(given), one.case.gears[0], {})
+        assert list(working.doubts) == list(gear.warnings)
+        brought, taken = solve(working.case.with_torque(given)), solve(working.case)
+        off = [float(of.lossy_torques_Nm[0, 3]) for of in (brought, taken)]
+        assert bool(gear.warnings) == (abs(off[0] - off[1]) > 0.05 * max(map(abs, off)))
+        for text in gear.warnings:
+            assert text.startswith("the load brings ")
+            assert f"this vibration is about {one.torque:.5g} N*m at the input" in text
+        told += len(gear.warnings)
+    assert 0.3 < told / tries < 0.9
