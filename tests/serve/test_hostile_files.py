@@ -10,10 +10,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.commands import vstatics
 from tests.serve.served import BOX, serving
 from tests.serve.test_saving import until, write
+from vstatics.cli import serve
+from vstatics.cli.frame.cases import CaseOptions
 from vstatics.jobs import files
 
 SECONDS = 5
@@ -40,7 +42,7 @@ def remove(file: Path) -> None:
 def test_the_page_follows_its_file_whatever_it_becomes(tmp_path: Path) -> None:
     rng = seeded(46)
     with serving(write(tmp_path)) as served:
-        for kind in rng.sample([*KINDS], len(KINDS)) + rng.choices([*KINDS], k=5):
+        for kind in rng.sample([*KINDS], len(KINDS)) + rng.choices([*KINDS], k=count(0, 20)):
             become, said = KINDS[kind]
             remove(served.file)
             become(served.file)
@@ -88,8 +90,20 @@ def test_an_editor_that_writes_when_the_new_file_appears_loses_nothing(
     beside = files._beside
     monkeypatch.setattr(files, "_beside", appears)
     with serving(file) as served:
-        for number in range(1, 26):
+        for number in range(1, count(8, 100)):
             status = served.save({"P1.ratio": -3 - number / 100}).status
             assert (status, len(texts)) == (412, number)
             assert file.read_text("utf-8") == texts[-1]
     assert [one.name for one in tmp_path.iterdir()] == ["box.yaml"]
+
+
+def test_a_file_that_is_back_while_it_is_calculated_is_shown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = write(tmp_path)
+    read = serve._read
+    answers = iter([({}, [str(file)])])
+    monkeypatch.setattr(serve, "_read", lambda *given: next(answers, None) or read(*given))
+    made = serve.calculated(str(file), CaseOptions(), {})
+    assert made.results is not None
+    assert made.texts == {str(file): BOX.encode()}

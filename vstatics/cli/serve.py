@@ -152,6 +152,8 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
             known,
             regular=True,
         )
+    if outcome.results is not None and len(known) < len(named):
+        return calculated(file, settings, texts)  # a file is back that was missing at first
     return Calculated(
         outcome.results,
         outcome.problems,
