@@ -242,5 +242,5 @@ def test_a_file_that_can_not_be_written_says_so(
     assert served.file.read_text("utf-8") == BOX
 
 
-def _full(_file: str) -> Any:
+def _full(_file: str, **_: object) -> Any:
     raise OSError(28, "No space left on device")

@@ -24,6 +24,7 @@ from vstatics.comparison.pairs import (
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.errors import ReadError, plural
+from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.tables.answer import plain_data
 from vstatics.tables.quantities import QUANTITIES
 from vstatics.writers.junit import CaseOutcome, junit
@@ -97,7 +98,7 @@ def compare(
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
-        made = verdict([*verdicts_of_directories(actual, expected, how, files.read_input)])
+        made = verdict([*verdicts_of_directories(actual, expected, how)])
     else:
         try:
             made = _of_files(actual, expected, how)
@@ -121,7 +122,7 @@ def compare(
 
 def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
     """What is said of two files."""
-    read = [files.read_input(file) for file in (actual, expected)]
+    read = [files.read_input(file, TABLE_BYTES) for file in (actual, expected)]
     here, there = (content(*file) for file in read)
     names = read[0][1], read[1][1]
     refuse((message := sweep_alone(here, there, names), message))

@@ -19,6 +19,7 @@ from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import value
 from vstatics.errors import CaseError, Problem, ReadError, of_file
+from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.statics.results import Results
 from vstatics.tables import csv
 from vstatics.tables.grid import Grid, grid_of
@@ -125,7 +126,7 @@ def cycle(
     arguments.check_order(case, trace)
     from vstatics.summary.operation.trace import read_trace
 
-    read = read_trace(*files.read_input(trace))
+    read = read_trace(*files.read_input(trace, TABLE_BYTES))
     show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
 
@@ -204,4 +205,5 @@ def _fuel(case: str, name: str) -> FuelMap | None:
 
     if not name:
         return None
-    return read_fuel_map(*files.read_input(os.path.join(os.path.dirname(case), name)))  # noqa: PTH118 PTH120
+    path = os.path.join(os.path.dirname(case), name)  # noqa: PTH118, PTH120
+    return read_fuel_map(*files.read_input(path, regular=True))

@@ -23,6 +23,7 @@ from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
+from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.pictures import OF_ORDERS, OF_RUNS, OF_VIBRATION, OPTIONS, PICTURES, misplaced, pages
 from vstatics.pictures.sheet.files import FORMATS, Format
 from vstatics.pictures.sheet.lengths import page_width
@@ -262,7 +263,7 @@ def _plot_sweep(
 
     if len(sweeps) > 1 or to.is_folder:
         raise click.UsageError(f"{kind}: expected one written sweep, and a file for its picture")
-    data, name = files.read_input(sweeps[0])
+    data, name = files.read_input(sweeps[0], TABLE_BYTES)
     if not is_a("sweep", data, name):
         message = "this is no table of variants: expected what `vstatics sweep -o` has written"
         raise ReadError([of_file("E039", name, message)])

@@ -100,7 +100,7 @@ def serve_page(
     """
     if case == files.STDIN:
         raise click.UsageError("standard input is not saved again: expected a file")
-    files.read_input(case)  # one in error has a page, one that is not there has none
+    files.read_input(case, regular=True)  # one in error has a page, one that is not there has none
     from vstatics.serve.server import PageServer
     from vstatics.serve.states import ShownStates
     from vstatics.serve.studio import Studio, StudioProcess
@@ -147,8 +147,13 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
     known, named = _read(file, texts)
     with noted_files() as noted:
         outcome = calculate_one(
-            file, settings.on_page._replace(scenarios=True, of_runs=True), known
+            file,
+            settings.on_page._replace(scenarios=True, of_runs=True),
+            known,
+            regular=True,
         )
+    if outcome.results is not None and len(known) < len(named):
+        return calculated(file, settings, texts)  # a file is back that was missing at first
     return Calculated(
         outcome.results,
         outcome.problems,
@@ -166,12 +171,12 @@ def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
 
     known, named = {}, [file]
     with contextlib.suppress(ReadError):  # whoever calculates says why
-        known[file] = texts.get(file) or files.read_input(file)[0]
+        known[file] = texts.get(file) or files.read_input(file, regular=True)[0]
         if documents.is_a("scenario", known[file], file):
             case = read_scenario(known[file], file).case_file
             if case:
                 named.append(case)
-                known[case] = texts.get(case) or files.read_input(case)[0]
+                known[case] = texts.get(case) or files.read_input(case, regular=True)[0]
     return known, named
 
 

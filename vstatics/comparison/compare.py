@@ -15,6 +15,7 @@ from vstatics.comparison.pairs import (
 )
 from vstatics.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.comparison.verdicts import Verdict, verdict
+from vstatics.jobs.input_files import TABLE_BYTES, read_file
 from vstatics.statics.results import Results
 
 Compared = str | os.PathLike[str] | Results
@@ -70,7 +71,7 @@ def compare(
         raise ValueError(f"tolerance of compare: {error}") from None
     new, old = _folder(actual), _folder(expected)
     if new and old:
-        return verdict([*verdicts_of_directories(new, old, how, _read_file)])
+        return verdict([*verdicts_of_directories(new, old, how)])
     (here, name), (there, other) = _written(actual), _written(expected)
     return verdict(verdicts_of_files(here, there, (name, other), how))
 
@@ -85,9 +86,4 @@ def _written(given: Compared) -> tuple[Content, str]:
     if isinstance(given, Results):
         return content(given.to_json().encode(), given.case.name), given.case.name
     file = os.fspath(given)
-    return content(*_read_file(file)), file
-
-
-def _read_file(file: str) -> tuple[bytes, str]:
-    with open(file, "rb") as opened:  # noqa: PTH123
-        return opened.read(), file
+    return content(read_file(file, TABLE_BYTES), file), file

@@ -5,21 +5,21 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.comparison.sweeps import sweep_counts, sweep_places
 from vstatics.comparison.tolerances import Tolerances
 from vstatics.comparison.verdicts import CaseVerdict, compared, largest_first, unreadable
 from vstatics.errors import CaseError, Problem, ReadError, of_file, spoken
 from vstatics.jobs.files import STDIN_NAME
+from vstatics.jobs.input_files import TABLE_BYTES, read_file
+from vstatics.jobs.input_files import unreadable as unreadable_file
 from vstatics.readers import sweep_tables
 from vstatics.readers.result_rows import is_parquet, no_result
 from vstatics.readers.results import TAKEN, read_results
 from vstatics.tables.suffixes import known, suffix_of
 from vstatics.tables.written_results import WrittenResult, WrittenSweep
 
-Read = Callable[[str], tuple[bytes, str]]
-"""Gives what a file holds, and its name."""
 Content = list[WrittenResult] | WrittenSweep
 """Of a file that is compared."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
@@ -174,9 +174,7 @@ def _names(*sides: Sequence[WrittenResult]) -> Iterator[list[list[str]]]:
     yield [[one.case_name for one in side] for side in sides]
 
 
-def verdicts_of_directories(
-    actual: str, expected: str, how: Tolerances, read: Read
-) -> Iterator[CaseVerdict]:
+def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:
     """What is said of each file of two directories, also of one that can't be read.
 
     Files are paired by their relative paths without suffix; a file of several results has a name
@@ -194,21 +192,20 @@ def verdicts_of_directories(
         raise ReadError([of_file("E050", actual, f"{message}: expected files {suffixes}")])
     for name in sorted({*here, *there}):
         paths = [side.get(name, "") for side in (here, there)]
-        yield from _verdicts_of_pair(name, paths, how, read)
+        yield from _verdicts_of_pair(name, paths, how)
 
 
-def _verdicts_of_pair(
-    name: str, paths: Sequence[str], how: Tolerances, read: Read
-) -> Iterator[CaseVerdict]:
+def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Iterator[CaseVerdict]:
     """Of two files of one name, of which one may be missing."""
     contents, problems = list[Content](), list[Problem]()
     for path in paths:
         try:
-            contents.append(content(*read(path)) if path else [])
+            data = read_file(path, TABLE_BYTES, regular=True) if path else b""
+            contents.append(content(data, path) if path else [])
         except CaseError as error:
             problems += error.problems
         except OSError as error:
-            problems.append(of_file("E006", path, f"can't be read: {error.strerror}"))
+            problems.append(unreadable_file(path, error))
     if problems:
         yield unreadable(name, problems)
         return

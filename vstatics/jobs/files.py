@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from vstatics.errors import Problem, of_file
+from vstatics.jobs.input_files import read_file
 
 STDOUT = "-"
 STDIN_NAME = "<stdin>"
@@ -99,26 +100,34 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 
 
 @contextlib.contextmanager
-def replacing(path: str, mark: str = "", folder: int | None = None) -> Iterator[Write]:
+def replacing(
+    path: str, mark: str = "", folder: int | None = None, expected: bytes | None = None
+) -> Iterator[Write]:
     """Write beside a file, or in an open folder, and move it into place when the block ends well.
 
     An old file keeps its permissions; a link stays, and its file is written.
+
+    Raises
+    ------
+    ChangedFileError
+        If the old file then has another content than is expected; it stays as it is.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
     mode = _mode(path or os.curdir)
-    with whole_file(path, mark, mode, source=folder) as write:
+    with whole_file(path, mark, mode, source=folder, expected=expected) as write:
         yield write
 
 
 @contextlib.contextmanager
-def whole_file(
+def whole_file(  # noqa: PLR0913
     path: str,
     mark: str = "",
     mode: int | None = None,
     *,
     source: int | None = None,
     target: int | None = None,
+    expected: bytes | None = None,
 ) -> Iterator[Write]:
     """Write a new file, and rename it to a path when the block ends well.
 
@@ -132,6 +141,13 @@ def whole_file(
     source, target : int, optional
         Open folders: in which it is written, instead of the folder of the path, and in which
         the path is.
+    expected : bytes, optional
+        Content of the file that is replaced; it has no open folders.
+
+    Raises
+    ------
+    ChangedFileError
+        If that file has another content; it stays as it is.
     """
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
@@ -140,11 +156,52 @@ def whole_file(
             if mode is not None:
                 os.fchmod(handle, stat.S_IMODE(mode))
             yield write
-        os.replace(temporary, path, src_dir_fd=source, dst_dir_fd=target)
+        if expected is None:
+            os.replace(temporary, path, src_dir_fd=source, dst_dir_fd=target)
+        else:
+            _exchange(temporary, path, expected)
     except BaseException:
         with contextlib.suppress(OSError):
             os.unlink(temporary, dir_fd=source)
         raise
+
+
+class ChangedFileError(Exception):
+    """Error for a file that another process has written meanwhile."""
+
+
+def _exchange(new: str, path: str, expected: bytes) -> None:
+    """Move a new file into the place of a file whose content is known.
+
+    Where the system can, both change places in one step, and the old file is compared after it:
+    a text that somebody writes between a comparison and a renaming is not lost.
+    """
+    if not _holds(path, expected):
+        raise ChangedFileError
+    if not _swapped(new, path):
+        os.replace(new, path)  # noqa: PTH105
+    elif _holds(new, expected):
+        os.unlink(new)  # noqa: PTH108
+    else:
+        _swapped(new, path)
+        raise ChangedFileError
+
+
+def _swapped(one: str, other: str) -> bool:
+    """Exchange two files in one step; false where the system cannot."""
+    import ctypes  # costs start-up time
+
+    rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None
+    if rename is None:
+        return False
+    here, exchange = -100, 2  # AT_FDCWD, RENAME_EXCHANGE
+    return bool(rename(here, os.fsencode(one), here, os.fsencode(other), exchange) == 0)
+
+
+def _holds(path: str, expected: bytes) -> bool:
+    with contextlib.suppress(OSError):
+        return read_file(path, len(expected), regular=True) == expected
+    return False
 
 
 def sync(path: str) -> None:

@@ -24,6 +24,7 @@ from typing import Any, Literal, Protocol, runtime_checkable
 
 from vstatics.arguments import refusing, type_and_value
 from vstatics.errors import ReadError
+from vstatics.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream
 from vstatics.model.transmission import Transmission
 from vstatics.readers.reading import Reading
 
@@ -34,8 +35,8 @@ Format = Literal["deck", "yaml", "json", "xlsx"]
 class Stream(Protocol):
     """What can be read from."""
 
-    def read(self) -> str | bytes:
-        """All of it."""
+    def read(self, size: int, /) -> Any:
+        """Return at most this many characters or bytes."""
 
 
 READERS: dict[Format, tuple[str, str]] = {
@@ -141,8 +142,10 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 
 
 @contextmanager
-def content(source: str | PathLike[str] | Stream) -> Iterator[tuple[bytes, str]]:
-    """What a file or a stream holds, and its name, to read it in the block.
+def content(
+    source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
+) -> Iterator[tuple[bytes, str]]:
+    """What a file or a stream holds, at most so many bytes, and its name, to read it in the block.
 
     Files that the text of a stream without a name names are refused there: nobody knows whose
     text it is.
@@ -150,19 +153,18 @@ def content(source: str | PathLike[str] | Stream) -> Iterator[tuple[bytes, str]]
     Raises
     ------
     OSError
-        If the file cannot be opened.
+        If the file cannot be opened, or is larger.
     """
     if isinstance(source, str | PathLike):
-        with open(source, "rb") as file:  # noqa: PTH123 (pathlib costs nothing less)
-            data = file.read()
-        yield data, fspath(source)
+        yield read_file(source, most), fspath(source)
         return
     name = getattr(source, "name", "")
     is_named = isinstance(name, str) and bool(name)
     from vstatics.readers.named.csv_files import no_files
 
     with nullcontext() if is_named else no_files():
-        yield _encoded(source.read()), name if is_named else "<text>"
+        shown = name if is_named else "<text>"
+        yield _encoded(read_stream(source, most, shown)), shown
 
 
 @refusing()

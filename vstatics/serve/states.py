@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import ExitStack
 from typing import Any, NamedTuple
 
 from vstatics.errors import Problem
-from vstatics.jobs.files import replacing, unwritable
+from vstatics.jobs.files import ChangedFileError, replacing, unwritable
 from vstatics.report.live.fields import PageField
 from vstatics.report.material import Material, Naming
 from vstatics.report.sections import Part
@@ -21,12 +22,14 @@ from vstatics.serve.page import (
     sections_of,
     told,
 )
-from vstatics.serve.watched_files import data_of, digest_of, signature_of
+from vstatics.serve.watched_files import digest_of, signature_of
 from vstatics.simulation.record.motion import Motion
 from vstatics.statics.results import Results
 
 WRITE_SECONDS = 0.1
 """So long a file in error is left to whoever may still be writing it."""
+SETTLE_SECONDS = 0.005
+"""Time between a new file and the last comparison, for whoever writes when a file appears."""
 MOST_KEPT = 32
 """So many tried states have their pictures drawn when they are looked at."""
 
@@ -163,18 +166,33 @@ class ShownStates:
         made = self._shown(texts)
         if made.material is None:
             raise RefusedChangeError(made.errors)
-        if any(data_of(file) != self.shown.calculated.texts[file] for file in texts):
-            self._signature = {}  # somebody wrote while we calculated
-            raise ChangedMeanwhileError
-        for file, data in texts.items():
-            try:
-                with replacing(file) as write:
-                    write(data)
-            except OSError as error:
-                raise RefusedChangeError(str(unwritable(file, error))) from None
+        self._write(texts)
         self._take(made)
         self._signature = signature_of(self._files)
         return made
+
+    def _write(self, texts: Texts) -> None:
+        """Put new texts into their files, all of them or none.
+
+        The files are compared once more when the new ones are ready beside them: an editor that
+        writes as soon as it sees a new file loses nothing.
+
+        Raises
+        ------
+        ChangedMeanwhileError, RefusedChangeError
+        """
+        file = self.file
+        try:
+            with ExitStack() as ready:
+                for file, data in texts.items():
+                    old = self.shown.calculated.texts[file]
+                    ready.enter_context(replacing(file, expected=old))(data)
+                time.sleep(SETTLE_SECONDS)
+        except ChangedFileError:
+            self._signature = {}  # read again, whatever its time says
+            raise ChangedMeanwhileError from None
+        except OSError as error:
+            raise RefusedChangeError(str(unwritable(file, error))) from None
 
     def _changed(self, changes: Mapping[str, float]) -> dict[str, bytes]:
         if self.shown.material is None:

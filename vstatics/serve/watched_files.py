@@ -6,7 +6,6 @@ import hashlib
 import os
 from collections.abc import Sequence
 from contextlib import suppress
-from pathlib import Path
 
 from vstatics.serve.document_fields import Texts
 
@@ -29,10 +28,3 @@ def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
             about = os.stat(file)  # noqa: PTH116
             found[file] = (about.st_mtime_ns, about.st_ctime_ns, about.st_size, about.st_ino)
     return found
-
-
-def data_of(file: str) -> bytes:
-    """What is in a file; nothing of one that is not there."""
-    with suppress(OSError):
-        return Path(file).read_bytes()
-    return b""

@@ -46,7 +46,7 @@ def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
-        ("x" * 1_000_001, "expected a file of 1000 kB at most"),
+        ("x" * 1_000_001, "can't be read: larger than 1 MB"),
     ],
 )
 def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:

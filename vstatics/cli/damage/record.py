@@ -9,6 +9,7 @@ from vstatics.cli.frame.cases import check_order
 from vstatics.cli.frame.one_case import CaseAnswer, OneCase, of_case
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.strengths import expect_fatigue
+from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.readers.reading import Reading
 
 
@@ -40,7 +41,7 @@ def record(one: OneCase, recorded: str) -> int:
 
         case = reading.case
         expect_fatigue(reading)
-        made = recorded_damage(case, *files.read_input(recorded))
+        made = recorded_damage(case, *files.read_input(recorded, TABLE_BYTES))
         answer = DamageAnswer(case.name, made.damage)
         return CaseAnswer(lambda: [damage_grid(made.damage)], answer, made.warnings)
 

@@ -289,16 +289,20 @@ def check_order(case: str, table: str) -> None:
 
 
 def calculate_one(
-    file: str, settings: CaseOptions, texts: Mapping[str, bytes] = documents.NO_TEXTS
+    file: str,
+    settings: CaseOptions,
+    texts: Mapping[str, bytes] = documents.NO_TEXTS,
+    *,
+    regular: bool = False,
 ) -> CalculatedCase:
     """Read and calculate a case; whatever goes wrong with it is a problem of this case.
 
-    Texts stand in place of what is in the files of their names.
+    Texts replace the content of the files of their names. `regular` refuses pipes and devices.
     """
     name, data = STDIN_NAME if file == files.STDIN else file, b""
     scenario = None
     try:
-        data, name = (texts[file], file) if file in texts else files.read_input(file)
+        data, name = _content(file, texts, regular=regular)
         if settings.scenarios and documents.is_a("scenario", data, name):
             read = documents.scenario_with_case(data, name, settings.input_format, texts=texts)
             scenario = read.allowing(settings.telling.allow)
@@ -323,6 +327,12 @@ def calculate_one(
     told = settings.telling.told(problems)
     is_run = settings.of_runs and scenario is not None
     return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run)
+
+
+def _content(file: str, texts: Mapping[str, bytes], *, regular: bool) -> tuple[bytes, str]:
+    if file in texts:
+        return texts[file], file
+    return files.read_input(file, regular=regular)
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:

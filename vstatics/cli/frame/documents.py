@@ -135,7 +135,7 @@ def case_of(
     if file in texts:
         return texts[file], file
     try:
-        data, name = files.read_input(file)
+        data, name = files.read_input(file, regular=not case)
     except ReadError as error:
         if case:
             raise

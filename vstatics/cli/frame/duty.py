@@ -10,6 +10,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.options import gathered, refuse
 from vstatics.cli.frame.values import above_0, value
 from vstatics.errors import Problem, of_file
+from vstatics.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class DutyOptions(NamedTuple):
             return None
         from vstatics.summary.duty_file import read_duty, read_duty_table
 
-        text = files.read_input(self.duty)
+        text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
         return read_duty_table(*text, self.exponent) if is_table else read_duty(*text)
 
 

@@ -15,6 +15,7 @@ import click
 
 from vstatics.errors import CaseError, Problem, ReadError, excerpt, nearest, of_file, printable
 from vstatics.jobs.files import STDIN_NAME, STDOUT, Write, is_stream, opened, replacing, unwritable
+from vstatics.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream, unreadable
 
 if TYPE_CHECKING:
     from vstatics.jobs.state_files import StateFolder
@@ -29,21 +30,30 @@ ALIKE, SHORT = 0.75, 0.66
 CLOSED = "it is closed"
 
 
-def read_input(file: str) -> tuple[bytes, str]:
-    """The bytes of a file or of standard input, and the name to speak of it.
+def read_input(
+    file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
+) -> tuple[bytes, str]:
+    """Return the bytes of a file or of standard input, and its name for messages.
+
+    Parameters
+    ----------
+    file : str
+    most : int
+        Bound of its size. [bytes]
+    regular : bool
+        Whether it must be a regular file, as another file names it.
 
     Raises
     ------
     ReadError
-        If it cannot be read.
+        If it cannot be read, or is larger.
     """
     name = STDIN_NAME if file == STDIN else file
     try:
         if file != STDIN:
-            with open(file, "rb", buffering=0) as opened:  # noqa: PTH123
-                return opened.read(), name
+            return read_file(file, most, regular=regular), name
         if sys.stdin is not None:
-            return sys.stdin.buffer.read(), name
+            return read_stream(sys.stdin.buffer, most), name
         reason = CLOSED
     except FileNotFoundError as error:
         reason = f"{error.strerror}{_nearest_file(file)}{_shipped(file)}"
@@ -51,7 +61,7 @@ def read_input(file: str) -> tuple[bytes, str]:
         pattern = os.path.join(file, "**", "*.yaml")  # noqa: PTH118
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
-        reason = error.strerror or str(error)
+        raise ReadError([unreadable(name, error)]) from None
     except ValueError as error:  # a name that holds a zero byte
         reason = str(error)
     raise ReadError([of_file("E006", name, f"can't be read: {reason}")])

@@ -14,6 +14,7 @@ from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import Destination
 from vstatics.errors import ReadError, of_file
+from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.statics.solve import solve
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
     if file == files.STDIN or not os.path.isfile(file):  # noqa: PTH113
         return None
     try:
-        data, name = files.read_input(file)
+        data, name = files.read_input(file, TABLE_BYTES)
     except ReadError:  # told where cases are read
         return None
     if not is_a("boxes", data, name):
@@ -60,7 +61,7 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
 
     if len(cases) > 1 or to.is_folder:
         raise click.UsageError("boxes: expected one document of found boxes, and a file for it")
-    data, name = files.read_input(cases[0])
+    data, name = files.read_input(cases[0], TABLE_BYTES)
     listing, _ = read_document(data, name)
     with files.problems_of_file(name):
         drawn = render_boxes(listing, form, style)

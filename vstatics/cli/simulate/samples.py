@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias, cast
@@ -99,7 +100,7 @@ def _written(run: SweepRun) -> Collected:
     status, told = carry_out(run)
     if status:
         return status, told
-    read = sweep_tables.read(*files.read_input(str(run.output)))
+    read = sweep_tables.read(*files.read_input(str(run.output), sys.maxsize - 1))
     return {name: np.array(numbers) for name, numbers in read.columns.items()}, told
 
 

@@ -42,7 +42,7 @@ def read_subject(
     """
     file = options.case or ""
     try:
-        data, name = files.read_input(file)
+        data, name = files.read_input(file, regular=isinstance(file, PlacedFile))
     except ReadError as error:
         if not isinstance(file, PlacedFile):
             raise

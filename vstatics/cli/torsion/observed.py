@@ -11,6 +11,7 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.options import gathered
 from vstatics.cli.frame.values import above_0, from_0, numbers, value
 from vstatics.errors import Problem, ReadError
+from vstatics.jobs.input_files import TABLE_BYTES
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.decays import Decay
@@ -63,7 +64,7 @@ def _recorded(file: str, column: str) -> Decay:
     from vstatics.readers.records import read_record
     from vstatics.torsion.vibration.decays import recorded_decay
 
-    found = read_record(*files.read_input(file), {TIME: "time", column: None})
+    found = read_record(*files.read_input(file, TABLE_BYTES), {TIME: "time", column: None})
     problems = [found.lacks("E883", one) for one in (TIME, column) if one not in found.columns]
     if problems:
         raise ReadError(problems)

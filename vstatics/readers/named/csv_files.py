@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
+from vstatics.jobs.input_files import read_file
 from vstatics.readers.named.csv_rows import numbered_rows
 from vstatics.readers.named.nodes import encoding_of
 
@@ -76,10 +77,7 @@ def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
     noted = _NOTED.get()
     if noted is not None:
         noted.add(str(file))
-    with file.open("rb") as opened:
-        data = opened.read(most + 1)
-    if len(data) > most:
-        raise ValueError(f"expected a file of {most // 1000} kB at most")
+    data = read_file(file, most, regular=True)
     try:
         text = data.decode(encoding_of(data))
     except UnicodeDecodeError:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from vstatics import readers
 from vstatics.arguments import refusing
 from vstatics.errors import Path, Problem, ReadError
+from vstatics.jobs.input_files import read_file
 from vstatics.model.transmission import Transmission
 from vstatics.readers import Stream
 from vstatics.readers.kinds import is_foreign, kind_of
@@ -246,8 +247,7 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
     if not (case or are_read()):
         raise document.no_case("files that a text names are not read: give the case itself")
     try:
-        with open(name, "rb") as stream:  # noqa: PTH123
-            data = stream.read()
+        data = read_file(name, regular=not case)
     except OSError as error:
         if case:
             raise

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from vstatics.arguments import naming, refusing
 from vstatics.errors import CaseError
+from vstatics.jobs.input_files import TABLE_BYTES, read_file
 from vstatics.summary.operation.cycle_steps import GearChoice
 from vstatics.summary.operation.drive_cycle import DriveCycle, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
@@ -76,5 +77,4 @@ def cycle(
 
 
 def _read(path: str | os.PathLike[str]) -> tuple[bytes, str]:
-    with open(path, "rb") as file:  # noqa: PTH123
-        return file.read(), os.fspath(path)
+    return read_file(path, TABLE_BYTES), os.fspath(path)

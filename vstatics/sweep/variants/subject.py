@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from vstatics.arguments import refusing
 from vstatics.errors import Place, ReadError, nearest, quoted
+from vstatics.jobs.input_files import read_file
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import Mapping, Node, decode
 from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
@@ -289,8 +290,7 @@ def load_varied(
     """
     from vstatics.simulation.scenario.file import case_bytes, read_scenario
 
-    with open(file, "rb") as opened:  # noqa: PTH123
-        scenario = Document(opened.read(), os.fspath(file))
+    scenario = Document(read_file(file), os.fspath(file))
     instead = None if case is None else os.fspath(case)
     varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), instead)))
     varied.own  # noqa: B018 (faults are told now)

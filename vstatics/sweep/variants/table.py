@@ -95,11 +95,7 @@ def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
     (['D1.efficiency', 'D1.ratio'], array([ 0.96, -2.5 ]))
     """
     pieces = _pieces(opened, file)
-    head, _, first = next(pieces, b"").removeprefix(_BOM).partition(b"\n")
-    number = 1
-    while first and not has_cells(_text(head, file, number)):
-        head, _, first = first.partition(b"\n")
-        number += 1
+    head, number, first = _first_line(next(pieces, b"").removeprefix(_BOM), file)
     columns = _header(head, file, number, subject)
     digest = hashlib.sha256()
     kept: list[Floats] = []
@@ -141,6 +137,17 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
             raise refusal(message, Place(file, line, 1))
     if rest:
         yield rest
+
+
+def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
+    """The first line with cells, or the last line, its number, and the lines behind it."""
+    start, number = 0, 1
+    while True:
+        end = piece.find(b"\n", start)
+        head = piece[start : end if end >= 0 else None]
+        if end < 0 or end + 1 == len(piece) or has_cells(_text(head, file, number)):
+            return head, number, piece[end + 1 :] if end >= 0 else b""
+        start, number = end + 1, number + 1
 
 
 def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:

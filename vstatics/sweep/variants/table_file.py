@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Sequence
 from itertools import islice
 from typing import Any
@@ -9,9 +10,11 @@ from typing import Any
 import numpy as np
 
 from vstatics.errors import Place, Problem, ReadError, of_file
+from vstatics.jobs.input_files import TABLE_BYTES, opened, read_stream, unreadable
 from vstatics.numerics.arrays import Floats
 from vstatics.readers import sweep_tables
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.sweep.options import PlacedFile
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.table import finite, read_table, targets_of
@@ -33,14 +36,12 @@ def load_table(path: str, subject: Subject) -> VariantTable:
         With every problem and its place.
     """
     try:
-        with open(path, "rb") as opened:  # noqa: PTH123
-            if not opened.peek(4).startswith(_OTHERS):
-                return read_table(opened, path, subject)
-            columns = sweep_tables.columns(opened.read(), path)
+        with _opened(path) as stream:
+            if not stream.peek(4).startswith(_OTHERS):
+                return read_table(stream, path, subject)
+            columns = sweep_tables.columns(_rest_of(stream, path), path)
     except OSError as error:
-        raise ReadError(
-            [of_file("E006", path, f"can't be read: {error.strerror or error}")]
-        ) from None
+        raise ReadError([unreadable(path, error)]) from None
     place = Place(path, 1, 1)
     targets, chosen = targets_of([(name, place) for name in columns], subject)
     names = list(columns)
@@ -60,10 +61,20 @@ def headings(path: str) -> str:
     ReadError
         If it can't be read.
     """
-    with open(path, "rb") as opened:  # noqa: PTH123
-        if not opened.peek(4).startswith(_OTHERS):
-            return opened.readline(_LONGEST).decode(errors="replace")
-        return ",".join(sweep_tables.columns(opened.read(), path))
+    with _opened(path) as stream:
+        if not stream.peek(4).startswith(_OTHERS):
+            return stream.readline(_LONGEST).decode(errors="replace")
+        return ",".join(sweep_tables.columns(_rest_of(stream, path), path))
+
+
+def _opened(path: str) -> io.BufferedReader:
+    """Open the file that an option names; one that a sweep file names must be a regular file."""
+    return io.BufferedReader(opened(path, regular=isinstance(path, PlacedFile)))  # type: ignore[arg-type]
+
+
+def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
+    """Return what a stream holds whose columns are read as a whole."""
+    return read_stream(stream, TABLE_BYTES, path)
 
 
 def _numbers(name: str, column: Sequence[Any], place: Place) -> Floats:
