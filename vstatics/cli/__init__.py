@@ -153,7 +153,8 @@ def main() -> None:
     \b
     Examples:
       vstatics new gearbox.yaml --template ravigneaux
-      vstatics run gearbox.dat                 the printed listing
+      vstatics run gearbox.dat                 tables of every gear
+      vstatics run gearbox.dat -f source       the published listing, word for word
       vstatics run gearbox.yaml -f json        the same for programs
       vstatics check gearbox.yaml              what is wrong or doubtful
       vstatics convert gearbox.dat gearbox.yaml

@@ -12,10 +12,11 @@ from vstatics.cli.frame import cases as arguments
 from vstatics.cli.frame import files, formats, texts
 from vstatics.cli.frame.cases import CalculatedCase, CaseOptions, calculate
 from vstatics.cli.frame.exit_status import DONE, FAILED
-from vstatics.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.cli.frame.formats import Destination, OutputOptions, TextStyle
 from vstatics.cli.frame.one_or_many import carry_out
+from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.texts import Job
-from vstatics.errors import CaseError, ReadError, printable
+from vstatics.errors import CaseError, printable
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.workers import cores
 from vstatics.statics.results import Results
@@ -24,7 +25,7 @@ from vstatics.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
 """Of a text in a file, without colours."""
-FORMATS = ("listing", *formats.TABLES[1:], "parquet")
+FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
 """From so many cases on all cores share them."""
 
@@ -51,11 +52,11 @@ MANY = 100
 @click.option(
     "--own-tables",
     is_flag=True,
-    help="With --lang source: the tables of this program behind those of the source.",
+    help="With -f source: the tables of this program after those of the source.",
 )
 @arguments.settings
 @arguments.language(
-    "the words, but not of names and messages; source: the published wording of a listing", "source"
+    "the words, but not of names and messages; source: alias of -f source", "source"
 )
 def run(
     cases: tuple[str, ...],
@@ -73,11 +74,13 @@ def run(
       vstatics run gearbox.dat
       vstatics run gearbox.yaml --pretty
       vstatics run gearbox.yaml -f json | jq .ratio
+      vstatics run gearbox.dat -f source
       cat gearbox.dat | vstatics run - --coast
       vstatics run variants/*.dat -f json -o results/ --jobs 4
       vstatics run 'drawer/**/*.dat' -o all.parquet
       find . -name '*.dat' | vstatics run --files-from - -f jsonl -o all.jsonl
 
+    -f source is the published listing of Visual-Statics, word for word.
     Patterns in quotes are expanded here; ** stands for any folders.
     Into a directory each case gives a file: its stem and .lst, .json or .csv. A case
     that fails does not stop the others. After Ctrl-C, --resume goes on.
@@ -91,12 +94,18 @@ def run(
     names = arguments.named(cases, files_from)
     several = len(names) > 1 or files_from is not None
     others = [] if files_from is None else [files_from]
+    wanted = _without_alias(wanted)
     if pretty:
-        if wanted.form is not None or jobs is not None or resume or wanted.style.lang == "source":
+        if wanted.form is not None or jobs is not None or resume:
             without = "-f, --jobs, --resume, --lang source"
             raise click.UsageError(f"--pretty is for people: without {without}")
         return _pretty(names, settings, wanted, [*names, *others], several=several)
     to = wanted.destination([*names, *others], several=several)
+    of_source = to.form == "source"
+    refuse(
+        (of_source and settings.coast, "--coast has no field in the published listing"),
+        (of_source and settings.idle == "exact", "-f source has the signs of --idle published"),
+    )
     if resume and not to.is_folder and (to.form not in formats.STREAMS or is_stream(to.output)):
         message = (
             "--resume needs a directory to go on with, -o DIRECTORY/, or a file .jsonl, .parquet"
@@ -106,24 +115,38 @@ def run(
         "run",
         settings,
         to,
-        partial(show, style=to.style),
+        partial(show, to=to),
         _frame() if to.form == "csv" else None,
     )
     jobs = jobs or (cores() if len(names) >= MANY else 1)
     return carry_out(job, names, others=others, a_list=several, jobs=jobs, resume=resume)
 
 
-def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
+def _without_alias(wanted: OutputOptions) -> OutputOptions:
+    """Return the options with `--lang source` resolved, an alias of `-f source`.
+
+    Raises
+    ------
+    UsageError
+        If another format is asked for.
+    """
+    if wanted.style.lang != "source":
+        return wanted
+    if wanted.form not in (None, "listing", "source"):
+        raise click.UsageError(f"--lang source is an alias of -f source, not of -f {wanted.form}")
+    return wanted._replace(form="source", style=wanted.style._replace(lang="en"))
+
+
+def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.CaseOutput:
     """All tables of the results of a case."""
-    if style.lang == "source":
-        as_printed = _as_printed(outcome, results, style)
-        return texts.CaseOutput([], {"listing": lambda _: as_printed})
-    lang = style.lang
+    style = to.style
+    if to.form == "source":
+        return _as_published(outcome, results, style)
 
     def listing(_: str | None) -> str:
         from vstatics.writers import listing
 
-        return listing.write(results, lang, style.digits or listing.LISTING_DECIMALS)
+        return listing.write(results, to.language, style.digits or listing.LISTING_DECIMALS)
 
     def csv(file: str | None) -> str:
         from vstatics.writers import result_csv
@@ -159,25 +182,26 @@ def show(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.C
     return texts.CaseOutput(titles, own, grids, document, lay_out)
 
 
-def _as_printed(outcome: CalculatedCase, results: Results, style: TextStyle) -> str:
-    """The listing of the source; what is drawn is calculated again by its mechanisms.
+def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
+    """Return the published listing, of the case as its fields hold it.
 
     Raises
     ------
     ReadError
-        If the source has no words for the case.
+        If the listing has no field for a part of the case.
     """
-    from vstatics.statics.solve import solve
     from vstatics.writers import source_listing
     from vstatics.writers.listing import LISTING_DECIMALS
 
-    if results.case.drawing is not None:
-        results = solve(results.with_numbers_only.replace(drawing=None))
-    digits = style.digits or LISTING_DECIMALS
     try:
-        return source_listing.write(results, digits, own_tables=style.own_tables)
+        published = source_listing.published_results(results)
     except CaseError as error:
-        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+        raise outcome.located(error) from None
+    digits = style.digits or LISTING_DECIMALS
+    text = source_listing.write(published, digits, own_tables=style.own_tables)
+    changed = source_listing.changed_efficiencies(results, published)
+    problems = outcome.located(CaseError(changed)).problems
+    return texts.CaseOutput([], {"source": lambda _: text}, problems=problems)
 
 
 def _frame() -> texts.Frame:

@@ -10,6 +10,7 @@ Form = TypeVar("Form", bound=str)
 
 SUFFIXES = {
     "listing": (".lst", ".txt", ".out"),
+    "source": (".lst", ".txt", ".out"),
     "text": (".txt", ".lst", ".out"),
     "json": (".json",),
     "csv": (".csv",),

@@ -1,13 +1,14 @@
-"""What a case has that a deck has no field for, and would not be the same case without."""
+"""Parts of a case that a deck or the published listing has no field for, and that change it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, listed
+from vstatics.errors import CaseError, Path, Problem, listed
 from vstatics.model.parts import Law
-from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.statics.results import Results
 
 SHOWN = 20
 """Names of a kind that are told."""
@@ -58,3 +59,115 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     yield "fatigue strength", [*case.fatigue]
     yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
     yield "planet masses", [element.name for element in elements if element.planet_masses]
+
+
+def check_published_listing(results: Results) -> None:
+    """Refuse a case whose numbers do not follow from the fields of the published listing.
+
+    Raises
+    ------
+    CaseError
+        With a problem for each kind of part, at the first part of the kind.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> gears = [Gear(name="ahead"), Gear(name="back", input=2, output=1)]
+    >>> check_published_listing(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], gears)))
+    Traceback (most recent call last):
+        ...
+    vstatics.errors.CaseError: gears[2].input: the published listing has no field for ...
+    """
+    problems = []
+    for what, parts in _unprinted(results):
+        if parts:
+            message = f"the published listing has no field for {what}: {listed([*parts], SHOWN)}"
+            expected = "expected another format, such as `-f listing`"
+            path = next(iter(parts.values()))
+            problems.append(Problem("E870", f"{message}; {expected}", path))
+    if problems:
+        raise CaseError(problems)
+
+
+def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
+    """Yield each kind of part without a field, with the paths of these parts by name."""
+    case = results.case
+    yield "springs", {one.name: ("springs", n) for n, one in enumerate(case.springs, 1)}
+    yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
+    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_law)
+    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second)
+    yield (
+        "the drag of shift elements",
+        {
+            part.name: ("shift_elements", n, "drag")
+            for n, part in enumerate(case.shift_elements, 1)
+            if _acts(part.drag)
+        },
+    )
+    yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
+    yield (
+        "the drag of open elements in gears",
+        _gears(case, "open_drag", lambda gear: any(map(_acts, gear.open_drag.values()))),
+    )
+    yield "balances of gears", _gears(case, "balance", lambda gear: gear.balance is not None)
+    yield "inputs of single gears", _gears(case, "input", _differs(case, case.gear_input))
+    yield "outputs of single gears", _gears(case, "output", _differs(case, case.gear_output))
+    yield (
+        "coasting in gears",
+        {
+            gear.name: _load_path(index, "coast", gear.coast)
+            if case.gear_coast(gear)
+            else _load_path(index, "load", gear.load)
+            for index, gear in enumerate(case.gears)
+            if case.coasts(gear)
+        },
+    )
+    yield (
+        "an input torque of 0 in gears",
+        {
+            case.gears[index].name: _load_path(index, "load", case.gears[index].load)
+            for index in case.unloaded
+        },
+    )
+    conflicts = zip(case.gears, results.conflict.tolist(), strict=True)
+    in_conflict = {gear.name for gear, is_conflict in conflicts if is_conflict}
+    yield (
+        "freewheels in conflict in gears",
+        _gears(case, "engaged", lambda gear: gear.name in in_conflict),
+    )
+
+
+def _mechanisms(
+    case: Transmission, key: str, applies: Callable[[Mechanism], bool]
+) -> dict[str, Path]:
+    """Return the paths of a key of the mechanisms that a condition applies to, by name."""
+    numbered = enumerate(case.mechanisms, 1)
+    return {part.name: ("mechanisms", n, key) for n, part in numbered if applies(part)}
+
+
+def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dict[str, Path]:
+    """Return the paths of a key of the gears that a condition applies to, by name."""
+    return {gear.name: ("gears", n, key) for n, gear in enumerate(case.gears, 1) if applies(gear)}
+
+
+def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear], bool]:
+    """Return the condition that a port of a gear is another link than that of the first gear."""
+    return lambda gear: port(gear) != port(case.gears[0])
+
+
+def _load_path(index: int, key: str, of_gear: object) -> Path:
+    """Return the path of a key that a gear takes from the case where it has no value of its own."""
+    return (key,) if of_gear is None else ("gears", index + 1, key)
+
+
+def _has_law(part: Mechanism) -> bool:
+    return isinstance(part.efficiency, Law)
+
+
+def _has_second(part: Mechanism) -> bool:
+    return part.back_efficiency not in (None, part.efficiency)
+
+
+def _acts(drag: float) -> bool:
+    """Return whether a drag is above 0 at some speed."""
+    return isinstance(drag, Law) or drag != 0

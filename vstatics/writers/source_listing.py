@@ -1,17 +1,27 @@
-"""Results word for word as the source prints them, in its Russian: only its fields and tables."""
+"""The published listing word for word, in its Russian: only its fields and tables.
+
+The listing has fields for links, shift elements, mechanisms and gears. Its input is the first
+link and its output the last one, and mechanisms without power flow have a sign. `published_results`
+are those of the case as these fields hold it, so the listing is a deck with the same results.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vstatics.errors import CaseError, listed
-from vstatics.model.transmission import Transmission
+import numpy as np
+
+from vstatics.errors import CaseError, Problem, not_allowed
+from vstatics.model.parts import HOUSING
+from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 from vstatics.statics.results import Results
+from vstatics.statics.solve import solve
 from vstatics.tables.numbers import fixed_rows
 from vstatics.tables.quantities import Table
 from vstatics.tables.values import tables
 from vstatics.texts import speaking, translated
 from vstatics.writers import deck, listing
+from vstatics.writers.deck_limits import check_published_listing
 
 STRUCTURE = """\
 ИСХОДНЫЕ ДАННЫЕ О СТРУКТУРЕ МЕХАНИЗМА
@@ -111,26 +121,120 @@ HEADINGS = {
 """By the index lists of tables, or of their parts."""
 
 
-def write(
-    results: Results, digits: int = listing.LISTING_DECIMALS, *, own_tables: bool = False
-) -> str:
-    """The printed listing of one case that is not drawn, its rows in F8.3 and I3.
+NO_FOLLOWING = (
+    "the published listing has no field for the speed of another link, and its number leaves "
+    "the gear open; expected another format, such as `-f listing`"
+)
+SAME = 1e-9
+"""Relative difference of ratios and efficiencies that is rounding."""
 
-    Parameters
-    ----------
-    digits : int
-        After the point.
-    own_tables : bool
-        Whether the tables that the source does not have follow, in Russian, with the messages.
+
+def published_results(results: Results) -> Results:
+    """Return the results of the case as the fields of the published listing hold it.
+
+    The input is the first link and the output the last one; planets that are links come between.
+    Freewheels are elements that are engaged where they hold, and given speeds are numbers.
 
     Raises
     ------
     CaseError
-        If the case has springs or speed ratios, for which the source has no fields.
+        If the listing has no field for a part of the case that its numbers depend on.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={1: 0})], 3, 2)
+    >>> published = published_results(solve(case))
+    >>> published.case.mechanisms[0].links, published.case.gears[0].speeds
+    ((2, 3, 1), {2: 0.0})
     """
-    _check(results.case)
+    check_published_listing(results)
+    published = solve(_published_case(results))
+    same = np.isclose(results.ratio, published.ratio, rtol=SAME, atol=0, equal_nan=True)
+    lost = [
+        Problem("E870", NO_FOLLOWING, ("gears", number, "speeds"))
+        for number, gear in enumerate(results.case.gears, 1)
+        if not same[number - 1] and any(isinstance(one, SpeedOf) for one in gear.speeds.values())
+    ]
+    if lost:
+        raise CaseError(lost)
+    return published
+
+
+def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
+    """Return a warning for each gear whose efficiency depends on the signs of idle mechanisms."""
+    before, after = results.efficiency, published.efficiency
+    same = np.isclose(before, after, rtol=SAME, atol=0, equal_nan=True)
+    found = []
+    for index in np.flatnonzero(~same).tolist():
+        message = (
+            "the signs of idle mechanisms in the published listing change the efficiency of gear "
+            f"{results.case.gears[index].name} from {before[index]:.4g} to {after[index]:.4g}"
+        )
+        found.append(Problem("W895", message, ("gears", index + 1)))
+    return not_allowed(found, results.case.untold)
+
+
+def _published_case(results: Results) -> Transmission:
+    """Return the case with the parts that have fields, its links in the order of the listing."""
+    case = results.with_numbers_only
+    ends = case.gear_input(case.gears[0]), case.gear_output(case.gears[0])
+    between = (link for link in range(1, case.links + 1) if link not in ends)
+    order = [ends[0], *between, ends[1]]
+    new = {HOUSING: HOUSING} | {link: number for number, link in enumerate(order, 1)}
+    return Transmission(
+        case.links,
+        [
+            ShiftElement(new[part.first], new[part.second], part.name)
+            for part in case.shift_elements
+        ],
+        [
+            Mechanism(
+                new[part.first],
+                new[part.second],
+                new[part.third],
+                part.ratio,
+                part.efficiency,
+                part.planet_ratio,
+                part.name,
+            )
+            for part in case.mechanisms
+        ],
+        [
+            Gear(
+                gear.engaged,
+                {new[link]: speed for link, speed in gear.speeds.items()},
+                {new[link]: torque for link, torque in gear.torques.items()},
+                name=gear.name,
+                load=gear.load,
+            )
+            for gear in case.gears
+        ],
+        idle="published",
+        name=case.name,
+        link_names=[case.link_name(link) for link in order],
+        load=case.load,
+        allow=case.allow,
+        hushed=case.hushed,
+    )
+
+
+def write(
+    results: Results, digits: int = listing.LISTING_DECIMALS, *, own_tables: bool = False
+) -> str:
+    """Write the published listing of one case, its rows in F8.3 and I3.
+
+    Parameters
+    ----------
+    results : Results
+        Those of `published_results`.
+    digits : int
+        Number of decimals.
+    own_tables : bool
+        Whether the tables that the source does not have follow, in Russian, with the messages.
+    """
     shown = tables(results)
-    lines = [*_given(results.with_numbers_only), RESULTS]
+    lines = [*_given(results.case), RESULTS]
     for table in shown:
         if table.quantity.published:
             lines += _printed(table, results.case, digits)
@@ -140,15 +244,6 @@ def write(
             lines += listing.table_lines(results, own, digits)
             lines += listing.messages(results)
     return "\n".join(lines) + "\n"
-
-
-def _check(case: Transmission) -> None:
-    """Refuse what would be rows and columns that no heading of the source names."""
-    springs = [spring.name for spring in case.springs]
-    foreign = [*springs, *(one.name for one in case.mechanisms if one.kind)]
-    if foreign:
-        message = f"the source's listing has no fields for {listed(foreign)}"
-        raise CaseError("E870", f"{message}; expected --lang en, de or ru")
 
 
 def _given(case: Transmission) -> Iterator[str]:

@@ -168,6 +168,13 @@ class CalculatedCase(NamedTuple):
     """That which names the case, where the command takes one."""
     is_run: bool = False
     """Whether its run is shown."""
+    locate: Callable[[Problem], Problem] | None = None
+    """Gives a problem of the model its place in the file."""
+
+    def located(self, error: CaseError) -> ReadError:
+        """Return an error about the model with places in the file of the case."""
+        found = error.problems if self.locate is None else map(self.locate, error.problems)
+        return ReadError(one if one.place else one.in_file(self.file) for one in found)
 
     @property
     def failed(self) -> bool:
@@ -300,7 +307,7 @@ def calculate_one(
     Texts replace the content of the files of their names. `regular` refuses pipes and devices.
     """
     name, data = STDIN_NAME if file == files.STDIN else file, b""
-    scenario = None
+    scenario, locate = None, None
     try:
         data, name = _content(file, texts, regular=regular)
         if settings.scenarios and documents.is_a("scenario", data, name):
@@ -311,6 +318,7 @@ def calculate_one(
             reading = readers.read(data, name, settings.input_format)
             reading = reading.allowing(settings.telling.allow)
         opens = settings.of_vibration or (settings.of_runs and scenario is not None)
+        locate = reading.locate
         results = _solved(reading, settings, opens=opens)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each = settings.telling.each_gear
@@ -326,7 +334,7 @@ def calculate_one(
         results, problems = None, [unexpected(name, error)]
     told = settings.telling.told(problems)
     is_run = settings.of_runs and scenario is not None
-    return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run)
+    return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run, locate)
 
 
 def _content(file: str, texts: Mapping[str, bytes], *, regular: bool) -> tuple[bytes, str]:

@@ -31,12 +31,13 @@ class TextStyle(NamedTuple):
     """How texts are laid out."""
 
     lang: Language | Literal["source"] = "en"
+    """"source" is an alias of the format of that name, which `run` resolves."""
     digits: int | None = None
     """After the point; None: those that suit a number."""
     raw: bool = False
     """Whether texts in CSV stay as they are."""
     own_tables: bool = False
-    """Whether they follow those of the source."""
+    """Whether the tables that the source does not have follow the published listing."""
 
 
 class Destination(NamedTuple):
@@ -61,7 +62,7 @@ class Destination(NamedTuple):
     @property
     def is_text(self) -> bool:
         """Whether people read it as it is."""
-        return self.form in ("text", "listing")
+        return self.form in ("text", "listing", "source")
 
 
 class OutputOptions(NamedTuple):
@@ -118,7 +119,7 @@ class OutputOptions(NamedTuple):
 
     def _checked(self, form: str | None, *, is_folder: bool) -> Destination:
         chosen = form or self.formats[0]
-        style, of_source = self.style, self.style.lang == "source"
+        style = self.style
         all_digits = f"--digits does not apply to {chosen}, which has all digits"
         refuse(
             (
@@ -128,12 +129,8 @@ class OutputOptions(NamedTuple):
             (style.digits is not None and chosen in FULL, all_digits),
             (style.raw and chosen != "csv", "--raw is for CSV"),
             (
-                of_source and chosen != "listing",
-                f"--lang source is for a listing, not for {chosen}",
-            ),
-            (
-                style.own_tables and not of_source,
-                "--own-tables is for --lang source: other listings have them",
+                style.own_tables and chosen != "source",
+                "--own-tables is for -f source: other formats have these tables",
             ),
         )
         needed = {"xlsx": "XLSX", "parquet": "Parquet"}.get(chosen)
