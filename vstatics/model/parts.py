@@ -515,7 +515,7 @@ class Law(float):
     """A drag over a speed [N*m, rad/s], or an efficiency over a speed or torque [-, N*m].
 
     It is asked with magnitudes, and needs a load. As a number it is its value at 0, for all that
-    knows no load.
+    knows no load. As a truth value it is true: its value at 0 says nothing of its other values.
     """
 
     over: Literal["speed", "torque"] = "speed"
@@ -529,6 +529,10 @@ class Law(float):
     def at(self, size: Any) -> Any:
         """Its value at a speed or torque, or at each of an array."""
         raise NotImplementedError
+
+    def __bool__(self) -> bool:
+        """Whether it can be other than 0."""
+        return True
 
     @property
     def _told(self) -> tuple[Any, ...]:

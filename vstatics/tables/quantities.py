@@ -154,6 +154,11 @@ def _has_given_speeds(results: Results) -> bool:
     return given and not np.isnan(results.in_own_unit("holding_torques")).all()
 
 
+def _has_drag(results: Results) -> bool:
+    """Whether anything drags in the case or, where numbers vary, in one of the variants."""
+    return results.case.has_drag or bool(np.nan_to_num(results.drag_losses).any())
+
+
 def _has_meshes(results: Results) -> bool:
     return bool(results.mesh_torques.shape[-1])
 
@@ -260,7 +265,7 @@ RELATIVE = (
         "dragged",
         "DRAGGED",
         "Drag takes more than the input gives",
-        exists=lambda results: results.case.has_drag,
+        exists=_has_drag,
     ),
     Quantity(
         "holding_torques",
@@ -283,7 +288,7 @@ RELATIVE = (
         "drag_losses",
         "DRAG",
         "Power that drag of bearings, oil and open elements takes",
-        exists=lambda results: results.case.has_drag,
+        exists=_has_drag,
         decimals=4,
         with_load="kW",
         brief="Power that drag takes",

@@ -1,0 +1,318 @@
+"""Drag of every form acts in the torques and is reported: the numbers of every format close.
+
+Speeds are from fractions (`tests.oracle`), the drag torque at each speed from a function beside the
+text of its law, so the expected power ``sum(c(w) w)`` shares nothing with the program.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from random import Random
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+import yaml
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from tests.oracle.systems import Speeds
+from tests.trains import is_regular, random_train
+from vstatics import Transmission, load, loads, solve
+from vstatics.writers.named import mapping
+
+Torque = Callable[[float], float]
+"""The torque of a drag [N*m] at a speed [rad/s]."""
+
+
+class GivenDrag(NamedTuple):
+    """A drag as a case has it, and the torque that it stands for."""
+
+    written: Any
+    at: Torque
+
+
+class DraggedCase(NamedTuple):
+    """A random case with drag in all places, and the power of drag in each gear."""
+
+    file: Path
+    case: Transmission
+    lost_kw: Mapping[str, float]
+    """Only of gears whose speeds have one solution."""
+
+
+def random_drag(chance: Random, torque: float, folder: Path) -> GivenDrag:
+    """A drag of one of the forms that a case may have; many are 0 at rest."""
+    a, b = round(chance.uniform(0.1, 3), 2), round(chance.uniform(1e-3, 3e-2), 4)
+
+    def straight(speed: float) -> float:
+        return a * min(speed, 200) / 200
+
+    part, name = round(a / 100, 4), f"drag{len([*folder.iterdir()])}.csv"
+    (folder / name).write_text(f"speed [rad/s],torque [N*m]\n0,0\n200,{a}\n", encoding="utf-8")
+    forms: tuple[tuple[Any, Torque], ...] = (
+        (f"{a} N*m", lambda _: a),
+        (part, lambda _: part * torque),
+        (f"{b}*w", lambda speed: b * speed),
+        (f"{b}*w**2/100", lambda speed: b * speed**2 / 100),
+        (f"{a} + {b}*w", lambda speed: a + b * speed),
+        ([[0, 0], ["200 rad/s", f"{a} N*m"]], straight),
+        ({"file": name}, straight),
+    )
+    return GivenDrag(*chance.choice(forms))
+
+
+def random_case(chance: Random, folder: Path) -> DraggedCase:
+    """A random train with drag of the case, of gears, and of open shift elements."""
+    size, speed = chance.choice((2.0, 20.0, 400.0)), chance.choice((30.0, 150.0, -400.0))
+    several = chance.random() < 0.5
+    train = random_train(chance, regular=not several)
+    named = [gear._replace(name=f"gear{n}") for n, gear in enumerate(train.gears, 1)]
+    train = train.replace(gears=named)
+    data = mapping(train)
+    data["load"] = {"speed": f"{speed} rad/s", "torque": f"{math.copysign(size, speed)} N*m"}
+
+    def drags(numbers: range, chances: float) -> dict[int, GivenDrag]:
+        chosen = [number for number in numbers if chance.random() < chances]
+        return {number: random_drag(chance, size, folder) for number in chosen}
+
+    links, numbers = range(1, train.links + 1), range(1, len(train.shift_elements) + 1)
+    of_links, of_elements = drags(links, 0.4), drags(numbers, 0.4)
+    data["drag"] = {link: one.written for link, one in of_links.items()}
+    for number, one in of_elements.items():
+        element = train.shift_elements[number - 1]
+        data["shift_elements"][element.name] = {"links": [*map(_link, element.links)]} | {
+            "drag": one.written
+        }
+    lost = {}
+    for gear in train.gears:
+        own = drags(links, 0.15), drags(numbers, 0.15)
+        names = [element.name for element in train.shift_elements]
+        given = data["gears"][gear.name]
+        given["drag"] = {link: one.written for link, one in own[0].items()}
+        given["open_drag"] = {names[number - 1]: one.written for number, one in own[1].items()}
+        if is_regular(train, gear):
+            moves = Speeds(train, gear)
+            by_part = (
+                *(((link, 0), one) for link, one in (of_links | own[0]).items()),
+                *(
+                    (train.shift_elements[number - 1].links, one)
+                    for number, one in (of_elements | own[1]).items()
+                    if number not in gear.engaged
+                ),
+            )
+            slips = (
+                (abs(float(moves.difference(*ends) or 0) * speed), one) for ends, one in by_part
+            )
+            lost[gear.name] = math.fsum(one.at(slip) * slip for slip, one in slips) / 1000
+    file = folder / "case.yaml"
+    file.write_text(yaml.safe_dump(data), encoding="utf-8")
+    return DraggedCase(file, load(file), lost)
+
+
+def _link(number: int) -> int | str:
+    return number or "housing"
+
+
+class Sums(NamedTuple):
+    """Powers that a format prints for a gear [kW], and what their last digits leave open."""
+
+    entering: float
+    leaving: float
+    meshes: float
+    drag: float
+    slack: float = 0.0
+
+
+def figure(text: str) -> tuple[float, float]:
+    """A printed number, and half of its last digit; NaN where none is printed."""
+    if not re.fullmatch(r"-?(\d+\.?\d*|\.\d+)", text):
+        return math.nan, 0.0
+    return float(text), 0.5 * 10.0 ** -len(text.partition(".")[2])
+
+
+def ports_of_text(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: the sums of a table of ports, printed for people."""
+    found: dict[str, dict[str, float]] = {}
+    gear = ""
+    _, table = re.split(r"^ *gear +port .*power, kW.*\n", text, flags=re.MULTILINE)
+    for line in table.splitlines():
+        if not (words := line.split()):
+            break
+        if set(line.strip()) <= {"─"}:
+            continue
+        if words[0] in gears:
+            gear = words.pop(0)
+        own = found.setdefault(gear, dict.fromkeys(("in", "out", "meshes", "drag", "slack"), 0.0))
+        if words[0] == "lost:":
+            key, text_of_power = words[1] if len(words) == 3 else "", words[-1]
+        else:
+            key = words[-1] if words[-1] in ("in", "out") else ""
+            text_of_power = words[-2] if key else words[-1]
+        power, half = figure(text_of_power)
+        if key:
+            own[key] += power
+            own["slack"] += half
+        elif words[0] != "lost:":  # a port without a way passes nothing, as printed
+            assert not power > half
+            own["slack"] += half
+    return {
+        gear: Sums(one["in"], one["out"], one["meshes"], one["drag"], one["slack"])
+        for gear, one in found.items()
+    }
+
+
+def of_summary(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: the ports in the JSON of `summary`."""
+    found = {}
+    for table in json.loads(text)["ports"]:
+        power = {
+            way: math.fsum(_number(p["power_kW"]) for p in table["ports"] if p["way"] == way)
+            for way in ("in", "out")
+        }
+        lost = {one["in"]: _number(one["power_kW"]) for one in table["lost"]}
+        found[table["gear"]] = Sums(power["in"], power["out"], lost["meshes"], lost["drag"])
+    assert [*found] == gears
+    return found
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else value
+
+
+def of_json(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: what `run -f json` says."""
+    data = json.loads(text)
+    keys = "input_power_kW", "output_power_kW", "drag_losses_kW"
+    entering, leaving, drag = ([_number(one) for one in data[key]] for key in keys)
+    meshes = [math.fsum(map(_number, column)) for column in zip(*data["losses_kW"], strict=True)]
+    rows = gears, entering, leaving, meshes, drag
+    return {gear: Sums(*row) for gear, *row in zip(*rows, strict=True)}
+
+
+def of_csv(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: what `run -f csv` says."""
+    by_key: dict[tuple[str, str], list[float]] = {}
+    for row in csv.DictReader(io.StringIO(text)):
+        if row["table"].endswith("_kW"):
+            number = float(row["value"]) if row["value"] else math.nan
+            by_key.setdefault((row["table"], row["gear"]), []).append(number)
+    keys = "input_power_kW", "output_power_kW", "losses_kW", "drag_losses_kW"
+    return {gear: Sums(*(math.fsum(by_key[key, gear]) for key in keys)) for gear in gears}
+
+
+def of_listing(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: what the listing says."""
+    columns = {}
+    for key in ("PINKW", "POUTKW", "LOSSKW", "DRAGKW"):
+        block = re.search(rf"^\(?{key}\(.*\n((?:[ \d.*-]+\n)+)", text, re.MULTILINE)
+        assert block, key
+        rows = [[figure(one) for one in line.split()] for line in block[1].splitlines()]
+        columns[key] = [
+            (math.fsum(one for one, _ in column), math.fsum(half for _, half in column))
+            for column in zip(*rows, strict=True)
+        ]
+    found = {}
+    for gear, *numbers in zip(gears, *columns.values(), strict=True):
+        slack = math.fsum(half for _, half in numbers)
+        entering, leaving, meshes, drag = (one for one, _ in numbers)
+        found[gear] = Sums(entering, leaving, meshes, drag, slack)
+    return found
+
+
+def of_markdown(text: str, gears: list[str]) -> dict[str, Sums]:
+    """By gear: what `run -f markdown` says."""
+    tables = re.split(r"^\*\*(.*)\*\*$", text, flags=re.MULTILINE)
+    named = {
+        name.replace("\\", ""): [
+            [cell.strip() for cell in line.strip("|").split("|")]
+            for line in body.splitlines()
+            if line.startswith("|") and not line.startswith("| :")
+        ]
+        for name, body in zip(tables[1::2], tables[2::2], strict=True)
+    }
+    heads, *rows = named["By gear"]
+    at = [heads.index(name) for name in ("input power kW", "output power kW", "drag losses kW")]
+    _, *lossy = named["Power lost, kW [losses_kW]"]
+    found = {}
+    for place, row in enumerate(rows, 1):
+        entering, leaving, drag = (figure(row[n]) for n in at)
+        meshes = [figure(each[place]) for each in lossy]
+        slack = math.fsum(half for _, half in (entering, leaving, drag, *meshes))
+        total = math.fsum(one for one, _ in meshes)
+        found[row[0]] = Sums(entering[0], leaving[0], total, drag[0], slack)
+    assert [*found] == gears
+    return found
+
+
+FORMATS: tuple[tuple[tuple[str, ...], Callable[[str, list[str]], dict[str, Sums]]], ...] = (
+    (("run", "--pretty"), ports_of_text),
+    (("summary",), ports_of_text),
+    (("summary", "-f", "json"), of_summary),
+    (("run", "-f", "json"), of_json),
+    (("run", "-f", "csv"), of_csv),
+    (("run",), of_listing),
+    (("run", "--digits", "9"), of_listing),
+    (("run", "-f", "markdown"), of_markdown),
+)
+
+
+def of_python(case: Transmission) -> dict[str, Sums]:
+    """By gear: the arrays of `solve`."""
+    found = solve(case)
+    arrays = found.input_power_kW, found.output_power_kW, found.losses_kW.sum(axis=-1)
+    rows = zip(*arrays, found.drag_losses_kW, strict=True)
+    return {gear.name: Sums(*map(float, row)) for gear, row in zip(case.gears, rows, strict=True)}
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(4), pytest.param(range(4, count(300, 3000)), marks=pytest.mark.slow)]
+)
+def test_the_powers_of_every_format_close_and_the_drag_is_that_of_its_laws(
+    seeds: range, tmp_path: Path
+) -> None:
+    known, dragged = 0, 0
+    for seed in seeds:
+        folder = tmp_path / str(seed)
+        folder.mkdir()
+        given = random_case(seeded(seed), folder)
+        gears = [gear.name for gear in given.case.gears]
+        drags = any(solve(given.case).dragged)
+        by_format = {"python": of_python(given.case)}
+        if given.case.has_drag:
+            by_format |= {
+                " ".join(command): read(vstatics(command[0], given.file, *command[1:]).out, gears)
+                for command, read in FORMATS
+            }
+        for form, sums in by_format.items():
+            for gear, lost in given.lost_kw.items():
+                one = sums[gear]
+                if any(map(math.isnan, one)):
+                    continue
+                size = 1e-11 * (1 + one.entering)
+                slack = one.slack + size
+                left = one.entering - one.leaving - one.meshes - one.drag
+                assert abs(left) <= slack, (seed, form, gear, one)
+                assert abs(one.drag - lost) <= slack, (seed, form, gear, one, lost)
+                known += 1
+                dragged += drags
+    assert known > len(seeds)
+    assert dragged
+
+
+def test_drag_that_only_some_variants_have_is_in_tables_of_variants() -> None:
+    """A pair 2:1 at 1000 rpm: 4 N*m at 52.36 rad/s are 0.20944 kW."""
+    case = loads(
+        "links: [a, b]\nload: {speed: 1000 rpm, torque: 100 N*m}\n"
+        "mechanisms: {g: {first: a, second: b, ratio: 2}}\ngears: {'1': []}"
+    )
+    found = solve(case, vary={"drag.b": [0, 4]})
+    lost = [0, 4 * math.pi * 1000 / 60 / 1000]
+    assert found.to_dataframe()["drag_losses_kW", ""].tolist() == pytest.approx(lost)
+    assert found.to_xarray()["drag_losses_kW"].values.ravel() == pytest.approx(np.array(lost))
