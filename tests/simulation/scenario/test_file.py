@@ -176,7 +176,7 @@ def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("{case: box.yaml, duration: 6}", "`start` is missing"),
+        ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
         ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
         ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
         ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` beside `speeds`"),

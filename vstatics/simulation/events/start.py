@@ -15,7 +15,7 @@ from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.matrices import MotionSystem
-from vstatics.simulation.system.structure import null, solved
+from vstatics.simulation.system.structure import null, solved, split_motions
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 
 
@@ -122,8 +122,8 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
         raise CaseError([_contradiction(system, matrix, wanted, given)])
     open_still = null(matrix)
     if open_still.shape[1]:
-        speeds = _by_springs(system, speeds, open_still, scale)
-    if backward := list(_backward(system, speeds, scale)):
+        speeds = _filled_in(system, speeds, open_still, scale)
+    if backward := list(_backward(system, speeds, open_still, scale)):
         raise CaseError(backward)
     return speeds
 
@@ -146,9 +146,17 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
             raise CaseError("E673", f"{message}: expected one of them", ("speeds", name))
 
 
-def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Problem]:
-    """Freewheels that hold anything, and turn in the way in which they hold."""
+def _backward(
+    system: MotionSystem, speeds: Floats, free: Floats, scale: float
+) -> Iterator[Problem]:
+    """Freewheels that hold anything, and turn in the way in which they hold.
+
+    Freewheels on an open motion without inertia can change their slip at once.
+    """
+    _, light = split_motions(system.heavy, free)
     for contact in system.contacts:
+        if largest(contact.row @ light) > MOVING_LINK:
+            continue
         slip = float(contact.row @ speeds)
         limited = contact.programme.look is not None or not math.isinf(capacity_at(contact, 0.0))
         if contact.one_way and slip < -STANDING * scale and not limited:
@@ -159,24 +167,35 @@ def _backward(system: MotionSystem, speeds: Floats, scale: float) -> Iterator[Pr
             yield Problem("E612", message, ("start",))
 
 
-def _by_springs(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """What is open still, with springs that do not twist."""
-    rows = system.rows(one.row for one in system.springs if one.element is None)
+def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
+    """Speeds with the open motions such that springs do not twist and freewheels hold.
+
+    A motion in which nothing heavy moves never needs a given speed: the torques at t = 0 determine
+    it, whatever speed it had before.
+    """
+    heavy, _ = split_motions(system.heavy, free)
+    rows = system.rows(
+        one.row for one in system.springs if one.element is None and not one.is_damper
+    )
     bent = rows @ free
     moved = np.abs(bent).max(axis=1, initial=0.0) > MOVING_LINK
-    bent, rest = bent[moved], -(rows @ speeds)[moved]
-    left = null(bent) if len(bent) else np.eye(free.shape[1])
-    if left.shape[1]:
+    bent, missing = bent[moved], -(rows @ speeds)[moved]
+    left = free @ null(bent) if len(bent) else free
+    loose, idle = split_motions(system.heavy, left)
+    if loose.shape[1]:
         hint = ": give the speed of one more link, or an element that is engaged"
-        raise _left_open(system, free @ left, hint)
-    part = solved(bent, rest)
-    if largest(bent @ part - rest) > STANDING * scale:
+        raise _left_open(system, loose, hint)
+    part = solved(bent, missing) if len(bent) else np.zeros(free.shape[1])
+    if heavy.shape[1] and largest(bent @ part - missing) > STANDING * scale:
         hint = (
             ", and springs on both sides turn at different speeds: give the speed of one more link"
         )
-        raise _left_open(system, free, hint)
-    made: Floats = speeds + free @ part
-    return made
+        raise _left_open(system, heavy, hint)
+    filled: Floats = speeds + free @ part
+    freewheels = system.rows(one.row for one in system.contacts if one.one_way)
+    if idle.shape[1] and len(freewheels):
+        filled += idle @ solved(freewheels @ idle, -freewheels @ filled)
+    return filled
 
 
 def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:

@@ -32,7 +32,7 @@ from vstatics.simulation.scenario.formula import (
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import vocabulary
@@ -73,7 +73,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     """
     yield from size_problems(scenario)
     yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
-    yield from _of_start(scenario.start, scenario.case)
+    yield from _of_start(scenario)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
     yield from _of_limits(scenario)
@@ -116,9 +116,10 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
                 )
 
 
-def _of_start(start: Start, case: Transmission) -> Iterator[Problem]:
+def _of_start(scenario: Scenario) -> Iterator[Problem]:
+    start, case = scenario.start, scenario.case
     by_speeds = bool(start.speeds) or bool(start.engaged)
-    if start.gear is None and not by_speeds:
+    if start.gear is None and not by_speeds and not scenario.speeds:
         yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:

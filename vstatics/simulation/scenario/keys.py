@@ -387,7 +387,9 @@ def _beginning() -> tuple[KeyShape, ...]:
         KeyShape("source", TEXT, "Where its data come from."),
         KeyShape("case", TEXT, "File of the case, relative to this one.", examples=("box.yaml",)),
         KeyShape("duration", _TIME, "In s.", required=True, limits=_ABOVE_0, examples=(6,)),
-        KeyShape("start", START, "The speeds at t = 0.", required=True),
+        KeyShape(
+            "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
+        ),
     )
 
 

@@ -67,7 +67,7 @@ class ScenarioValues:
         return Scenario(
             self.case,
             float(values["duration"]),
-            self._start(values["start"], turning),
+            self._start(values.get("start") or {}, turning),
             None if controls is None else dict(self._controls(controls)),
             torques,
             converters_of(values.get("converters", {})) or tuple(self.case.converters),

@@ -127,6 +127,11 @@ class Elastic(NamedTuple):
         """Where it is steepest [N*m/rad]."""
         return self.curve.steepest
 
+    @property
+    def is_damper(self) -> bool:
+        """Whether it has no stiffness: a damper alone."""
+        return self.stiffness == 0
+
 
 class MovingVariator(NamedTuple):
     """A variator whose speed ratio moves; see `variators`."""

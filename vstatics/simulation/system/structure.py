@@ -217,7 +217,18 @@ def _counting(sizes: Floats, large: float) -> int:
 
 def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
     """What columns leave free: motions of something heavy, and those of nothing heavy."""
-    free = null(columns.T)
+    return split_motions(heavy, null(columns.T))
+
+
+def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
+    """Split motions into those of something heavy and those in which nothing heavy moves.
+
+    Examples
+    --------
+    >>> moving, light = split_motions(np.array([[1.0, 0.0]]), np.eye(2))
+    >>> np.abs(moving).tolist(), np.abs(light).tolist()
+    ([[1.0], [0.0]], [[0.0], [1.0]])
+    """
     if not free.shape[1]:
         return free, free
     moved = heavy @ free

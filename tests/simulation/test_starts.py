@@ -1,0 +1,153 @@
+"""What determines the speeds at the start: given speeds, freewheels, links without inertia."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import numpy as np
+import pytest
+from scipy.linalg import null_space
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import faults, simulated
+from tests.simulation.reference import mechanism_column
+from tests.simulation.runs import random_box
+from vstatics.simulation.run import simulate
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Scenario
+
+STARTS = ("", "start:\n", "start: {}\n", "start: {speeds: {}}\n", "start: {engaged: []}\n")
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_given_speeds_of_all_links_need_no_start(start: str) -> None:
+    """30 N*m at a slip of 20 rad/s for 60 s."""
+    motion = simulated(f"duration: 60\n{start}speeds: {{e: 70, o: 50}}\ncontrols: {{C: 30}}\n")
+    assert motion.energy.heat["C"] == pytest.approx(30 * 20 * 60)
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_without_given_speeds_a_start_is_needed(start: str) -> None:
+    [fault] = faults(f"duration: 60\n{start}controls: {{C: 30}}\n")
+    assert "expected `gear`, or `speeds`" in fault or "is empty" in fault
+
+
+def free_links(columns: np.ndarray, rng: Random) -> list[int]:
+    """Links, by index, whose speeds determine all others, in a random order."""
+    basis = null_space(columns)
+    chosen: list[int] = []
+    for link in rng.sample(range(len(basis)), len(basis)):
+        if np.linalg.matrix_rank(basis[[*chosen, link]], tol=1e-3) > len(chosen):
+            chosen.append(link)
+    return chosen
+
+
+@pytest.mark.parametrize("seed", range(count(25, 2000)))
+def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
+    """By the null space of the mechanisms."""
+    rng = seeded(seed)
+    case = random_box(rng)
+    columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
+    chosen = free_links(columns, rng)
+    ends = np.array([[rng.uniform(-50, 50) for _ in chosen] for _ in range(2)])
+    speeds = {
+        link + 1: Points((0.0, 0.5), (first, last), "time")
+        for link, first, last in zip(chosen, *ends.tolist(), strict=True)
+    }
+    motion = simulate(Scenario(case, 0.5, speeds=speeds))
+    assert motion.stopped is None, motion.stopped
+    basis = null_space(columns)
+    wanted = ends @ np.linalg.inv(basis[chosen]).T @ basis.T
+    assert motion.speeds[[0, -1]] == pytest.approx(wanted, abs=1e-7)
+
+
+BEHIND_FREEWHEEL = """links: [shaft, {races}]
+inertias: {{shaft: {inertia!r}}}
+shift_elements:
+  B: {{links: [{last}, housing], capacity: 1 kN*m}}
+{freewheels}gears: {{"1": []}}
+"""
+
+
+@pytest.mark.parametrize("by", ["gear", "speeds"])
+@pytest.mark.parametrize("seed", range(count(12, 1000)))
+def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by: str) -> None:
+    """Closed form: only backward it brakes, by its capacity from an instant on; then it holds."""
+    rng = seeded(seed)
+    races = [f"race {number}" for number in range(rng.randint(1, 4))]
+    chain = ["shaft", *races]
+    freewheels = "".join(
+        f"  F{n}: {{kind: freewheel, links: [{first}, {second}]}}\n"
+        for n, (first, second) in enumerate(zip(chain, races, strict=False))
+    )
+    inertia, capacity = rng.uniform(0.1, 5), rng.uniform(20, 200)
+    case = BEHIND_FREEWHEEL.format(
+        races=", ".join(races), last=races[-1], freewheels=freewheels, inertia=inertia
+    )
+    begin, torque, at = rng.uniform(-80, 80), rng.uniform(-15, 15), rng.uniform(0.05, 0.5)
+    start = "{gear: '1', speed: %r}" if by == "gear" else "{speeds: {shaft: %r}}"
+    motion = simulated(
+        f"duration: 1\nstart: {start % begin}\ntorques: {{shaft: {torque!r}}}\n"
+        f"controls: {{B: [[{at!r}, 0], [{at!r}, {capacity!r}]]}}\n",
+        case,
+    )
+    last = begin + torque / inertia * at
+    if last < 0:
+        stop = at - last * inertia / (torque + capacity)
+        if stop > 1:
+            last += (torque + capacity) / inertia * (1 - at)
+        else:
+            last = max(torque, 0) / inertia * (1 - stop)
+    else:
+        last = begin + torque / inertia
+        if last < 0:
+            last = 0.0  # it comes to rest on the brake, which holds
+    assert motion.speeds[-1, 0] == pytest.approx(last, abs=1e-7)
+    assert math.isfinite(motion.speeds[0, 1])
+
+
+SIMPSON = """links: [input, sun, rear carrier, race, output]
+inertias: {input: 0.2, sun: 0.02, rear carrier: 0.03, output: 6}
+elements:
+  front: {kind: planetary, sun: sun, ring: input, carrier: output, teeth: {sun: 35, ring: 73}}
+  rear: {kind: planetary, sun: sun, ring: output, carrier: rear carrier, teeth: {sun: 35, ring: 73}}
+shift_elements:
+  B: {links: [input, sun], capacity: 300 N*m}
+  C: {links: [race, housing], capacity: 250 N*m}
+  H: {kind: freewheel, links: [sun, race]}
+  J: {kind: freewheel, links: [rear carrier, housing]}
+gears: {"1": [], "2": [C], "3": [B, C]}
+load: {speed: 2000 rpm, torque: 150 N*m}
+"""
+"""A Simpson set whose intermediate brake acts through a freewheel, as in the TH350 or A340."""
+
+
+def test_the_race_of_an_intermediate_brake_turns_with_the_sun_in_first_gear() -> None:
+    """By gear as by elements that are engaged at the start."""
+    text = """duration: 2
+start: %s
+torques: {input: 150, output: -200}
+controls: {C: [[0.3, 0], [0.6, 250]], B: [[1.5, 0], [1.9, 300]]}
+"""
+    by_gear = simulated(text % "{gear: '1', speed: 200}", SIMPSON)
+    by_speeds = simulated(text % "{speeds: {input: 200}, engaged: [J, H]}", SIMPSON)
+    times = [[one.time for one in motion.events] for motion in (by_gear, by_speeds)]
+    assert times[0] == pytest.approx(times[1])
+    assert [one.word for one in by_gear.events] == ["overruns", "locks", "overruns", "locks"]
+    race, sun = (by_gear.links.index(name) for name in ("race", "sun"))
+    assert by_gear.speeds[0, race] == pytest.approx(by_gear.speeds[0, sun])
+
+
+def test_a_link_without_inertia_between_open_clutches_that_drag_needs_no_start() -> None:
+    """Both drags are 1 N*m: the middle link may turn with either, and passes 1 N*m."""
+    case = """links: [a, middle, b]
+inertias: {a: 2, b: 3}
+shift_elements:
+  B: {links: [middle, b], capacity: 100 N*m, drag: 1 N*m}
+  C: {links: [a, middle], capacity: 100 N*m, drag: 1 N*m}
+"""
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {a: -50, b: -30}}\ncontrols: {B: 0, C: 0}", case
+    )
+    assert motion.speeds[-1, [0, 2]].tolist() == pytest.approx([-50 + 1 / 2, -30 - 1 / 3])
