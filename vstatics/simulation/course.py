@@ -8,14 +8,15 @@ from copy import copy
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, Problem, listed
+from vstatics.errors import CaseError, Path, Problem, listed, quoted
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.impacts import impact
 from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
 from vstatics.simulation.events.location import Finder, MarginEnd
-from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Watch
+from vstatics.simulation.events.margins import FOLLOWING, Awaited, LargeSizes, Watch
+from vstatics.simulation.events.meetings import CornerMeetings, CornerPlace
 from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import (
@@ -25,7 +26,8 @@ from vstatics.simulation.events.selection import (
     Selected,
     turned,
 )
-from vstatics.simulation.events.sequences import Judge, SequenceProgress, SequenceRun
+from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
+from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.record.motion import EventKind
@@ -38,8 +40,10 @@ from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.sight import corners
 from vstatics.simulation.tolerances import (
+    AHEAD,
     AHEAD_OF_STOP,
     BEYOND_ALL,
+    LEAST_DURATION,
     LEAST_RTOL,
     NO_PROGRESS,
     SAME_INSTANT,
@@ -92,6 +96,9 @@ class EventRun:
         """Indices of contacts that broke away there, all at one instant."""
         self.length: float | None = None
         """Of the last step. [s]"""
+        self.meetings = CornerMeetings(self.duration)
+        self.watched: list[tuple[CornerPlace, Awaited]] = []
+        """Corners next to which the motion is."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
@@ -121,7 +128,7 @@ class EventRun:
         """The same run here, which goes on by itself."""
         made = copy(self)
         made.record, made.commands = self.record.copy(), copy(self.commands)
-        made.sequences = self.sequences.copy()
+        made.sequences, made.meetings = self.sequences.copy(), self.meetings.copy()
         return made
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -154,6 +161,7 @@ class EventRun:
         if not found.watches or before is None:
             self.left = []
             return
+        self._meet(found)
         self._count(found)
         self.left = self.left if self.at_once else []
         if any(watch.kind not in FOLLOWING for watch in found.watches):
@@ -177,14 +185,15 @@ class EventRun:
             self._tell(self.at.time, self.before, equations.states)
             if not (self.sequences.going or self.corners):
                 return selected
-            judge = Judge(equations, self.at.time, state)
+            judge = Judge(equations, self.at.time, state, self.scales, self.record.value_scales)
             if self._drags_otherwise(judge):
                 continue
             due = self.sequences.due(self.at.time, judge, self.record.happened)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
-                bends = (one for group in self.corners for one in judge.nearest(group))
+                self.watched = [*self._near_corners(judge)]
+                bends = (one for _, one in self.watched)
                 selected.margins.follow("corner", enumerate(bends))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))
@@ -196,6 +205,14 @@ class EventRun:
             f"instant, without end: {names}"
         )
         raise CaseError("E697", message, ("sequences",))
+
+    def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
+        """Corners next to which the motion is, but for bends that it passes."""
+        for index, corner in enumerate(self.corners):
+            for number, one in judge.nearest(corner.compared):
+                place = CornerPlace(index, number)
+                if corner.jumps[number] or not self.meetings.is_passed(place, self.at.time):
+                    yield place, one
 
     def _drags_otherwise(self, judge: Judge) -> bool:
         """Whether an element that drags while it is open opens or closes here by what it sees.
@@ -228,6 +245,23 @@ class EventRun:
         self.record.sets(self.at.time, values)
         self.give(step, values)
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
+
+    def _meet(self, found: MarginEnd) -> None:
+        """Note the corners that are met, and refuse one that is met without end."""
+        for watch in found.watches:
+            if watch.kind != "corner":
+                continue
+            place, judged = self.watched[watch.of]
+            self.meetings.note(place, found.time)
+            corner = self.corners[place.corner]
+            within = AHEAD * max(self.duration, LEAST_DURATION)
+            if corner.jumps[place.number] and self.meetings.switches(place, judged, within):
+                message = (
+                    f"at {found.time:.9g} s {quoted(corner.text)} switches to and fro without end: "
+                    "on each side of its jump the motion goes back to the other side; replace the "
+                    "jump with a ramp, or switch with a hysteresis in a sequence"
+                )
+                raise CaseError("E601", message, corner.path)
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.duration

@@ -63,10 +63,14 @@ SOON = 1e2
 """By so much of what it changes until there a comparison may be equal: times have that rounding."""
 MET = 1e-3
 """... and it meets now what it reaches in this part of the time that is looked ahead."""
+SLIDING = 1e-3
+"""A motion that stays as near to a jump, by the size of the numbers compared, slides along it."""
 NEAR_LIMIT = 1e-3
 """A state is at a limit that it reaches in this part of the time that is looked ahead."""
 EXACT_SIDES = 1e-13
 """A comparison turns where it is passed by this part of what is compared."""
+ROUNDED_INPUT = 1e-14
+"""Part of the largest of its kind by which a number that a formula sees is uncertain."""
 PASSED_LIMIT = 1e-10
 """A limit is passed by more than this part of the largest torque."""
 FALLING_MARGIN = 1e-12

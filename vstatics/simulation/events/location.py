@@ -191,15 +191,29 @@ class Finder:
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
-        """Where a margin is 0 again that is 0 at first; the first time if it does not rise."""
+        """Where a margin is 0 again that is 0 at first.
+
+        One that does not rise ends at the first time if a choice depends on it, else where it is
+        below 0 by more than rounding.
+        """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
         above = np.flatnonzero(margins > 0)
         if not len(above):
-            return first
-        rises = int(above[0])
-        falls = next(number for number in range(rises + 1, len(times)) if margins[number] <= 0)
-        return self._root(step, index, float(times[falls - 1]), float(times[falls]))
+            return self._leaves(step, index, (first, last)) if self.following[index] else first
+        falls = np.flatnonzero(margins[above[0] :] <= 0)
+        if not len(falls):
+            return last
+        place = int(above[0] + falls[0])
+        return self._root(step, index, float(times[place - 1]), float(times[place]))
+
+    def _leaves(self, step: TimeStep, index: int, ends: tuple[float, float]) -> float:
+        """Where a margin falls below 0 by more than rounding, to the next time, by halves."""
+        first, last = ends
+        while first < (middle := first + (last - first) / 2) < last:
+            margin = self.margins.along(np.array([middle]), step.between(np.array([middle])))
+            first, last = (first, middle) if margin[index, 0] < -self.noise[index] else (middle, last)
+        return last
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Where a margin is 0 between two times."""

@@ -115,6 +115,8 @@ class Awaited(NamedTuple):
     """Of what is compared, at the instant from which on it is watched."""
     is_equal: bool
     """Whether both are equal at that instant, wherever they move."""
+    change: float
+    """Of their difference, while it is looked ahead."""
 
 
 class Margins:

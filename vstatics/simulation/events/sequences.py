@@ -3,69 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from copy import copy
 
 from vstatics.errors import CaseError, Path
-from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import Awaited
-from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
-from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.sight import Compared, compared
-from vstatics.simulation.tolerances import EQUAL_SIDES, MET, SOON
 
 Happened = Callable[[Seen, float], bool]
 """Whether what a word says has happened since a time [s]."""
-
-
-class Judge:
-    """Says on which side comparisons are from an instant on.
-
-    Parameters
-    ----------
-    equations : Equations
-    time : float
-        [s]
-    state : ndarray
-    """
-
-    def __init__(self, equations: Equations, time: float, state: Floats) -> None:
-        self.equations = equations
-        changes, within = equations.changes, equations.within
-        ahead = state + within * equations.derivative(time, state)
-        self.now = time, changes.seen_at(time, state)
-        self.ahead = time + within, changes.seen_at(time + within, ahead)
-        self.known: dict[Formula, Awaited] = {}
-
-    def awaited(self, comparison: Formula) -> Awaited:
-        """A comparison; one that is equal goes by where it moves next."""
-        if comparison not in self.known:
-            system = self.equations.system
-            self.known[comparison] = self.judged(compared(system, comparison))
-        return self.known[comparison]
-
-    def judged(self, one: Compared) -> Awaited:
-        """What is compared, with its side."""
-        now = math.nextafter(self.now[0], math.inf), self.now[1]  # behind what jumps here
-        (first, second), (later, other) = (
-            (one.first.at(*at), one.second.at(*at)) for at in (now, self.ahead)
-        )
-        apart, then = first - second, later - other
-        if math.isinf(apart):  # a pole: what counts is what comes behind it
-            first, second, apart = later, other, then
-        change = abs(then - apart)
-        size = max(abs(first), abs(second), SOON * change)
-        moved = then if abs(apart) <= EQUAL_SIDES * size else apart
-        side = "?" if math.isnan(moved) else "-+"[moved > 0] if moved else "0"
-        return Awaited(one, side, size, abs(apart) <= max(EQUAL_SIDES * size, MET * change))
-
-    def nearest(self, group: Sequence[Compared]) -> list[Awaited]:
-        """Of what is compared with ascending numbers, the two between which it is; with one all."""
-        judged = [self.judged(one) for one in group]
-        above = next((n for n, one in enumerate(judged) if one.side != "+"), len(judged))
-        return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
 
 class SequenceProgress:
@@ -132,7 +80,7 @@ class SequenceProgress:
         awaited = [judge.awaited(one) for one in step.when.comparisons]
         sides = [one.side + "=" * one.is_equal for one in awaited]
         if "?" in "".join(sides):
-            message = f"at {judge.now[0]:.9g} s what {self.name} compares is no number"
+            message = f"at {judge.now.time:.9g} s what {self.name} compares is no number"
             raise CaseError("E650", message, (*self.path, "when"))
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 

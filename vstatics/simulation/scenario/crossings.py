@@ -5,9 +5,10 @@ Polynomials are the matter of `corners`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -21,8 +22,17 @@ from vstatics.simulation.scenario.formula_code import compiled_along
 from vstatics.simulation.scenario.table_call import TableCall
 from vstatics.simulation.tolerances import EXACT_SIDES, SAME_INSTANT
 
-Pairs: TypeAlias = list[tuple[Tree, Tree]]
-"""What is compared with each other."""
+class Pair(NamedTuple):
+    """Two parts of a formula that are compared with each other."""
+
+    first: Tree
+    second: Tree
+    jumps: bool = False
+    """Whether the formula may jump where both are equal; else it bends there."""
+
+
+Pairs: TypeAlias = list[Pair]
+"""One part of a formula, compared with several others in ascending order."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
@@ -30,7 +40,8 @@ def met(tree: Tree) -> Iterator[Pairs]:
     for part in parts(tree):
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
-            yield from ([pair] for pair in combinations(operands, 2))
+            jumps = part.name in JUMPS
+            yield from ([Pair(*pair, jumps)] for pair in combinations(operands, 2))
     yield from asked(tree)
 
 
@@ -40,7 +51,7 @@ def asked(tree: Tree) -> Iterator[Pairs]:
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table
             for operand, steps in zip(part.operands, (table.x, table.columns), strict=False):
-                yield [(operand, Constant(one)) for one in dict.fromkeys(steps)]
+                yield [Pair(operand, Constant(x), n > 1) for x, n in Counter(steps).items()]
 
 
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
@@ -66,7 +77,7 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
     """
     found: set[float] = set()
     for pairs in met(tree):
-        for first, second in pairs:
+        for first, second, _ in pairs:
             apart = applied("-", first, second)
             if variables(apart) == {"t"}:
                 found.update(_crossings(first, second, until))

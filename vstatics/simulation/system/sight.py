@@ -13,13 +13,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.errors import Path
 from vstatics.model.springs import SpringLimit, TwistCurve
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import variables
 from vstatics.simulation.scenario.conditions import StepCondition
-from vstatics.simulation.scenario.crossings import Pairs, asked, met
+from vstatics.simulation.scenario.crossings import Pair, Pairs, asked, met
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
@@ -90,10 +91,27 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 class Compared(NamedTuple):
-    """What is compared."""
+    """Two numbers that are compared."""
 
     first: Look
     second: Look
+
+    def at(self, time: float, seen: Sequence[float]) -> tuple[float, float]:
+        """Return both at an instant, by everything that is seen there."""
+        return self.first.at(time, seen), self.second.at(time, seen)
+
+
+class Corner(NamedTuple):
+    """A place at which a formula, or a limit, bends or jumps."""
+
+    path: Path
+    """Of its key in the scenario."""
+    text: str
+    """The formula."""
+    compared: Sequence[Compared]
+    """One number, compared with ascending ones: of these the nearest count."""
+    jumps: Sequence[bool]
+    """For each of them, whether the formula may jump where it is reached."""
 
 
 def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
@@ -106,61 +124,87 @@ def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: in
     return Compared(first, second)
 
 
-def corners(system: MotionSystem) -> list[list[Compared]]:
+def corners(system: MotionSystem) -> list[Corner]:
     """Where formulas that see something bend or jump: what they compare.
 
     What a table is asked with is compared with all its steps: of these the nearest count.
     """
     layout = system.layout
-    found: list[tuple[Formula, Pairs, int, int]] = []
+    found: list[tuple[Path, Formula, Pairs, int, int]] = []
     for device in system.may_slip:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
             most = () if programme.largest is None else (programme.largest,)
-            whole = programme.curve.whole
-            bounds: list[Pairs] = [[(whole, Constant(one))] for one in (0.0, *most)]
-            found += [(programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
+            whole, path = programme.curve.whole, control_path(device)
+            bounds: list[Pairs] = [[Pair(whole, Constant(one))] for one in (0.0, *most)]
+            found += [(path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
     for port, one in enumerate(system.outside):
         if isinstance(one.law, Formula):  # jumps by its own motion are switches
+            path = ("torques", system.names[one.link])
             place = layout.angles.index(one.link) if one.link in layout.angles else -1
             compares = met if one.law.seen else asked
-            found += [(one.law, pairs, port, place) for pairs in compares(one.law.whole)]
+            found += [(path, one.law, pairs, port, place) for pairs in compares(one.law.whole)]
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
-            found += [(state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
-    for when in conditions(system):
-        found += [(one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
-    made = [[one] for one in (*_rubbing_corners(system), *_vanishing_limits(system))]
-    for formula, pairs, rate, angle in found:
-        trees = [Applied("-", pair, 0, 0) for pair in pairs]
-        if variables(trees[0]) - {"t"} - {*system.settings}:
-            of = (formula._replace(tree=tree) for tree in trees)
-            made.append([compared(system, one, rate, angle) for one in of])
+            path = ("states", state.name, "rate")
+            found += [(path, state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
+    for path, when in _conditions(system):
+        found += [
+            (path, one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)
+        ]
+    made = [*_rubbing_corners(system), *_vanishing_limits(system)]
+    for path, formula, pairs, rate, angle in found:
+        first = pairs[0].first
+        if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
+            continue
+        look = looking(system, formula._replace(tree=first), rate, angle)
+        others = (looking(system, formula._replace(tree=one.second), rate, angle) for one in pairs)
+        both = [Compared(look, other) for other in others]
+        made.append(Corner(path, formula.text, both, [one.jumps for one in pairs]))
     return made
+
+
+def control_path(device: Contact | Elastic) -> Path:
+    """The key of a scenario that says what a device can carry."""
+    return "limits" if device.element is None else "controls", device.name
+
+
+def _conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
+    """What steps of sequences wait for, with its key in the scenario."""
+    for sequence in system.scenario.sequences:
+        for number, step in enumerate(sequence.steps, 1):
+            if step.when is not None:
+                yield ("sequences", sequence.name, number, "when"), step.when
 
 
 def conditions(system: MotionSystem) -> Iterator[StepCondition]:
     """What steps of sequences wait for."""
-    for sequence in system.scenario.sequences:
-        yield from (one.when for one in sequence.steps if one.when is not None)
+    return (when for _, when in _conditions(system))
 
 
-def _rubbing_corners(system: MotionSystem) -> Iterator[Compared]:
+def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
     """Temperatures and slips at which coefficients of friction bend."""
     for device in system.may_slip:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
-            for one in device.programme.table.columns:
-                yield Compared(_place_seen(temperature), fixed(one))
-            for one in (way * x for way in (1, -1) for x in device.programme.table.x if x):
-                yield Compared(_place_seen(slip), fixed(one))
+            table = device.programme.table
+            places = [(temperature, one) for one in table.columns]
+            places += [(slip, way * x) for way in (1, -1) for x in table.x if x]
+            for place, one in places:
+                pair = Compared(_place_seen(place), fixed(one))
+                yield Corner(control_path(device), "friction", [pair], [False])
 
 
-def _vanishing_limits(system: MotionSystem) -> Iterator[Compared]:
+def _vanishing_limits(system: MotionSystem) -> Iterator[Corner]:
     """Where limits that follow other springs are cut at 0."""
+    names = [one.name for one in system.springs]
     for one in system.springs:
-        if one.programme.follows and one.programme.look:
-            yield Compared(one.programme.look, fixed(0.0))
+        follows, look = one.programme.follows, one.programme.look
+        if follows and look:
+            index = names.index(follows.of)
+            places = system.layout.springs + index, system.layout.ports + index
+            pair = Compared(look._replace(places=places), fixed(0.0))
+            yield Corner(control_path(one), "limit", [pair], [False])
 
 
 def _place_seen(place: int) -> Look:

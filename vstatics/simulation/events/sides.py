@@ -1,0 +1,185 @@
+"""Side of each comparison from an instant on: which of two numbers is the larger next.
+
+Two numbers that are equal at an instant are compared a little later, where the motion is known with
+an error of fifth order, and then at growing distances: the first difference above rounding decides.
+So the side is that of the first derivative that is not zero. Where none decides, both numbers stay
+equal as far as anybody can see. Formulas that bend there have the same value on both sides, so the
+run goes on, until the difference leaves the zone of rounding.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.numerics.arrays import Floats, largest
+from vstatics.simulation.events.margins import Awaited, LargeSizes
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.programme import Look
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.sight import Compared, compared
+from vstatics.simulation.tolerances import (
+    EQUAL_SIDES,
+    EXACT_SIDES,
+    MET,
+    NO_MARGIN,
+    ROUNDED_INPUT,
+    SOON,
+)
+
+_DISTANCES = (1.0, 16.0, 256.0)
+"""Times after which comparisons are looked at, in multiples of the look-ahead of the equations."""
+
+
+class Seen(NamedTuple):
+    """Everything that formulas see at an instant."""
+
+    time: float
+    """[s]"""
+    values: Sequence[float]
+
+
+class Judge:
+    """Judge of comparisons from an instant on.
+
+    Parameters
+    ----------
+    equations : Equations
+    time : float
+        [s]
+    state : ndarray
+    scales : LargeSizes
+    values : ndarray
+        Large values of states and temperatures.
+    """
+
+    def __init__(
+        self, equations: Equations, time: float, state: Floats, scales: LargeSizes, values: Floats
+    ) -> None:
+        self.equations = equations
+        self.now = Seen(time, equations.changes.seen_at(time, state))
+        self._scales, self._values = scales, values
+        self._reached = time, state
+        self._later: list[Seen] = []
+        self._sizes: dict[Look, float] = {}
+        self._known: dict[Formula, Awaited] = {}
+
+    @property
+    def ahead(self) -> Seen:
+        """Everything that formulas see a little later."""
+        return self._after(0)
+
+    def _after(self, number: int) -> Seen:
+        """Everything that formulas see after one of the distances."""
+        while len(self._later) <= number:
+            equations = self.equations
+            end = self.now.time + equations.within * _DISTANCES[len(self._later)]
+            time, state = self._reached
+            self._reached = end, _moved(equations, time, state, end - time)
+            self._later.append(Seen(end, equations.changes.seen_at(*self._reached)))
+        return self._later[number]
+
+    def awaited(self, comparison: Formula) -> Awaited:
+        """Judge a comparison of a step."""
+        if comparison not in self._known:
+            system = self.equations.system
+            self._known[comparison] = self.judged(compared(system, comparison))
+        return self._known[comparison]
+
+    def judged(self, pair: Compared) -> Awaited:
+        """Judge two numbers."""
+        now = math.nextafter(self.now.time, math.inf), self.now.values  # behind a jump in time
+        (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
+        apart, then = first - second, later - other
+        if math.isinf(apart):  # a pole: what comes behind it counts
+            first, second, apart = later, other, then
+        change = abs(then - apart)
+        size = max(abs(first), abs(second), SOON * change, self._size(pair))
+        is_equal = abs(apart) <= max(EQUAL_SIDES * size, MET * change)
+        side = self._next_side(pair, then, size) if abs(apart) <= EQUAL_SIDES * size else _side(apart)
+        return Awaited(pair, side, size, is_equal, change)
+
+    def _next_side(self, pair: Compared, then: float, size: float) -> str:
+        """Return the side to which equal numbers move."""
+        for number in range(len(_DISTANCES)):
+            if number:
+                first, second = pair.at(*self._after(number))
+                then, size = first - second, max(abs(first), abs(second), self._size(pair))
+            if not abs(then) <= EXACT_SIDES * size:
+                return _side(then)
+        return "0"
+
+    def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
+        """Judge one number against ascending ones; only the two around it count.
+
+        Returns
+        -------
+        list of (int, Awaited)
+            With the place in the group; everything of a group of one.
+        """
+        judged = [*enumerate(map(self.judged, group))]
+        above = next((n for n, one in judged if one.side != "+"), len(judged))
+        return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
+
+    def _size(self, pair: Compared) -> float:
+        """Return the size of the inputs of two numbers, in the measure of their difference.
+
+        The difference is uncertain by the rounding of this size.
+        """
+        return self._sensed(pair.first) + self._sensed(pair.second)
+
+    def _sensed(self, look: Look) -> float:
+        """Return the size of the inputs of a number, in its measure."""
+        if look not in self._sizes:
+            time, values = self.ahead
+            seen, base, sum_of_changes = [*values], look.at(time, values), 0.0
+            for place in {*look.places}:
+                step = ROUNDED_INPUT * self._large(place, values[place])
+                changes = []
+                for moved in (values[place] - step, values[place] + step):
+                    seen[place] = moved
+                    changes.append(abs(look.at(time, seen) - base))
+                seen[place] = values[place]
+                sum_of_changes += max((one for one in changes if one < math.inf), default=0.0)
+            self._sizes[look] = sum_of_changes / EXACT_SIDES
+        return self._sizes[look]
+
+    def _large(self, place: int, value: float) -> float:
+        """Return a large number of the kind of one that is seen."""
+        layout, system = self.equations.layout, self.equations.system
+        twists = layout.ports
+        angles = twists + len(system.springs)
+        values = angles + len(layout.angles)
+        derived = values + len(layout.values)
+        if place < twists:
+            large = self._scales.speed
+        elif place < angles:
+            stiffness = system.springs[place - twists].stiffness
+            large = self._scales.torque / stiffness if stiffness else 0.0
+        elif place < values:
+            large = 0.0
+        elif place < derived:
+            large = float(self._values[place - values])
+        else:
+            large = self._scales.torque
+        return max(large, abs(value))
+
+
+def _side(apart: float) -> str:
+    """Return the sign of a difference; `0` if it is zero, `?` if it is not a number."""
+    if math.isnan(apart):
+        return "?"
+    return "-+"[apart > 0] if apart else "0"
+
+
+def _moved(equations: Equations, time: float, state: Floats, length: float) -> Floats:
+    """Return the state after a step of the classical method of Runge and Kutta."""
+    half, whole = time + length / 2, time + length
+    first = equations.derivative(time, state)
+    second = equations.derivative(half, state + length / 2 * first)
+    third = equations.derivative(half, state + length / 2 * second)
+    fourth = equations.derivative(whole, state + length * third)
+    return np.asarray(state + length / 6 * (first + 2 * (second + third) + fourth))
