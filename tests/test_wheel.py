@@ -106,6 +106,7 @@ REFUSED = {
     "boxes": (
         "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1",
         "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 --dry-run",
+        "vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 -o found/",
         "@ from vstatics import synthesis as own; own.find_boxes(own.BoxSearch(1, 2, 1, (3.0, 1.0)))",
     ),
     "xlsx": (

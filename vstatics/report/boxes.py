@@ -38,7 +38,7 @@ MOST_LISTED = 1000
 
 
 def box_pages(listing: BoxListing) -> dict[str, bytes]:
-    """What stands beside the cases of found boxes: name of the file -> content.
+    """Return the page of found boxes and, with the extra for it, their picture, by file name.
 
     Parameters
     ----------
@@ -48,13 +48,14 @@ def box_pages(listing: BoxListing) -> dict[str, bytes]:
     Raises
     ------
     CaseError
-        If matplotlib is not installed, or there is no box.
+        If there is no box.
     """
-    from vstatics.pictures.boxes.picture import render_boxes
+    pages = {"boxes.html": boxes_page(listing).encode(errors="backslashreplace")}
+    if not missing("plot", "a picture"):
+        from vstatics.pictures.boxes.picture import render_boxes
 
-    page = boxes_page(listing).encode(errors="backslashreplace")
-    [drawn] = render_boxes(listing, "svg", Style())
-    return {"boxes.svg": drawn, "boxes.html": page}
+        [pages["boxes.svg"]] = render_boxes(listing, "svg", Style())
+    return pages
 
 
 def boxes_page(

@@ -413,20 +413,45 @@ def test_what_cannot_be_asked_for_is_wrong_use(options: Options, told: str) -> N
 
 @pytest.mark.parametrize(
     ("package", "options"),
-    [("numba", ()), ("matplotlib", ("-o", "found")), ("distributed", ("--scheduler", "tcp://h:1"))],
+    [("numba", ()), ("numba", ("-o", "found/")), ("distributed", ("--scheduler", "tcp://h:1"))],
 )
 def test_packages_that_are_missing_are_told_before(
     package: str,
     options: Options,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    hide(package, monkeypatch)
+    said = vstatics("synth", "box", *ASKED, *options)
+    assert (said.status, said.out) == (1, "")
+    assert f"needs the package {package}: pip install" in said.err
+
+
+def hide(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a package be missing for whoever looks whether it is installed."""
     find = importlib.util.find_spec
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name: None if name == package else find(name)
     )
-    said = vstatics("synth", "box", *ASKED, *options)
-    assert (said.status, said.out) == (1, "")
-    assert f"needs the package {package}: pip install" in said.err
+
+
+def test_without_the_extra_for_pictures_a_directory_has_all_but_the_pictures(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    vstatics("synth", "box", *ASKED, "-o", "drawn/")
+    hide("matplotlib", monkeypatch)
+    said = vstatics("synth", "box", *ASKED, "-o", "plain/")
+    assert said.status == 0
+    assert said.err.count("warning") == 1
+    assert (
+        'no box has a diagram: a diagram needs the package matplotlib: pip install "vst' in said.err
+    )
+    drawn, plain = (
+        {file.name: file for file in Path(name).iterdir()} for name in ("drawn", "plain")
+    )
+    assert {name for name in drawn if not name.endswith(".svg")} == plain.keys()
+    for name in plain.keys() - {"boxes.html", ".vstatics-boxes"}:
+        assert plain[name].read_bytes() == drawn[name].read_bytes(), name
+    assert ".svg" not in plain["boxes.html"].read_text("utf-8")
 
 
 def test_files_that_no_search_wrote_are_not_touched(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.sharing import Sharing, shared
 from vstatics.cli.synth.box.options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
-from vstatics.extras import require
+from vstatics.extras import missing, require
 from vstatics.jobs.files import is_stream
 
 
@@ -58,23 +58,21 @@ def box(
     \b
     While it runs, finished pieces lie in DIR.parts or FILE.parts; --resume takes
     them up after an interruption, also with other filters.
-    Needs numba and networkx: pip install "vstatics[boxes]"; for -o DIR also
-    matplotlib: "vstatics[boxes,plot]".
+    Needs numba and networkx: pip install "vstatics[boxes]". The diagrams of -o DIR
+    need matplotlib: "vstatics[boxes,plot]".
     Exit status: 0 done; 1 no box is found, not finished, or not --complete; 2 wrong use;
     130 or 143 stopped by Ctrl-C or SIGTERM.
     """
-    to = wanted.destination([], several=True)
-    if to.output and os.path.islink(to.output.rstrip("/")) and not is_stream(to.output):  # noqa: PTH114
-        raise click.UsageError(f"{to.output} is a link: expected a directory or a file")
-    if to.is_folder:
-        _check_folder(str(to.output))
-    sharing.check(to.output, "a file or a directory to go on with: -o DIR")
     try:
         require("boxes", "synth box")
+        to = wanted.destination([], several=True)
+        if to.output and os.path.islink(to.output.rstrip("/")) and not is_stream(to.output):  # noqa: PTH114
+            raise click.UsageError(f"{to.output} is a link: expected a directory or a file")
+        if to.is_folder:
+            _check_folder(str(to.output))
+        sharing.check(to.output, "a file or a directory to go on with: -o DIR")
         if sharing.scheduler is not None:
             require("dask", "--scheduler")
-        if to.is_folder and not dry_run:
-            require("plot", f"-o {to.output}/, with its diagrams,")
         if dry_run:
             _estimate(asked, to, sharing.processes, quiet=quiet)
             return DONE
@@ -132,7 +130,8 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
         from vstatics.cli.synth.box.output import drawn_count, writing_seconds
 
         writing = writing_seconds(counts[1]) / jobs
-        drawn = f"{say(drawn_count(counts[1]))} diagrams"
+        count = drawn_count(counts[1])
+        drawn = f"{say(count)} diagrams" if count or not counts[1] else missing("plot", "a diagram")
         said["files"] = f"{say(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
         seconds += writing
     known = CommandEstimate(

@@ -16,6 +16,7 @@ from vstatics.cli.frame.formats import Destination, TextStyle
 from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.texts import CaseOutput
 from vstatics.errors import plural
+from vstatics.extras import missing
 from vstatics.jobs.alone import Workers
 from vstatics.jobs.files import hash_of, hash_of_file, replace
 from vstatics.jobs.state_files import StateFolder
@@ -142,14 +143,16 @@ def write_folder(
         for form, name in TABLES.items():  # the document last: where it is all is
             put(name, found.text(form, style))
     state.replace(RECORD, "".join(f"{one}\n" for one in own.values()).encode())
-    if len(items) > MOST_DRAWN_CASES and not quiet:
+    if found.boxes and not quiet and (lacking := missing("plot", "a diagram")):
+        files.say(f"warning: {folder}: no box has a diagram: {lacking} [E014]")
+    elif len(items) > MOST_DRAWN_CASES and not quiet:
         some = "those of the Pareto list, the first of each family, and the next in order"
         files.say(f"{folder}: {MOST_DRAWN_CASES} of {len(items)} boxes have a diagram: {some}")
 
 
 def drawn_count(boxes: int) -> int:
-    """How many of so many boxes have a diagram."""
-    return min(boxes, MOST_DRAWN_CASES)
+    """Return how many boxes have a diagram: none without the extra for pictures."""
+    return 0 if missing("plot", "a diagram") else min(boxes, MOST_DRAWN_CASES)
 
 
 def writing_seconds(boxes: int) -> float:
@@ -164,9 +167,9 @@ def writing_seconds(boxes: int) -> float:
 def _items(found: FoundBoxes) -> list[BoxFiles]:
     """Each box with its name; not more of them are drawn than anybody can look at."""
     numbers = range(1, len(found.boxes) + 1)
-    drawn = set(numbers)
-    if len(drawn) > MOST_DRAWN_CASES:
-        drawn = {box.number for box in drawn_boxes(found.listing, MOST_DRAWN_CASES)}
+    drawn, count = set(numbers), drawn_count(len(numbers))
+    if count < len(drawn):
+        drawn = {box.number for box in drawn_boxes(found.listing, count)}
     width = max(4, len(str(len(found.boxes))))
     return [
         BoxFiles(f"box-{number:0{width}}", box.found.case, number in drawn)
