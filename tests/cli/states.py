@@ -44,6 +44,15 @@ class StatedCommand(NamedTuple):
         results = output.iterdir() if output.is_dir() else [output] if output.exists() else []
         return {one.name: one.read_bytes() for one in sorted(results) if one.name[0] != "."}
 
+    @property
+    def state(self) -> list[str]:
+        """The files of the state that are there."""
+        folder = Path(self.folder)
+        known = (
+            folder.iterdir() if self.folder.endswith(".parts") else map(folder.joinpath, self.names)
+        )
+        return sorted(str(path) for path in known if path.exists())
+
 
 OF_PIECES = ("lock", "plan.json", "00000000", "output")
 OF_PARTS = ("lock", "parts", "over")
