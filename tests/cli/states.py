@@ -48,10 +48,8 @@ class StatedCommand(NamedTuple):
     def state(self) -> list[str]:
         """The files of the state that are there."""
         folder = Path(self.folder)
-        known = (
-            folder.iterdir() if self.folder.endswith(".parts") else map(folder.joinpath, self.names)
-        )
-        return sorted(str(path) for path in known if path.exists())
+        pattern = "*" if self.folder.endswith(".parts") else ".vstatics*"
+        return sorted(str(path) for path in folder.glob(pattern))
 
 
 OF_PIECES = ("lock", "plan.json", "00000000", "output")

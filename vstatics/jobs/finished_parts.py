@@ -93,8 +93,11 @@ class FinishedParts:
     def __exit__(self, *error: object) -> None:
         """Let go of the parts; they stay after an error, or where that is wanted."""
         if self._file is not None:
-            os.close(self._file)
+            with contextlib.suppress(OSError):  # a part that is not there is calculated again
+                os.close(self._file)
             self._leave(is_over=error[0] is None)
+        elif self._lock is not None:
+            self._remove()
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
@@ -105,8 +108,17 @@ class FinishedParts:
                     self.folder.replace(OVER, b"")
             return
         self.folder.remove(PARTS)
+        self._remove()
+
+    def _remove(self) -> None:
+        """Remove the directory, unless it holds parts."""
         self.folder.remove(LOCK)
         self.folder.drop()
+
+    @property
+    def count(self) -> int:
+        """Number of parts of the run that is taken up."""
+        return len(self._parts)
 
     def exists(self) -> bool:
         """Return whether anything has the name of the directory of parts."""
