@@ -10,6 +10,7 @@ import random
 import shutil
 from collections import Counter
 from collections.abc import Callable
+from itertools import cycle
 from pathlib import Path
 
 import pytest
@@ -61,9 +62,9 @@ def cut(choose: random.Random, files: list[Path]) -> None:
 
 
 def swap(choose: random.Random, files: list[Path]) -> None:
-    one, other = choose.choice(files), choose.choice(files)
-    data = one.read_bytes(), other.read_bytes()
-    one.write_bytes(data[1])
+    entry, other = choose.choice(files), choose.choice(files)
+    data = entry.read_bytes(), other.read_bytes()
+    entry.write_bytes(data[1])
     other.write_bytes(data[0])
 
 
@@ -103,7 +104,7 @@ def damaged(
     shutil.copytree(".", "../whole", dirs_exist_ok=True)
     choose, outcomes = seeded(23), Counter[str]()
     for _ in range(times):
-        damage(choose, [one for name in command.state if (one := Path(name)).stat().st_size])
+        damage(choose, [entry for name in command.state if (entry := Path(name)).stat().st_size])
         outcomes[judged(command.call("--resume"), command, expected)] += 1
         for name in os.listdir():  # noqa: PTH208
             shutil.rmtree(name) if Path(name).is_dir() else Path(name).unlink()
@@ -111,16 +112,22 @@ def damaged(
     return outcomes
 
 
-@pytest.mark.parametrize("damage", [flip, cut, swap, miss, double])
-@pytest.mark.parametrize("name", COMMANDS)
+DAMAGES = [flip, cut, swap, miss, double]
+
+
+@pytest.mark.parametrize(
+    ("name", "damage"),
+    [*zip(COMMANDS, cycle(DAMAGES), strict=False)],
+    ids=lambda part: getattr(part, "__name__", part),
+)
 def test_damaged_work_is_not_believed(
     name: str, damage: Damage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    damaged(COMMANDS[name], damage, 2, monkeypatch)
+    damaged(COMMANDS[name], damage, 3, monkeypatch)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("damage", [flip, cut, swap, miss, double])
+@pytest.mark.parametrize("damage", DAMAGES)
 @pytest.mark.parametrize("name", COMMANDS)
 def test_work_that_is_damaged_in_200_places_is_not_believed(
     name: str, damage: Damage, monkeypatch: pytest.MonkeyPatch

@@ -23,7 +23,7 @@ from tests.commands import Said
 from vstatics.cli.synth.box.output import RECORD
 
 PAGE = 4096
-COMMANDS_ONCE = {name: one for name, one in COMMANDS.items() if name != "record of boxes"}
+COMMANDS_ONCE = {name: entry for name, entry in COMMANDS.items() if name != "record of boxes"}
 FULL = "can't be written: |are free there"
 RECORDS = (RECORD, ".vstatics-run-json")
 """Hidden files that stay in a folder of results."""
@@ -48,12 +48,14 @@ def judge(said: Said, command: StatedCommand) -> None:
     assert said.status == 1, said
     assert "an error of vstatics" not in said.err
     assert "<stdout>" not in said.err
-    told = [line for line in said.err.splitlines() if re.search(FULL, line)]
-    assert told, said
-    assert all(name in line for line in told), said
-    work = [one for one in command.state if Path(one).name not in ("lock", "plan.json", "output")]
+    lines = [line for line in said.err.splitlines() if re.search(FULL, line)]
+    assert lines, said
+    assert all(name in line for line in lines), said
+    work = [
+        entry for entry in command.state if Path(entry).name not in ("lock", "plan.json", "output")
+    ]
     results = command.written() if command.folder == "out" else {}
-    if results or any(is_work(Path(one)) for one in work):
+    if results or any(is_work(Path(entry)) for entry in work):
         assert "--resume" in said.err, (said, work)
 
 
@@ -69,8 +71,8 @@ def goes_on(command: StatedCommand, expected: dict[str, bytes]) -> None:
     assert said.status == 0, said
     assert command.written() == expected
     there = {str(path) for path in Path().rglob("*")}
-    left = {one for one in there if ".parts" in one or ".vstatics" in one}
-    assert {one for one in left if Path(one).name not in RECORDS} == set()
+    left = {entry for entry in there if ".parts" in entry or ".vstatics" in entry}
+    assert {entry for entry in left if Path(entry).name not in RECORDS} == set()
     clean(command)
 
 

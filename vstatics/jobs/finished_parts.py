@@ -148,7 +148,7 @@ class FinishedParts:
         if without:
             self.folder.replace(PARTS, first)
         self._file = self.folder.open(PARTS, os.O_RDWR)
-        end = max([len(first), *(one.start + one.size for one in self._parts.values())])
+        end = max([len(first), *(part.start + part.size for part in self._parts.values())])
         os.ftruncate(self._file, end)  # what a run that was killed has cut
         os.lseek(self._file, end, os.SEEK_SET)
         return without if resume else ""

@@ -289,8 +289,8 @@ def _put(parts: FinishedParts, file: str, mark: CaseMark, part: bytes) -> None:
 
 
 @contextmanager
-def _until_written(output: str | None, kept: Callable[[], str]) -> Iterator[None]:
-    """Let a full disk end a command with a word on its output and on what is kept.
+def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
+    """Let a full disk end a command with a word on its output and on the work that remains.
 
     Raises
     ------
@@ -300,7 +300,7 @@ def _until_written(output: str | None, kept: Callable[[], str]) -> Iterator[None
         yield
     except OSError as error:
         files.show([unwritable(output, error)])
-        if line := kept():
+        if line := remains():
             files.say(line)
         raise click.exceptions.Exit(FAILED) from None
 
