@@ -42,7 +42,14 @@ class StatedCommand(NamedTuple):
         """Return the bytes of each result."""
         output = Path(self.output)
         results = output.iterdir() if output.is_dir() else [output] if output.exists() else []
-        return {one.name: one.read_bytes() for one in sorted(results) if one.name[0] != "."}
+        return {entry.name: entry.read_bytes() for entry in sorted(results) if entry.name[0] != "."}
+
+    @property
+    def state(self) -> list[str]:
+        """The files of the state that are there."""
+        folder = Path(self.folder)
+        pattern = "*" if self.folder.endswith(".parts") else ".vstatics*"
+        return sorted(str(path) for path in folder.glob(pattern))
 
 
 OF_PIECES = ("lock", "plan.json", "00000000", "output")

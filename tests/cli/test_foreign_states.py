@@ -51,8 +51,8 @@ def file(path: Path) -> None:
 
 
 def bound_socket(path: Path) -> None:
-    with socket.socket(socket.AF_UNIX) as made:
-        made.bind(str(path))
+    with socket.socket(socket.AF_UNIX) as created:
+        created.bind(str(path))
 
 
 def device(path: Path) -> None:
@@ -94,7 +94,7 @@ FOLDERS: dict[Hostile, str] = {
 def seen() -> dict[str, tuple[int, int]]:
     """All there is, with kinds and sizes."""
     status = {str(path): path.lstat() for path in Path().rglob("*")}
-    return {name: (one.st_mode, one.st_size) for name, one in status.items()}
+    return {name: (entry.st_mode, entry.st_size) for name, entry in status.items()}
 
 
 def refused(command: StatedCommand, name: str, words: str) -> None:
@@ -123,7 +123,7 @@ def test_what_is_no_state_file_is_refused_by_name(command: StatedCommand) -> Non
     """Each kind of it in one place, a link as the first file, which is the lock if there is one."""
     choose = seeded(46)
     others = [(choose.choice(command.names), hostile) for hostile in FILES if hostile is not link]
-    refused_in_places(command, [(command.names[0], link), *choose.sample(others, 3)])
+    refused_in_places(command, [(command.names[0], link), *choose.sample(others, 2)])
 
 
 @pytest.mark.slow
@@ -134,8 +134,8 @@ def test_whatever_is_no_state_file_is_refused_anywhere(command: StatedCommand) -
 
 @pytest.mark.parametrize(
     "command",
-    [one for one in COMMANDS.values() if one.folder.endswith(".parts")],
-    ids=[name for name, one in COMMANDS.items() if one.folder.endswith(".parts")],
+    [entry for entry in COMMANDS.values() if entry.folder.endswith(".parts")],
+    ids=[name for name, entry in COMMANDS.items() if entry.folder.endswith(".parts")],
 )
 def test_what_is_no_folder_of_a_state_is_refused_by_name(command: StatedCommand) -> None:
     for hostile, words in FOLDERS.items():

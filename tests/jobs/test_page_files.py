@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -53,6 +54,13 @@ def test_a_picture_does_not_take_the_place_of_a_page_of_another(tmp_path: Path) 
     (tmp_path / "box.svg").unlink()
     replace_pages(str(tmp_path / "box-2.svg"), pages(1))
     assert held(tmp_path) == {"box-2.svg": page(1)}
+
+
+def test_a_fifo_with_the_name_of_a_page_is_kept_and_nobody_waits_for_it(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "box-2.svg")
+    with pytest.raises(ReadError, match="is there, and would be page 2"):
+        replace_pages(str(tmp_path / "box.svg"), pages(2))
+    assert (tmp_path / "box-2.svg").is_fifo()
 
 
 def test_where_a_page_cannot_be_written_all_are_as_they_were(

@@ -141,6 +141,10 @@ class FinishedCases:
             self._files.remove(self.name + LOCKED)
         unlock(self._lock)
 
+    def exists(self) -> bool:
+        """Return whether there is a record of a run."""
+        return os.path.isdir(self.folder) and self.name in self._files.names()  # noqa: PTH112
+
     def lock(self) -> None:
         """Take the results of this format for this process; see `vstatics.jobs.lock.lock`."""
         self._files.check(self.name, self.name + LOCKED)
@@ -177,7 +181,13 @@ class FinishedCases:
             return without
         for line in lines:
             self._take(line)
+        if lines[-1:] != [b""]:  # a disk was full: the next line is not to be added to this one
+            self._append(b"\n")
         return ""
+
+    def _append(self, data: bytes) -> None:
+        with self._files.appending(self.name) as write:
+            write(data)
 
     def _take(self, line: bytes) -> None:
         """Take up an entry, unless its line was cut or damaged."""
@@ -225,8 +235,7 @@ class FinishedCases:
         replace_pages(target, result, self.mark)
         name, others = os.path.basename(target), {one: hash_of_file(one) for one in beside}  # noqa: PTH119
         entry = [name, hash_of(case), others, self._run, _state(target), failed]
-        with self._files.appending(self.name) as write:
-            write(sealed(json.dumps(entry).encode()))
+        self._append(sealed(json.dumps(entry).encode()))
 
 
 def _state(target: str) -> list[int] | None:

@@ -93,8 +93,11 @@ class FinishedParts:
     def __exit__(self, *error: object) -> None:
         """Let go of the parts; they stay after an error, or where that is wanted."""
         if self._file is not None:
-            os.close(self._file)
+            with contextlib.suppress(OSError):  # a part that is not there is calculated again
+                os.close(self._file)
             self._leave(is_over=error[0] is None)
+        elif self._lock is not None:
+            self._remove()
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
@@ -105,8 +108,17 @@ class FinishedParts:
                     self.folder.replace(OVER, b"")
             return
         self.folder.remove(PARTS)
+        self._remove()
+
+    def _remove(self) -> None:
+        """Remove the directory, unless it holds parts."""
         self.folder.remove(LOCK)
         self.folder.drop()
+
+    @property
+    def count(self) -> int:
+        """Number of parts of the run that is taken up."""
+        return len(self._parts)
 
     def exists(self) -> bool:
         """Return whether anything has the name of the directory of parts."""
@@ -136,7 +148,7 @@ class FinishedParts:
         if without:
             self.folder.replace(PARTS, first)
         self._file = self.folder.open(PARTS, os.O_RDWR)
-        end = max([len(first), *(one.start + one.size for one in self._parts.values())])
+        end = max([len(first), *(part.start + part.size for part in self._parts.values())])
         os.ftruncate(self._file, end)  # what a run that was killed has cut
         os.lseek(self._file, end, os.SEEK_SET)
         return without if resume else ""

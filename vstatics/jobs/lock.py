@@ -71,4 +71,5 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
 def unlock(file: int | None) -> None:
     """Let go of a folder."""
     if file is not None:
-        os.close(file)
+        with contextlib.suppress(OSError):  # a full disk elsewhere: the number is not there
+            os.close(file)

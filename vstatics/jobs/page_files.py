@@ -91,6 +91,8 @@ def _refuse(path: str, count: int) -> None:
 
 def _marked(path: str) -> int:
     """Which page a file says that it is; 0 if it says nothing."""
+    if not os.path.isfile(path):  # noqa: PTH113 - a FIFO would never answer
+        return 0
     with suppress(OSError), open(path, "rb") as file:  # noqa: PTH123
         found = _MARK.search(file.read(_LOOKED_AT))
         return int(found[1]) if found else 0

@@ -2,7 +2,7 @@
 
 It is written under another name and then renamed: it is whole or absent. Its data come
 first, so that they can be copied into the output as they are, then an account of them in
-JSON, with check sums.
+JSON, with their check sums, and the length and the check sum of the account.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from vstatics.jobs.state_files import StateFolder
 
 ASSEMBLED = "output"
 """The file that becomes the output."""
-_END = struct.Struct("<Q8s")
+_END = struct.Struct("<QL8s")
 _MAGIC = b"vstpiece"
 _BUFFER = 2**20
 
@@ -113,7 +113,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
     account = Account(piece, rows, counts, segments, removed, outside, noticed)
     text = json.dumps(account._asdict()).encode()
-    return account, [*data, text, _END.pack(len(text), _MAGIC)]
+    return account, [*data, text, _END.pack(len(text), zlib.crc32(text), _MAGIC)]
 
 
 def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
@@ -134,11 +134,12 @@ def read_account(directory: str, piece: int) -> Account | None:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)
             file.seek(size - _END.size)
-            length, magic = _END.unpack(file.read(_END.size))
-            if magic != _MAGIC:
-                return None
+            length, crc, magic = _END.unpack(file.read(_END.size))
             file.seek(size - _END.size - length)
-            fields = json.loads(file.read(length))
+            text = file.read(length)
+            if magic != _MAGIC or zlib.crc32(text) != crc:
+                return None
+            fields = json.loads(text)
             segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
             fields |= {name: tuple(fields[name]) for name in ("removed", "outside")}
             fields["noticed"] = tuple(Noticed(*one) for one in fields["noticed"])

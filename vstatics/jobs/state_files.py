@@ -1,9 +1,10 @@
-"""Locks and finished work in a folder, where anybody may have put something else.
+"""Locks and finished work in a folder where somebody else could have put other things.
 
-Nothing else opens, renames or removes these files. A folder is opened first and its files by
-their names in it, so what was looked at is what is used. A file counts if it is a regular file of
-this user with a single name. A link, a FIFO, a device, a socket, a folder or a file of another
-owner is refused by name before anything is read or written, and so is such a folder.
+No other module opens, renames or removes these files. The folder is opened first, then its files
+by their names in it, so the file that is checked is the file that is used. A file is accepted if
+it is a regular file of this user with a single name. A link, a FIFO, a device, a socket, a folder
+or a file of another owner is refused by name before anything is read or written. The folder itself
+is checked in the same way.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from vstatics.jobs.files import Write, front, replacing, sync, whole_file, write
 
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""A FIFO that takes the place of a file after it was looked at makes nobody wait."""
+"""Keeps the process from waiting for a FIFO that replaces a file after the check."""
 _FOLDER = getattr(os, "O_DIRECTORY", 0)
 _KINDS = {
     stat.S_IFLNK: "a link",
@@ -42,8 +43,8 @@ class StateFolder(NamedTuple):
     ----------
     path : str
     has_results : bool
-        Whether the folder is the output itself, so that it may be a link or belong to others.
-        Otherwise it belongs to the state alone.
+        Whether the folder is the output itself, which can be a link or belong to others.
+        Otherwise the folder contains nothing but the state.
     """
 
     path: str
@@ -63,12 +64,12 @@ class StateFolder(NamedTuple):
             os.mkdir(self.path)  # noqa: PTH102
 
     def check(self, *names: str) -> None:
-        """Refuse whatever is not a file of a state; without names, anywhere in the folder.
+        """Refuse anything but files of a state; without names, in the whole folder.
 
         Raises
         ------
         ReadError
-            With the name of what is refused.
+            With the path that is refused.
         """
         if not self.exists():
             return
@@ -217,7 +218,7 @@ class StateFolder(NamedTuple):
 
 
 def _refuse(path: str, status: os.stat_result, kind: int) -> None:
-    """Refuse a path by what was seen of it.
+    """Refuse a path by its status, if it is not of a kind or not of this user.
 
     Raises
     ------

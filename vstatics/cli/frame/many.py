@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 
 import click
@@ -110,21 +110,12 @@ def to_directory(
         If the directory cannot be written to.
     """
     suffix, telling = job.to.suffix, job.options.telling
+    kept = f"results are in {folder}; the same command with --resume goes on"
     with FinishedCases(folder, suffix, _depends(job)) as finished:
         todo = planned = tasks(cases, folder, suffix, [*others, finished.path])
-        try:
-            os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-            finished.lock()
-            if resume:
-                todo = _not_done(todo, finished, quiet=telling.quiet)
-            else:
-                finished.begin()
-        except FileExistsError:
-            raise click.UsageError(f"{folder} is a file: expected a directory") from None
-        except OSError as error:
-            raise ReadError([unwritable(folder, error)]) from None
+        with _until_written(folder, lambda: kept if finished.exists() else ""):
+            todo = _begun(todo, finished, resume=resume, quiet=telling.quiet)
         count = _Count(len(cases), len(cases) - len(todo))
-        kept = f"results are in {folder}; the same command with --resume goes on"
         job = job._replace(finished=finished)
         with _until_stopped(count, kept) as stop, _results(job, todo, jobs) as results:
             for _ in _follow(count, results, stop, telling):
@@ -143,6 +134,28 @@ def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
     if others := sorted(there - own):
         count, noun = len(others), plural("result", len(others))
         files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
+
+
+def _begun(
+    todo: list[CaseTask], finished: FinishedCases, *, resume: bool, quiet: bool
+) -> list[CaseTask]:
+    """Begin a run, or take up the one that is there; the cases that are left to be done.
+
+    Raises
+    ------
+    UsageError
+        If there is a file instead of the directory, or --resume does not fit.
+    OSError
+    """
+    try:
+        os.makedirs(finished.folder, exist_ok=True)  # noqa: PTH103
+    except FileExistsError:
+        raise click.UsageError(f"{finished.folder} is a file: expected a directory") from None
+    finished.lock()
+    if resume:
+        return _not_done(todo, finished, quiet=quiet)
+    finished.begin()
+    return todo
 
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
@@ -184,12 +197,13 @@ def to_stream(
             parts = stack.enter_context(
                 FinishedParts(str(output), {**_depends(job), "--format": job.to.form})
             )
-            done = _done_before(parts, cases, resume=resume, quiet=telling.quiet)
             kept += "; the same command with --resume goes on"
+            with _until_written(output, lambda: kept if parts.count else ""):
+                done = _done_before(parts, cases, resume=resume, quiet=telling.quiet)
             job = job._replace(marked=True)
         count = _Count(len(cases), sum(file in done for file in cases))
         todo = [CaseTask(file) for file in cases if file not in done]
-        stop = stack.enter_context(_until_stopped(count, kept))
+        stop = stack.enter_context(_until_stopped(count, kept, resumable=parts is not None))
         folder = None if parts is None else parts.folder
         write = stack.enter_context(files.stream(output, folder=folder))
         results = stack.enter_context(_results(job, todo, jobs))
@@ -219,8 +233,6 @@ def _done_before(
         if error.problems[0].id != "E031":
             raise
         raise click.UsageError(error.problems[0].message) from None  # it had other options
-    except OSError as error:
-        raise ReadError([unwritable(parts.output, error)]) from None
     if without and not quiet:
         files.say(f"{parts.directory}: {without}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}
@@ -277,15 +289,43 @@ def _put(parts: FinishedParts, file: str, mark: CaseMark, part: bytes) -> None:
 
 
 @contextmanager
-def _until_stopped(count: _Count, kept: str) -> Iterator[Stop]:
-    """Let Ctrl-C, SIGTERM and a full disk end a run with a word on how far it came."""
+def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
+    """Let a full disk end a command with a word on its output and on the work that remains.
+
+    Raises
+    ------
+    Exit
+    """
+    try:
+        yield
+    except OSError as error:
+        files.show([unwritable(output, error)])
+        if line := remains():
+            files.say(line)
+        raise click.exceptions.Exit(FAILED) from None
+
+
+@contextmanager
+def _until_stopped(count: _Count, kept: str, *, resumable: bool = False) -> Iterator[Stop]:
+    """Let Ctrl-C, SIGTERM and a full disk end a run with a word on how far it came.
+
+    Parameters
+    ----------
+    resumable : bool
+        Whether that is said, too, where the output cannot be written.
+    """
     try:
         with stoppable() as stop:
             yield stop
     except StoppedError as stopped:
         status = stopped_by(stopped.signal)
     except _HaltedError:
-        status = 1
+        status = FAILED
+    except ReadError as error:
+        if not resumable:
+            raise
+        files.show(error.problems)
+        status = FAILED
     else:
         return
     files.say(f"stopped after {count.done} of {count.total} cases; {kept}")

@@ -56,6 +56,8 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
             f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
             "variants or columns, --where, --best, or another disk"
         )
+        if pieces.finished():
+            message += "; with more room the same command with --resume goes on"
         raise ReadError([of_file("E017", output, message)])
 
 

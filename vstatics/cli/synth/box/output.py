@@ -127,7 +127,7 @@ def write_folder(
 
         def put(name: str, content: bytes) -> None:
             own[name] = hash_of(content)
-            record(f"{own[name]}\n".encode())  # before it is there, so a killed one can go on
+            record(f"\n{own[name]}".encode())  # before it is there, so a killed one can go on
             _put(folder, name, content)
 
         for item, contents in called.each(box_files, items):

@@ -13,9 +13,8 @@ from vstatics.cli.frame.progress import progress
 from vstatics.cli.frame.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.cli.synth.box.options import BoxAsked
 from vstatics.cli.synth.box.output import FoundBoxes, write_folder
-from vstatics.errors import ReadError
 from vstatics.jobs.alone import Workers
-from vstatics.jobs.files import is_stream, unwritable
+from vstatics.jobs.files import is_stream
 from vstatics.jobs.finished_pieces import FinishedPieces
 from vstatics.jobs.piece_file import ASSEMBLED
 from vstatics.jobs.stopping import StoppedError
@@ -140,40 +139,23 @@ def _to_store(run: BoxRun, count: int) -> FoundBoxes:
     """Search, and write a file or a directory; pieces lie beside it meanwhile."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
-        pieces = _opened(run, store, output, count)
         whole = f"{count} pieces of the search"
-        with (
-            going_on_later(
-                output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
-            ),
-            run.workers(count) as called,
+        with going_on_later(
+            output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
         ):
-            found = _found(run, pieces, called)
-            if run.to.is_folder:
-                write_folder(output, found, run.to.style, called, quiet=run.quiet)
-                store.drop()
-            else:
-                store.folder.replace(ASSEMBLED, found.text(run.to.form, run.to.style))
-                store.finish()
+            made, quiet = description(run.asked.search, count), run.quiet
+            run.sharing.open(store, output, made, count, "piece is searched", quiet=quiet)
+            with run.workers(count) as called:
+                found = _found(run, SearchedPieces(count, store), called)
+                if run.to.is_folder:
+                    write_folder(output, found, run.to.style, called, quiet=quiet)
+                    store.drop()
+                else:
+                    store.folder.replace(ASSEMBLED, found.text(run.to.form, run.to.style))
+                    store.finish()
     if run.to.is_folder and run.to.form != "xlsx":
         files.write_data(found.text(run.to.form, run.to.style), None)
     return found
-
-
-def _opened(run: BoxRun, store: FinishedPieces, output: str, count: int) -> SearchedPieces:
-    """The pieces that are there, if they are to be taken up.
-
-    Raises
-    ------
-    ReadError
-        If they are of another search, or the directory can't be made.
-    """
-    made = description(run.asked.search, count)
-    try:
-        run.sharing.open(store, output, made, count, "piece is searched", quiet=run.quiet)
-    except OSError as error:
-        raise ReadError([unwritable(output, error)]) from None
-    return SearchedPieces(count, store)
 
 
 def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
