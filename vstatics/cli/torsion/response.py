@@ -160,7 +160,8 @@ def response(
     links [rad] and torques of devices [N*m] over the speeds, and where an order meets a
     natural frequency that LINK takes part in; such speeds are added. Springs with `points`
     and converters have their slopes under the load of CASE. Text shows the largest values,
-    CSV (a line for each), XLSX and JSON all. There is no value where an undamped system is hit exactly.
+    CSV (a line for each), XLSX and JSON all. There is no value where an undamped system is
+    hit exactly.
 
     \b
     Examples:
