@@ -180,6 +180,7 @@ DOUBTS = {
     "N504": "the factor of engagement is for a clutch that slips",
     "N505": "what a clutch dump of a gear takes no account of",
     "N506": "which slope a spring with points has in a gear",
+    "N507": "dry friction of a spring that linear vibration leaves out",
     "N601": "loss factors are taken as viscous damping",
     "N602": "elements that hold together share a torque that is open",
     "N603": "capacities without a unit are in N*m",

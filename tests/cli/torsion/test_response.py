@@ -249,7 +249,6 @@ SPEEDS = (
 @pytest.mark.parametrize(
     "options",
     [
-        (*SPEED, "--orders", "2"),
         (*AT, "--orders", "2"),
         (*AT, *SPEED),
         ("--at", "", "--orders", "2", *SPEED),
@@ -263,3 +262,17 @@ def test_wrong_use(options: tuple[str, ...]) -> None:
     answer = said("response", *options, text=GOOD)
     assert (answer.status, answer.out) == (2, "")
     assert len(answer.err) < 500
+
+
+def test_without_a_link_the_torque_acts_on_the_input() -> None:
+    """As in the picture; gears with inputs of their own need a link."""
+    made = document("response", "--orders", "2", *SPEED, text=GOOD)
+    assert made == document("response", *AT, "--orders", "2", *SPEED, text=GOOD)
+    two = MASS.replace("[mass]", "[mass, other, out]").replace("output: mass", "output: out") + (
+        "gears: {a: {}, b: {input: other}}\n"
+    )
+    asked = ("response", "--orders", "2", *SPEED)
+    made = said(*asked, text=two)
+    assert made.status == 2
+    assert "Missing option '--at': gears have the inputs mass, other" in made.err
+    assert document(*asked, "--gear", "a", text=two)["at"] == "mass"

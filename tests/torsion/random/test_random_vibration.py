@@ -8,7 +8,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
+from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, seeded
 from tests.torsion.systems import Array, matrices
@@ -238,3 +238,57 @@ def test_life_of_a_device_with_a_fatigue_strength() -> None:
     [none] = random_vibration(mounted(0.0).replace(fatigue={"mount": strength}), 1, White(1.0))
     assert none.devices["mount"].life is not None
     assert math.isnan(none.devices["mount"].life)
+
+
+@pytest.mark.parametrize("seed", range(count(6, 200)))
+def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
+    """On a damped tyre the next mass has no variance of it, as what acts follows a rate without one.
+
+    Every other mass has: by quadrature of the chain, its matrices written out here. On the last
+    mass one spring acts alone, so it is the RMS of this force by the mass.
+    """
+    random = seeded(400 + seed)
+    masses = [10 ** random.uniform(1.5, 3.5) for _ in range(random.randint(2, 4))]
+    rates = [random.uniform(1e5, 2e6) for _ in masses]
+    dampings = [0.03 * math.sqrt(c * m) for c, m in zip(rates, masses, strict=True)]
+    tyre = random.choice([0.0, 1.0])
+    dampings[-1] *= tyre
+    size = len(masses)
+    springs = [
+        Spring({n: 1, n + 1: -1}, stiffness=c, damping=d)
+        for n, (c, d) in enumerate(zip(rates, dampings, strict=True), 1)
+    ]
+    case = Transmission(
+        size + 1, [], [], [], springs=springs, masses=dict(enumerate(masses, 1)), output=size
+    )
+    alpha, b = random.uniform(0.2, 2), random.choice([0.0, 0.7])
+    road = Correlation(2e-4, ((1.0, alpha, b),), random.uniform(5, 25))
+    [gear] = random_vibration(case, size + 1, road, by="motion")
+    found = [gear.links[str(n)].acceleration_rms for n in range(1, size + 1)]
+    assert math.isnan(found[-1]) == bool(tyre)
+    twists = np.eye(size, size + 1) - np.eye(size, size + 1, 1)
+
+    def squared(omega: float) -> Array:
+        resists = np.array(rates) + 1j * omega * np.array(dampings)
+        whole = twists.T @ (resists[:, np.newaxis] * twists)
+        dynamic = whole[:size, :size] - omega**2 * np.diag(masses)
+        moved = np.linalg.solve(dynamic, -whole[:size, size])
+        return omega**4 * np.abs(moved) ** 2 * float(road.at(np.array([omega]))[0])
+
+    kept = size - bool(tyre)
+    integral, *_ = quad_vec(lambda one: squared(one)[:kept], 0, np.inf, epsrel=1e-7)
+    assert found[:kept] == pytest.approx(np.sqrt(2 * integral), rel=1e-5)
+    [device, *_] = gear.devices.values()
+    assert found[0] == pytest.approx(device.torque_rms / masses[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("speed", [None, 12.0])
+def test_a_correlation_over_time_is_the_cosine_transform_of_its_spectrum(
+    speed: float | None,
+) -> None:
+    """Without a speed alpha and beta are rates: R(t) = variance exp(-alpha t) cos(beta t)."""
+    road, pace = Correlation(2e-4, ((1.0, 0.45, 0.8),), speed), speed or 1.0
+    for time in (0.3, 1.0):
+        made, _ = quad(lambda one: 2 * float(road.at(one)), 0, np.inf, weight="cos", wvar=time)
+        decayed = 2e-4 * math.exp(-0.45 * pace * time) * math.cos(0.8 * pace * time)
+        assert made == pytest.approx(decayed, abs=1e-10)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
@@ -168,14 +168,28 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
     from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
-    return working_notes(reading, [mean_gear(reading.case, by_name[one]) for one in gears])
+    return _slope_notes(reading, [mean_gear(reading.case, by_name[one]) for one in gears])
 
 
 def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
-    """The same of gears at their working points."""
+    """The same of gears at their working points, and the friction that is left out there."""
+    return [*_slope_notes(reading, list(gears)), *_friction_notes(reading)]
+
+
+def _friction_notes(reading: Reading) -> Iterator[Problem]:
+    """Springs whose dry friction a linear vibration cannot have."""
+    for number, spring in enumerate(reading.case.springs, 1):
+        if spring.friction:
+            text = (
+                f"the dry friction of {spring.name}, {spring.friction:g} N*m, is left out of "
+                "linear vibration; `simulate` takes it, or give a `damping` that loses as much"
+            )
+            yield reading.locate(Problem("N507", text, ("springs", number, "friction")))
+
+
+def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem]:
     from vstatics.torsion.system.slopes import spring_slopes
 
-    gears = list(gears)
     doubts = ((one.gear.name, text) for one in gears for text in one.doubts)
     notes = [
         reading.locate(

@@ -26,6 +26,7 @@ from vstatics.readers.reading import Reading
 if TYPE_CHECKING:
     from vstatics.numerics.arrays import Floats
     from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic
+    from vstatics.torsion.system.working_points import WorkingGear
 
 MOST_SPEEDS = 100_000
 
@@ -82,6 +83,20 @@ class Exciting(NamedTuple):
         return [by_order[order] for order in dict.fromkeys(self.orders)]
 
 
+def _input_of(gears: Sequence[WorkingGear]) -> str:
+    """The name of the input of all gears.
+
+    Raises
+    ------
+    UsageError
+        If gears have different inputs.
+    """
+    inputs = dict.fromkeys(case.link_name(case.gear_input(gear)) for case, gear, *_ in gears)
+    if len(inputs) > 1:
+        raise click.UsageError(f"Missing option '--at': gears have the inputs {listed([*inputs])}")
+    return next(iter(inputs))
+
+
 def _unbounded(gear: GearResponse) -> str:
     """That resonances without damping have no largest value, if there are any."""
     speeds = [f"{one.speed:.6g}" for one in gear.resonances if not one.damped]
@@ -96,7 +111,9 @@ def _unbounded(gear: GearResponse) -> str:
 
 @click.command()
 @click.option(
-    "--at", required=True, metavar="LINK", help="The link on which the torque acts, by its name."
+    "--at",
+    metavar="LINK",
+    help="The link on which the torque acts, by its name; the input when not given.",
 )
 @gathered(
     "exciting",
@@ -131,7 +148,7 @@ def _unbounded(gear: GearResponse) -> str:
 @gathered("one", OneCase, *CASE_OPTIONS)
 def response(
     one: OneCase,
-    at: str,
+    at: str | None,
     exciting: Exciting,
     speed: Floats,
     with_sum: bool,
@@ -139,15 +156,16 @@ def response(
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
-    A harmonic torque acts on LINK. For each order: amplitudes of links [rad] and torques
-    of devices [N*m] over the speeds, and where an order meets a natural frequency that
-    LINK takes part in; such speeds are added. Springs with `points` and converters have
-    their slopes under the load of CASE. Text shows the largest values, CSV (a line
-    for each), XLSX and JSON all. There is no value where an undamped system is hit exactly.
+    A harmonic torque acts on LINK, by default the input. For each order: amplitudes of
+    links [rad] and torques of devices [N*m] over the speeds, and where an order meets a
+    natural frequency that LINK takes part in; such speeds are added. Springs with `points`
+    and converters have their slopes under the load of CASE. Text shows the largest values,
+    CSV (a line for each), XLSX and JSON all. There is no value where an undamped system is
+    hit exactly.
 
     \b
     Examples:
-      vstatics torsion response box.yaml --at engine --orders 2 --speed 600:3000:9
+      vstatics torsion response box.yaml --orders 2 --speed 600:3000:9
       vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
 
     \b
@@ -165,8 +183,8 @@ def response(
 
         case = reading.case
         harmonics = exciting.harmonics()
-        link = link_name(case, at, "--at")
         working = asked.of(case)
+        link = _input_of(working) if at is None else link_name(case, at, "--at")
         names = [one.gear.name for one in working]
         found = responses(case, link, harmonics, speed, names, speed_ratios=asked.ratios)
         if with_sum:

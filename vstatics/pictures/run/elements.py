@@ -40,14 +40,28 @@ def carrying(motion: Motion) -> Booleans:
 def states(motion: Motion) -> list[ElementStates]:
     """When elements slip and stick, of those that carry torque.
 
-    An element that carries none is open; so is one that is at rest without torque.
+    An element that carries none, or drags alone, is open; so is one at rest without torque.
     """
-    return [_states(motion, place, name) for place, name in loaded(motion)]
+    gripped = [(*one, _gripped(motion, one[0])) for one in loaded(motion)]
+    return [_states(motion, *one) for one in gripped if one[2].any()]
 
 
-def _states(motion: Motion, place: int, name: str) -> ElementStates:
+def _gripped(motion: Motion, place: int) -> Floats:
+    """The torque of a shift element at each instant without its drag, by magnitude [N*m]."""
+    name, torques = motion.elements[place], np.abs(motion.torques[:, place])
+    capacities = motion.beside.get("capacities", {}).get(name)
+    if capacities is None:
+        return torques
+    case = motion.case
+    if case and case.shift_elements[place].is_freewheel:  # it overruns whatever it can carry
+        sticks = motion.beside["sticks"][name] > 0
+        return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
+    return np.minimum(torques, capacities)
+
+
+def _states(motion: Motion, place: int, name: str, torques: Floats) -> ElementStates:
     """Between two instants an element slips if it does at either of them."""
-    torques, slips = np.abs(motion.torques[:, place]), np.abs(motion.slips[:, place])
+    slips = np.abs(motion.slips[:, place])
     carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
     near = SAME_RUN_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
     moves = np.maximum(slips[:-1], slips[1:]) > near

@@ -19,7 +19,7 @@ from scipy import linalg
 from scipy.integrate import quad_vec
 
 from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.torsion.random.excited import ExcitedGear, FirstOrder
+from vstatics.torsion.random.excited import ExcitedGear, FirstOrder, without_rounding
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
 from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, UNMOVED
 
@@ -74,7 +74,8 @@ class Driven(NamedTuple):
         parts = signal.row * self.input
         at_once = float(parts.sum())
         moved = abs(at_once) > UNMOVED * float(np.abs(parts).sum())
-        return Signal(signal.row @ self.matrix, at_once * moved)
+        rates = without_rounding(signal.row[np.newaxis], self.matrix)[0]
+        return Signal(rates, at_once * moved)
 
 
 def driven(matrix: Floats, by_input: Floats) -> Driven:

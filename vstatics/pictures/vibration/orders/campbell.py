@@ -89,7 +89,7 @@ def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
     style, across = sheet.style, sheet.style.width
     text, room = _title(sheet), across - 2 * MARGIN
     tables = resonance_tables(
-        sheet.shared, sheet.orders, (sheet.running, sheet.fastest), room, style
+        sheet.modes, sheet.orders, (sheet.running, sheet.fastest), room, style
     )
     left = TableParts([(one, one.rows) for one in tables])
     head = sheet_head(text, sheet.note, _signs(sheet), room, style)

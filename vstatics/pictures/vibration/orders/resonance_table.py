@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
 from vstatics.pictures.vibration.orders.excited import Order
-from vstatics.pictures.vibration.orders.resonances import SharedMode
+from vstatics.pictures.vibration.orders.resonances import GearMode
 from vstatics.tables.numbers import typeset
 
 GEARS_WIDTH = 96.0
@@ -36,7 +36,7 @@ class TableCell(NamedTuple):
 
 
 class TableRow(NamedTuple):
-    """A mode in the gears in which it is alike."""
+    """A mode of a gear, and of the gears of which the same is printed."""
 
     mode: str
     """Its number."""
@@ -139,7 +139,7 @@ class TableParts(NamedTuple):
 
 
 def resonance_tables(
-    modes: Sequence[SharedMode],
+    modes: Sequence[GearMode],
     orders: Sequence[Order],
     speeds: tuple[Sequence[float], float],
     room: float,
@@ -155,8 +155,8 @@ def resonance_tables(
 
     Examples
     --------
-    >>> from vstatics.pictures.vibration.orders.resonances import GearMode, shared_modes
-    >>> some = shared_modes([GearMode("low", 0, 1, 20.0, 1.0, 0.0)])
+    >>> from vstatics.pictures.vibration.orders.resonances import GearMode
+    >>> some = [GearMode("low", 0, 1, 20.0, 1.0, 0.0)]
     >>> orders = [Order(0.1, False), Order(2.0, True)]
     >>> [made] = resonance_tables(some, orders, ([], 6000.0), 400.0, Style())
     >>> [cell.text for cell in made.rows[0].told]
@@ -176,23 +176,25 @@ def resonance_tables(
 
 
 def _table(
-    modes: Sequence[SharedMode],
+    modes: Sequence[GearMode],
     orders: Sequence[Order],
     speeds: tuple[Sequence[float], float],
     style: Style,
 ) -> ResonanceTable | None:
     """The table of some orders, or none."""
-    places = {one.place: one.gear for mode in modes for one in mode.modes}
+    places = {one.place: one.gear for one in modes}
     every = [places[place] for place in sorted(places)]
-    is_damped = any(one.damping_ratio for mode in modes for one in mode.modes)
+    is_damped = any(one.damping_ratio for one in modes)
+    ascending = sorted(modes, key=lambda one: (one.number, one.frequency, one.place))
     rows: list[TableRow] = []
-    for _, own in groupby(modes, key=lambda one: one.number):
+    for mode_number, own in groupby(ascending, key=lambda one: one.number):
         begins = True
-        for mode in own:
-            met = [_speed(mode, order, *speeds) for order in orders]
-            if any(cell.text for cell in met):
-                first = _cells(mode, every, style, is_damped=is_damped)
-                rows.append(TableRow(str(mode.number), [*first, *met], begins))
+        for printed, alike in _printed_alike(own, orders, speeds, is_damped=is_damped).items():
+            if any(cell.text for cell in printed[-len(orders) :]):
+                names = [places[place] for place in sorted(alike)]
+                named = [TableCell(wrapped(gear_run(names, every, style), GEARS_WIDTH))]
+                cells = [*named * (len(every) > 1), *printed]
+                rows.append(TableRow(str(mode_number), cells, begins))
                 begins = False
     if not rows:
         return None
@@ -208,23 +210,27 @@ def _table(
     return ResonanceTable(headings, fires, rows, style)
 
 
-def _cells(
-    mode: SharedMode, every: Sequence[str], style: Style, *, is_damped: bool
-) -> Iterator[TableCell]:
-    """What a row tells between its mode and its speeds."""
-    if len(every) > 1:
-        yield TableCell(wrapped(gear_run(mode.gears, every, style), GEARS_WIDTH))
-    yield TableCell(number(mode.frequency))
-    yield TableCell(typeset(f"{mode.participation:.2g}"))
-    if is_damped:
-        yield TableCell(f"{mode.damping_ratio:.3f}")
+def _printed_alike(
+    modes: Iterable[GearMode],
+    orders: Sequence[Order],
+    speeds: tuple[Sequence[float], float],
+    *,
+    is_damped: bool,
+) -> dict[tuple[TableCell, ...], list[int]]:
+    """Cells of modes of one number -> places of the gears of which all of them are printed."""
+    found: dict[tuple[TableCell, ...], list[int]] = {}
+    for one in modes:
+        first = [number(one.frequency), typeset(f"{one.participation:.2g}")]
+        first += [f"{one.damping_ratio:.3f}"] * is_damped
+        met = [_speed(one, order, *speeds) for order in orders]
+        found.setdefault((*map(TableCell, first), *met), []).append(one.place)
+    return found
 
 
-def _speed(mode: SharedMode, order: Order, running: Sequence[float], fastest: float) -> TableCell:
+def _speed(mode: GearMode, order: Order, running: Sequence[float], fastest: float) -> TableCell:
     """The speed at which an order meets a mode; nothing where it does not."""
     speed = order.speed(mode.frequency)
-    met = [one for one in mode.modes if one.is_excited]
-    if not met or order.speed(met[0].frequency) > fastest * (1 + NO_POWER):
+    if not mode.is_excited or speed > fastest * (1 + NO_POWER):
         return TableCell("")
     runs = len(running) > 1 and running[0] <= speed <= running[-1]
     return TableCell(f"{speed:.0f}", bold=runs)

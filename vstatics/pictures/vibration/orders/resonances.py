@@ -96,16 +96,6 @@ class SharedMode(NamedTuple):
         return math.sqrt(self.modes[0].frequency * self.modes[-1].frequency)
 
     @property
-    def participation(self) -> float:
-        """The largest [-]."""
-        return max(one.participation for one in self.modes)
-
-    @property
-    def damping_ratio(self) -> float:
-        """The least [-]."""
-        return min(one.damping_ratio for one in self.modes)
-
-    @property
     def gears(self) -> list[str]:
         """Names, in the order in which they are shown."""
         return [one.gear for one in sorted(self.modes, key=lambda one: one.place)]
