@@ -106,12 +106,12 @@ def show(
     ) as advance:
         if to.form in STREAMED:
             with files.stream(to.output) as write:
-                found = _found(search, advance, by_torque=by_torque)
-                for text in _json(found, as_lines=to.form == "jsonl"):
+                batches = _batches(search, advance, by_torque=by_torque)
+                for text in _json(batches, as_lines=to.form == "jsonl"):
                     write(files.encoded(text))
             return
         title = search.case.name or file_name(case)
-        sets = chain.from_iterable(_found(search, advance, by_torque=by_torque))
+        sets = chain.from_iterable(_batches(search, advance, by_torque=by_torque))
         shown = texts.CaseOutput([title], {}, lambda: combination_grids(sets))
         files.write_pages(texts.alone(file_name(case), shown, to), to.output)
 
@@ -133,15 +133,15 @@ def show_ports(
             first, between, last = ("", "\n", "\n") if to.form == "jsonl" else FRAME_OF_PORTS
             with files.stream(to.output) as write:
                 for number, search in enumerate(searches):
-                    found = _found(search, advance, by_torque=by_torque)
-                    block = _block(search, found, as_line=to.form == "jsonl")
+                    batches = _batches(search, advance, by_torque=by_torque)
+                    block = _block(search, batches, as_line=to.form == "jsonl")
                     write(files.encoded((between if number else first) + block))
                 write(files.encoded(last))
             return
         grids = [
             grid
             for search in searches
-            for grid in _port_grids(search, _found(search, advance, by_torque=by_torque))
+            for grid in _port_grids(search, _batches(search, advance, by_torque=by_torque))
         ]
         title = searches[0].case.name or file_name(case)
         shown = texts.CaseOutput([title], {}, lambda: grids)
@@ -154,25 +154,25 @@ def _ports(search: CombinationSearch) -> tuple[str, str]:
     return case.link_name(case.input), case.link_name(case.output)
 
 
-def _block(search: CombinationSearch, found: Iterable[Batch], *, as_line: bool) -> str:
+def _block(search: CombinationSearch, batches: Iterable[Batch], *, as_line: bool) -> str:
     """The combinations of a pair of ports in JSON."""
     first, last = (line(name).rstrip() for name in _ports(search))
     before, between = ("", ", ") if as_line else ("\n  ", ",\n  ")
-    body = before + between.join(text for batch in found for text in _lines(batch))
+    body = before + between.join(text for batch in batches for text in _lines(batch))
     return f'{{"input": {first}, "output": {last}, "combinations": [{body}]}}'
 
 
-def _port_grids(search: CombinationSearch, found: Iterable[Batch]) -> Iterator[Grid]:
+def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator[Grid]:
     """The tables of a pair of ports, which their titles name."""
     first, last = _ports(search)
-    for grid in combination_grids(chain.from_iterable(found)):
+    for grid in combination_grids(chain.from_iterable(batches)):
         yield grid._replace(title=f"{grid.title}, {first} to {last}", key="")
 
 
-def _found(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
+def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
     """Yield the combinations batch by batch; all in one batch if they are sorted."""
     if by_torque:
-        unsorted = _found(search, advance, by_torque=False)
+        unsorted = _batches(search, advance, by_torque=False)
         yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))
         return
     for batch in search.batches():
@@ -180,31 +180,29 @@ def _found(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> I
         advance(len(batch.members))
 
 
-def _json(found: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
+def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
     """JSON piece by piece: a document, or a line for each combination."""
     first, between, last = ("", "\n", "\n") if as_lines else FRAME
     before = first
-    for batch in found:
+    for batch in batches:
         yield before + between.join(_lines(batch))
         before = between
     yield last
 
 
-def _lines(found: Batch) -> Iterator[str]:
+def _lines(batch: Batch) -> Iterator[str]:
     """Combinations as JSON, an object each."""
-    engaged = {name for one in found for name in one.engaged}
+    engaged = {name for each in batch for name in each.engaged}
     names = {name: line(name).rstrip() for name in engaged}
-    for one in found:
-        listed_names = ", ".join(map(names.__getitem__, one.engaged))
-        is_free = "true" if one.free else "false"
-        text = (
-            f'{{"engaged": [{listed_names}], "kind": "{one.kind}", "ratio": {_number(one.ratio)}, '
-        )
-        text += f'"free": {is_free}'
-        if one.torques is not None:
-            torques = (f"{names[name]}: {_number(part)}" for name, part in one.torques.items())
+    for each in batch:
+        listed_names = ", ".join(map(names.__getitem__, each.engaged))
+        is_free = "true" if each.free else "false"
+        text = f'{{"engaged": [{listed_names}], "kind": "{each.kind}", '
+        text += f'"ratio": {_number(each.ratio)}, "free": {is_free}'
+        if each.torques is not None:
+            torques = (f"{names[name]}: {_number(part)}" for name, part in each.torques.items())
             text += f', "torques": {{{", ".join(torques)}}}'
-        yield text + (f', "slip": {_number(one.slip)}}}' if one.slip is not None else "}")
+        yield text + (f', "slip": {_number(each.slip)}}}' if each.slip is not None else "}")
 
 
 def _number(value: float) -> str:
