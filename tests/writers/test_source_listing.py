@@ -326,6 +326,13 @@ def test_a_freewheel_is_engaged_where_it_holds() -> None:
     assert source_listing("-q", "-", stdin=wheel) == source_listing("-q", "-", stdin=plain)
 
 
+def test_help_and_the_first_screen_of_the_readme_name_it() -> None:
+    readme = (CASES.parent / "README.md").read_text(encoding="utf-8")
+    assert "`vstatics run -f source`" in "".join(readme.splitlines(keepends=True)[:10])
+    assert re.search(r"-f source +the published listing", vstatics("--help").out)
+    assert "-f source" in vstatics("run", "--help").out
+
+
 def test_lang_source_is_an_alias() -> None:
     assert vstatics("run", "--lang", "source", MZKT).out == source_listing(MZKT)
 
