@@ -278,6 +278,37 @@ def test_readme_is_short_and_comes_to_the_point() -> None:
         assert wanted in head
 
 
+OF_SOURCES = ["docs/sources.md", *(name for name in NAMES if name.startswith("docs/sources/"))]
+CASES_OF_SOURCES = ROOT / "docs/sources/vehicle-dynamics-cases.md"
+
+
+COMMANDS_OF_SOURCES = dict.fromkeys(
+    command
+    for name in OF_SOURCES
+    for command in SPAN.findall(FENCE.sub("", (ROOT / name).read_text(encoding="utf-8")))
+)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("bash") is None, reason="the examples are for a shell")
+@pytest.mark.parametrize("command", COMMANDS_OF_SOURCES)
+def test_a_command_of_the_sources_runs_as_printed(command: str, folder: Path) -> None:
+    """Within sentences and tables; those in blocks are examples, see above."""
+    for block in blocks(CASES_OF_SOURCES):
+        write_file(block, folder)
+    [said] = run_all([f"{command} > /dev/null && echo done"], folder)
+    assert said.splitlines()[-1:] == ["done"], said
+
+
+def test_commands_of_the_sources_are_whole() -> None:
+    """A command without its program is not one that runs as printed."""
+    names = "|".join(main.list_commands(click.Context(main)))
+    for name in OF_SOURCES:
+        text = FENCE.sub("", (ROOT / name).read_text(encoding="utf-8"))
+        bare = re.findall(rf"`(?:{names}) [^`]*(?:CASE|cases/|--)[^`]*`", text)
+        assert bare == [], name
+
+
 def options_of(words: list[str]) -> set[str]:
     """The options of the command that words call."""
     command: click.Command = main

@@ -144,6 +144,7 @@ DOUBTS = {
     "W890": "power passes by more than engine and output: nothing of the vehicle is told there",
     "W891": "a vehicle has a converter, which stays at its speed ratio",
     "W895": "an efficiency depends on the signs of idle mechanisms in the published listing",
+    "W896": "a column that was asked for has no value",
     "N001": "a run would take more than a minute",
     "N002": "no ratios are given for a case of a scheme",
     "N003": "what is told of found structures",

@@ -24,7 +24,9 @@ ALLISON = {
 }
 """Tables 2.7 and 2.8: J''1, J2 to J6, J_p; E; the pump side J'1 is 6.42."""
 BELAZ_III = (3.34, 36.9 + 9.86, 9.67, 8.02, 59.7, 2080), (0.204, 0.0956, 0.104, 4.42, 0.76)
-"""Table 2.9 with its shifted columns put back, the converter open."""
+"""Table 2.9, gear III, with its shifted columns put back, the converter open."""
+BELAZ_II = (3.34, 20.06, 0.997, 1.95, 14.5, 495), (0.291, 0.244, 0.467, 18.1, 3.1)
+"""The same of gear II."""
 
 
 def axle(inertias: Sequence[float], compliances: Sequence[float]) -> tuple[float, ...]:
@@ -79,8 +81,9 @@ def vehicles() -> Iterator[Cell]:
             yield from numbered(
                 "2.10", f"Allison {state} {letter}", axle([first, *behind], springs)
             )
-    omegas = natural_frequencies(scheme_of(chain(*BELAZ_III)))
-    yield from numbered("2.10", "BelAZ-540 open III", omegas)
+    for roman, given in (("II", BELAZ_II), ("III", BELAZ_III)):
+        omegas = natural_frequencies(scheme_of(chain(*given)))
+        yield from numbered("2.10", f"BelAZ-540 open {roman}", omegas)
 
 
 def appendices() -> Iterator[Cell]:

@@ -326,6 +326,13 @@ def test_a_freewheel_is_engaged_where_it_holds() -> None:
     assert source_listing("-q", "-", stdin=wheel) == source_listing("-q", "-", stdin=plain)
 
 
+def test_help_and_the_first_screen_of_the_readme_name_it() -> None:
+    readme = (CASES.parent / "README.md").read_text(encoding="utf-8")
+    assert "`vstatics run -f source`" in "".join(readme.splitlines(keepends=True)[:10])
+    assert re.search(r"-f source +the published listing", vstatics("--help").out)
+    assert "-f source" in vstatics("run", "--help").out
+
+
 def test_lang_source_is_an_alias() -> None:
     assert vstatics("run", "--lang", "source", MZKT).out == source_listing(MZKT)
 
@@ -335,6 +342,22 @@ def test_several_cases_give_a_listing_each(tmp_path: Path) -> None:
     assert (said.status, said.out) == (0, "")
     assert sorted(path.name for path in tmp_path.glob("*.lst")) == ["mzkt7922.lst", "umdm.lst"]
     assert (tmp_path / "mzkt7922.lst").read_text(encoding="utf-8") == source_listing(MZKT)
+
+
+def test_a_listing_of_another_format_is_not_trusted(tmp_path: Path) -> None:
+    """Both have the suffix .lst, so --resume must not leave one for the other."""
+    options = ("-q", MZKT, "-o", f"{tmp_path}/")
+    assert vstatics("run", "-f", "listing", *options).status == 0
+    for form, status in (("source", 2), ("listing", 0)):
+        assert vstatics("run", "-f", form, *options, "--resume").status == status
+
+
+def test_a_case_without_fields_does_not_stop_the_others(tmp_path: Path) -> None:
+    said = vstatics(
+        "run", "-q", "-f", "source", CASES / "wheel-hub.yaml", MZKT, "-o", f"{tmp_path}/"
+    )
+    assert (said.status, "outputs of single gears: right" in said.err) == (1, True)
+    assert [path.name for path in tmp_path.glob("*.lst")] == ["mzkt7922.lst"]
 
 
 @pytest.mark.parametrize(

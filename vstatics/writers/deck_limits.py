@@ -92,7 +92,7 @@ def check_published_listing(results: Results) -> None:
 def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     """Yield each kind of part without a field, with the paths of these parts by name."""
     case = results.case
-    yield "springs", {one.name: ("springs", n) for n, one in enumerate(case.springs, 1)}
+    yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
     yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_law)
     yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second)

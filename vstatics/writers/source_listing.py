@@ -154,7 +154,8 @@ def published_results(results: Results) -> Results:
     lost = [
         Problem("E870", NO_FOLLOWING, ("gears", number, "speeds"))
         for number, gear in enumerate(results.case.gears, 1)
-        if not same[number - 1] and any(isinstance(one, SpeedOf) for one in gear.speeds.values())
+        if not same[number - 1]
+        and any(isinstance(speed, SpeedOf) for speed in gear.speeds.values())
     ]
     if lost:
         raise CaseError(lost)
@@ -165,14 +166,14 @@ def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
     """Return a warning for each gear whose efficiency depends on the signs of idle mechanisms."""
     before, after = results.efficiency, published.efficiency
     same = np.isclose(before, after, rtol=SAME, atol=0, equal_nan=True)
-    found = []
+    problems = []
     for index in np.flatnonzero(~same).tolist():
         message = (
             "the signs of idle mechanisms in the published listing change the efficiency of gear "
             f"{results.case.gears[index].name} from {before[index]:.4g} to {after[index]:.4g}"
         )
-        found.append(Problem("W895", message, ("gears", index + 1)))
-    return not_allowed(found, results.case.untold)
+        problems.append(Problem("W895", message, ("gears", index + 1)))
+    return not_allowed(problems, results.case.untold)
 
 
 def _published_case(results: Results) -> Transmission:

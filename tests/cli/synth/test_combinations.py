@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import re
 from itertools import permutations
 from pathlib import Path
 from typing import Any
 
+import openpyxl
 import pytest
 
 from tests.cli.test_schemas import validator
@@ -101,6 +104,69 @@ def test_all_ports_are_all_ordered_pairs_and_have_no_brakes_of_auto() -> None:
         assert [name for name in engaged if name.startswith("T")] == [own]
 
 
+def test_tables_have_torques_and_slip_as_json_has() -> None:
+    """Of one element a number, of several their list in the order of the names."""
+    for case, count in ((CASES / "umdm.yaml", 19), (BELAZ, 15)):
+        options = ("--elements", "auto") if count == 19 else ()
+        found = entries(case, *options)
+        text = said(case, *options, "-f", "csv", "--raw").out
+        rows = [row for row in csv.DictReader(text.splitlines()) if row["table"] == "combinations"]
+        assert len(rows) == len(found) == count
+        for row, one in zip(rows, found, strict=True):
+            torques = [float(number) for number in row["torques"].split(",") if number]
+            assert torques == list(one.get("torques", {}).values())
+            assert (float(row["slip"]) if row["slip"] else None) == one.get("slip")
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "latex"])
+def test_texts_have_torques_and_slip(form: str) -> None:
+    """A clutch between 1 and 2: torque u/(u - 1) = 2.5/3.5, slip 1.4 while 3 stands."""
+    shown = said(DIFFERENTIAL, "-f", form).out
+    row = next(line for line in shown.splitlines() if "direct" in line)
+    assert all(word in shown for word in ("torques", "slip"))
+    assert re.search(r"\.714\D+1\.400", row)
+
+
+def test_a_workbook_has_torques_and_slip(tmp_path: Path) -> None:
+    assert said(DIFFERENTIAL, "-o", tmp_path / "a.xlsx").status == 0
+    sheets = openpyxl.load_workbook(tmp_path / "a.xlsx").worksheets
+    rows = [row for sheet in sheets for row in sheet.iter_rows(values_only=True)]
+    assert next(row for row in rows if row[1:2] == ("direct",))[-2:] == pytest.approx(
+        (2.5 / 3.5, 1.4)
+    )
+
+
+@pytest.mark.parametrize("form", ["json", "jsonl"])
+def test_sorted_by_torque(form: str) -> None:
+    """Direct drives first; torque times slip is 1, so these are by falling slip."""
+    text = said(CASES / "umdm.yaml", "--elements", "auto", "--sort", "torques", "-f", form).out
+    lines = map(json.loads, text.splitlines()) if form == "jsonl" else json.loads(text).values()
+    found = [*lines] if form == "jsonl" else next(iter(lines))
+    assert [one["kind"] for one in found] == ["direct"] * 15 + ["gear"] * 4
+    slips = [abs(one["slip"]) for one in found[:15]]
+    assert slips == sorted(slips, reverse=True)
+    torques = [abs(*one["torques"].values()) for one in found[15:]]
+    assert torques == sorted(torques)
+    assert sorted(map(str, found)) == sorted(
+        map(str, entries(CASES / "umdm.yaml", "--elements", "auto"))
+    )
+    table = said(CASES / "umdm.yaml", "--elements", "auto", "--sort", "torques", "-f", "csv").out
+    named = [row["engaged"] for row in csv.DictReader(table.splitlines())][:19]
+    assert named == [*(one["engaged"][0] for one in found)]
+
+
+def test_sets_without_a_torque_come_last_when_sorted() -> None:
+    found = entries(BELAZ, "--sort", "torques")
+    kinds = [one["kind"] for one in found]
+    assert kinds == ["direct", *["gear"] * 7, *["parking"] * 6, "blocked"]
+    block = json.loads(said(BELAZ, "--ports", "all", "--sort", "torques", "-f", "json").out)[
+        "ports"
+    ][0]
+    order = ["direct", "gear", "neutral", "parking", "blocked"]
+    kinds = [one["kind"] for one in block["combinations"]]
+    assert kinds == sorted(kinds, key=order.index)
+
+
 @pytest.mark.parametrize(
     ("ports", "why"),
     [
@@ -140,7 +206,7 @@ def test_names_with_commas_and_strange_letters(tmp_path: Path) -> None:
 
 def test_a_table_for_people(tmp_path: Path) -> None:
     shown = said(BELAZ)
-    assert "T1, T4   gear     -7.642     ·\n" in shown.out
+    assert "T1, T4   gear     -7.642     ·   -.493, 9.134     -\n" in shown.out
     assert "parking             6\n" in shown.out
     said(BELAZ, "-o", tmp_path / "out.csv", "--elements", "auto")
     assert (tmp_path / "out.csv").read_text("utf-8").count("\n") > 325

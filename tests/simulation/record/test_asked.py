@@ -287,6 +287,29 @@ def test_a_converter_of_the_case_has_the_same_columns(converter: str) -> None:
     assert given == pytest.approx(1.45 * 0.0009 * 200**2)
 
 
+def test_a_column_without_values_gets_a_warning() -> None:
+    """Of two brakes one has an area; a column of the other is NaN throughout."""
+    case = (
+        "links: [o]\ninertias: {o: 2}\ngears: {g: []}\nshift_elements:\n"
+        "  A: {links: [o, housing]}\n  B: {links: [o, housing], "
+        "friction: {coefficient: 0.1, radius: 0.1, area: 0.02, surfaces: 4}}\n"
+    )
+    scenario = "duration: 1\nstart: {speeds: {o: 9}}\ncontrols: {A: 3, B: 1000 Pa}"
+    for columns in (("heat_per_area[B]",), ("heat[A]", "heat_per_area[B]")):
+        assert [one.id for one in asked(scenario, case, *columns)[0].messages] == []
+    for columns in (("heat_per_area[A]",), ("slip_power_per_area[A]", "heat_per_area[B]")):
+        [message] = asked(scenario, case, *columns)[0].messages
+        table = columns[0]
+        assert (message.id, message.text) == (
+            "W896",
+            f"column {table} has no value; give an `area` in `friction` of the shift element",
+        )
+    [both] = asked(scenario, case, "heat_per_area[A]", "slip_power_per_area[A]")[0].messages
+    assert both.text.startswith("columns heat_per_area[A], slip_power_per_area[A] have no value")
+    allowed = f"{case}allow: [W896]\n"
+    assert [*asked(scenario, allowed, "heat_per_area[A]")[0].messages] == []
+
+
 def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:
     """100 kPa on .02 m^2, .1 m, 4 surfaces, .1: 80 N*m at 50 rad/s on 4 x .02 m^2."""
     motion, [power, heat, unknown] = asked(

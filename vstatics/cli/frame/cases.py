@@ -173,8 +173,8 @@ class CalculatedCase(NamedTuple):
 
     def located(self, error: CaseError) -> ReadError:
         """Return an error about the model with places in the file of the case."""
-        found = error.problems if self.locate is None else map(self.locate, error.problems)
-        return ReadError(one if one.place else one.in_file(self.file) for one in found)
+        problems = error.problems if self.locate is None else map(self.locate, error.problems)
+        return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
     @property
     def failed(self) -> bool:

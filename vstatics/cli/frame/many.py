@@ -343,6 +343,7 @@ def _depends(job: Job) -> dict[str, object]:
         "--strict": job.options.telling.strict,  # a result without errors counts as done or not
         "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
+        "-f source": job.to.form == "source" or None,  # its files have the suffix of listings
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,

@@ -59,6 +59,11 @@ class Trials(NamedTuple):
     metavar="all|IN:OUT,...",
     help="Between these links in place of the case's own ports; all: each ordered pair.",
 )
+@click.option(
+    "--sort",
+    type=click.Choice(["torques"]),
+    help="Direct drives first, then gears, each by the largest torque of an element.",
+)
 @gathered(
     "trials",
     Trials,
@@ -79,6 +84,7 @@ def combinations(
     engaged: list[int],
     elements: tuple[str, ...],
     ports: tuple[str, ...],
+    sort: str | None,
     trials: Trials,
     target: str | None,
 ) -> int:
@@ -93,13 +99,14 @@ def combinations(
     With --elements auto the elements are a clutch between any two links and a brake
     on any link but input and output; F-1-2 and T-3 are new ones, by their links.
 
-    JSON has the torque of each engaged element without losses, over the input's, and of a
-    direct drive by one element its slip while the output stands: their product is 1.
+    Torques are those of the engaged elements without losses, over the input's; slip is that
+    of a direct drive by one element while the output stands: their product is 1.
 
     \b
     Examples:
       vstatics synth combinations box.yaml
       vstatics synth combinations box.yaml --engaged 1,2 -f json
+      vstatics synth combinations box.yaml --elements auto --sort torques
       vstatics synth combinations box.yaml --elements auto --write gears.yaml
       vstatics synth combinations box.yaml --ports all --elements auto -f json
 
@@ -135,17 +142,17 @@ def combinations(
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         for each in searches:
             each.check(None if trials.dry_run else trials.at_most // len(searches))
-    search, kept = searches[0], True
+    search, kept, by_torque = searches[0], True, sort is not None
     if pairs:
-        show_ports(searches, one.case, to, telling)
+        show_ports(searches, one.case, to, telling, by_torque=by_torque)
     elif trials.dry_run:
         show_estimate(search, one.case, to)
     else:
-        check_room(search, to)
+        check_room(search, to, by_torque=by_torque)
         _told_freewheels(search, telling)
         if target is not None and form is not None:
             kept = _write(search, target, form, one)
-        show(search, one.case, to, telling)
+        show(search, one.case, to, telling, by_torque=by_torque)
     return FAILED if not kept or telling.fails(reading.warnings) else DONE
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
+from operator import attrgetter
 from typing import NamedTuple
 
 import click
@@ -16,12 +18,14 @@ from vstatics.cli.frame.one_case import CaseAnswer, file_name
 from vstatics.cli.frame.problems import Telling
 from vstatics.cli.frame.progress import Advance, progress
 from vstatics.errors import listed
-from vstatics.synthesis.gears.kinds import EngagedSets, combination_grids
+from vstatics.synthesis.gears.kinds import EngagedSet, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 from vstatics.tables.answer import Count, line, told
 from vstatics.tables.grid import Grid
 from vstatics.tables.grid import text as words
 
+Batch = Sequence[EngagedSet]
+"""Combinations that are found together."""
 STREAMED = ("json", "jsonl")
 """Formats that are written as they are found."""
 MOST_PRINTED_ROWS = 200_000
@@ -31,24 +35,26 @@ FRAME_OF_PORTS = '{"ports": [\n ', ",\n ", "\n]}\n"
 """Around the entries of JSON, and between them; the same of pairs of ports."""
 
 
-def check_room(search: CombinationSearch, to: Destination) -> None:
-    """Refuse tables that nobody reads, and a file that its disk has no room for.
+def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -> None:
+    """Refuse tables that nobody reads or that are sorted in memory, and a file without room.
 
     Raises
     ------
     UsageError, ReadError
     """
-    if to.form not in STREAMED:
-        if search.count > MOST_PRINTED_ROWS:
-            message = f"{to.form} is for {MOST_PRINTED_ROWS} rows at most, not for {search.count}"
-            raise click.UsageError(f"{message}: expected -f json or jsonl")
-        return
-    check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")
+    is_streamed = to.form in STREAMED
+    if search.count > MOST_PRINTED_ROWS and (by_torque or not is_streamed):
+        what = f"{to.form} with --sort" if by_torque else to.form
+        message = f"{what} is for {MOST_PRINTED_ROWS} rows at most, not for {search.count}"
+        without = ", without --sort" if by_torque else ""
+        raise click.UsageError(f"{message}: expected -f json or jsonl{without}")
+    if is_streamed:
+        check_disk_room(_length(search) * search.count, to.output, "--engaged or --elements")
 
 
 def _length(search: CombinationSearch) -> float:
     """About how many bytes a combination has in JSON."""
-    lines = [line for batch in search.samples() for line in _lines(batch)]
+    lines = [line for batch in search.samples() for line in _lines([*batch.each()])]
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
@@ -91,24 +97,32 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
     one_case.show(case, to, search.case.name, CaseAnswer(lambda: [grid], {}))
 
 
-def show(search: CombinationSearch, case: str, to: Destination, telling: Telling) -> None:
-    """Write all combinations; JSON as they are found."""
+def show(
+    search: CombinationSearch, case: str, to: Destination, telling: Telling, *, by_torque: bool
+) -> None:
+    """Write all combinations; JSON as they are found, unless they are sorted."""
     with progress(
         int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
     ) as advance:
         if to.form in STREAMED:
             with files.stream(to.output) as write:
-                for text in _json(search, advance, as_lines=to.form == "jsonl"):
+                batches = _batches(search, advance, by_torque=by_torque)
+                for text in _json(batches, as_lines=to.form == "jsonl"):
                     write(files.encoded(text))
             return
         title = search.case.name or file_name(case)
-        found = (one for batch in _watched(search, advance) for one in batch.each())
-        shown = texts.CaseOutput([title], {}, lambda: combination_grids(found))
+        sets = chain.from_iterable(_batches(search, advance, by_torque=by_torque))
+        shown = texts.CaseOutput([title], {}, lambda: combination_grids(sets))
         files.write_pages(texts.alone(file_name(case), shown, to), to.output)
 
 
 def show_ports(
-    searches: Sequence[CombinationSearch], case: str, to: Destination, telling: Telling
+    searches: Sequence[CombinationSearch],
+    case: str,
+    to: Destination,
+    telling: Telling,
+    *,
+    by_torque: bool,
 ) -> None:
     """Write the combinations of each pair of ports; a line for each pair as `jsonl`."""
     count = int(sum(search.count for search in searches))
@@ -119,11 +133,16 @@ def show_ports(
             first, between, last = ("", "\n", "\n") if to.form == "jsonl" else FRAME_OF_PORTS
             with files.stream(to.output) as write:
                 for number, search in enumerate(searches):
-                    block = _block(search, advance, as_line=to.form == "jsonl")
+                    batches = _batches(search, advance, by_torque=by_torque)
+                    block = _block(search, batches, as_line=to.form == "jsonl")
                     write(files.encoded((between if number else first) + block))
                 write(files.encoded(last))
             return
-        grids = [grid for search in searches for grid in _port_grids(search, advance)]
+        grids = [
+            grid
+            for search in searches
+            for grid in _port_grids(search, _batches(search, advance, by_torque=by_torque))
+        ]
         title = searches[0].case.name or file_name(case)
         shown = texts.CaseOutput([title], {}, lambda: grids)
         files.write_pages(texts.alone(file_name(case), shown, to), to.output)
@@ -135,51 +154,55 @@ def _ports(search: CombinationSearch) -> tuple[str, str]:
     return case.link_name(case.input), case.link_name(case.output)
 
 
-def _block(search: CombinationSearch, advance: Advance, *, as_line: bool) -> str:
+def _block(search: CombinationSearch, batches: Iterable[Batch], *, as_line: bool) -> str:
     """The combinations of a pair of ports in JSON."""
     first, last = (line(name).rstrip() for name in _ports(search))
-    found = (text for batch in _watched(search, advance) for text in _lines(batch))
     before, between = ("", ", ") if as_line else ("\n  ", ",\n  ")
-    body = before + between.join(found)
+    body = before + between.join(text for batch in batches for text in _lines(batch))
     return f'{{"input": {first}, "output": {last}, "combinations": [{body}]}}'
 
 
-def _port_grids(search: CombinationSearch, advance: Advance) -> Iterator[Grid]:
+def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator[Grid]:
     """The tables of a pair of ports, which their titles name."""
     first, last = _ports(search)
-    found = (one for batch in _watched(search, advance) for one in batch.each())
-    for grid in combination_grids(found):
+    for grid in combination_grids(chain.from_iterable(batches)):
         yield grid._replace(title=f"{grid.title}, {first} to {last}", key="")
 
 
-def _watched(search: CombinationSearch, advance: Advance) -> Iterator[EngagedSets]:
+def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
+    """Yield the combinations batch by batch; all in one batch if they are sorted."""
+    if by_torque:
+        unsorted = _batches(search, advance, by_torque=False)
+        yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))
+        return
     for batch in search.batches():
-        yield batch
+        yield [*batch.each()]
         advance(len(batch.members))
 
 
-def _json(search: CombinationSearch, advance: Advance, *, as_lines: bool) -> Iterator[str]:
+def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
     """JSON piece by piece: a document, or a line for each combination."""
     first, between, last = ("", "\n", "\n") if as_lines else FRAME
     before = first
-    for batch in _watched(search, advance):
+    for batch in batches:
         yield before + between.join(_lines(batch))
         before = between
     yield last
 
 
-def _lines(found: EngagedSets) -> Iterator[str]:
+def _lines(batch: Batch) -> Iterator[str]:
     """Combinations as JSON, an object each."""
-    names = {element.name: line(element.name).rstrip() for element in found.elements}
-    for one in found.each():
-        engaged = ", ".join(map(names.__getitem__, one.engaged))
-        is_free = "true" if one.free else "false"
-        text = f'{{"engaged": [{engaged}], "kind": "{one.kind}", "ratio": {_number(one.ratio)}, '
-        text += f'"free": {is_free}'
-        if one.torques is not None:
-            torques = (f"{names[name]}: {_number(part)}" for name, part in one.torques.items())
+    engaged = {name for each in batch for name in each.engaged}
+    names = {name: line(name).rstrip() for name in engaged}
+    for each in batch:
+        listed_names = ", ".join(map(names.__getitem__, each.engaged))
+        is_free = "true" if each.free else "false"
+        text = f'{{"engaged": [{listed_names}], "kind": "{each.kind}", '
+        text += f'"ratio": {_number(each.ratio)}, "free": {is_free}'
+        if each.torques is not None:
+            torques = (f"{names[name]}: {_number(part)}" for name, part in each.torques.items())
             text += f', "torques": {{{", ".join(torques)}}}'
-        yield text + (f', "slip": {_number(one.slip)}}}' if one.slip is not None else "}")
+        yield text + (f', "slip": {_number(each.slip)}}}' if each.slip is not None else "}")
 
 
 def _number(value: float) -> str:

@@ -1,4 +1,4 @@
-"""Columns of a run that somebody asks for, beside its speeds, slips and torques."""
+"""Columns of a run that somebody asks for, in addition to its speeds, slips and torques."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
+from vstatics.statics.result_arrays import Message
 
 
 class Moments(NamedTuple):
@@ -183,6 +184,10 @@ TABLES: Mapping[str, AskedTable] = {
     "reduced_inertia": AskedTable("number", "kg*m^2", _reduced_inertia),
 }
 """By name. A number has one row, which has no name."""
+PER_AREA = "_per_area"
+"""End of the names of tables that need the area of a shift element."""
+MOST_EMPTY = 12
+"""Number of columns that a warning names."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables that every run has."""
 
@@ -210,3 +215,27 @@ def rows_of_tables(
             raise CaseError("E679", f"a run has no {what} {quoted(read)}{hint}")
     made = {name: tuple(dict.fromkeys(row for one, row in asked if one == name)) for name in TABLES}
     return {name: rows for name, rows in made.items() if rows}
+
+
+def empty_columns(asked: Mapping[str, Mapping[str, Floats]]) -> list[Message]:
+    """Return a warning that names the columns of a run without any value.
+
+    Examples
+    --------
+    >>> asked = {"ratio": {"TC": np.array([0.0, 0.5])}, "heat_per_area": {"F1": np.array([np.nan])}}
+    >>> [message.text for message in empty_columns(asked)]
+    ['column heat_per_area[F1] has no value; give an `area` in `friction` of the shift element']
+    """
+    empty = [
+        (table, f"{table}[{row}]" if row else table)
+        for table, rows in asked.items()
+        for row, values in rows.items()
+        if len(values) and np.isnan(values).all()
+    ]
+    if not empty:
+        return []
+    names = listed([name for _, name in empty], MOST_EMPTY)
+    text = f"columns {names} have no value" if empty[1:] else f"column {names} has no value"
+    if all(table.endswith(PER_AREA) for table, _ in empty):
+        text += "; give an `area` in `friction` of the shift element"
+    return [Message("W896", text)]

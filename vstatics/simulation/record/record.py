@@ -17,6 +17,7 @@ from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import energy_account
+from vstatics.simulation.record.asked import empty_columns
 from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
@@ -242,6 +243,7 @@ class Record:
             name: dict(zip(rows, part.T, strict=True))
             for (name, rows), part in zip(table.asked.items(), parts, strict=True)
         }
+        messages = [*self.messages, *empty_columns(asked)]
         return Motion(
             times,
             system.names,
@@ -261,7 +263,7 @@ class Record:
             ),
             peaks(table.devices, times, torques),
             tuple(self._reached()),
-            tuple(not_allowed(dict.fromkeys(self.messages), self.system.case.untold)),
+            tuple(not_allowed(dict.fromkeys(messages), self.system.case.untold)),
             stopped,
             asked,
             damages(system.case, dict(zip(table.devices, torques.T, strict=True))),

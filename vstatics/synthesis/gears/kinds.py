@@ -28,7 +28,7 @@ from vstatics.statics.matrix import ON_ELEMENT, columns
 from vstatics.synthesis.gears.speed_forms import Pair, SpeedForms
 from vstatics.synthesis.tolerances import DETERMINED, KEPT_PART, MET_RATIO, NO_TORQUE
 from vstatics.tables.answer import Sometimes
-from vstatics.tables.grid import Column, Grid, grid_of, sign
+from vstatics.tables.grid import Cell, Column, Grid, exact, grid_of, sign, words
 
 Indices = NDArray[np.intp]
 
@@ -268,6 +268,12 @@ class EngagedSet(NamedTuple):
     """Of `direct` by one element: its slip while the output stands and nothing is engaged, over
     the speed of the input; NaN where that is not determined. [-]"""
 
+    @property
+    def by_torque(self) -> tuple[int, float]:
+        """Sort key: direct drives, gears, others, each by the largest torque of an element."""
+        largest = max(map(abs, (self.torques or {}).values()), default=math.inf)
+        return -EngagedKind[self.kind.upper()], math.inf if math.isnan(largest) else largest
+
 
 class EngagedSetList(NamedTuple):
     """All combinations."""
@@ -334,15 +340,31 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
     --------
     >>> found = [EngagedSet(["F1", "T3"], "gear", 3.2, False)]
     >>> [grid.texts for grid in combination_grids(found)]
-    [[['F1, T3', 'gear', '3.200', '·']], [['gear', '1']]]
+    [[['F1, T3', 'gear', '3.200', '·', '-', '-']], [['gear', '1']]]
     """
     kinds: Counter[str] = Counter()
     rows = []
     for one in found:
         kinds[one.kind] += 1
-        rows.append((one.engaged, one.kind, one.ratio, sign(one.free)))
-    headings = "engaged", "kind", "ratio", Column("free", is_sign=True)
+        torques = _torque_cell([*(one.torques or {}).values()])
+        rows.append((one.engaged, one.kind, one.ratio, sign(one.free), torques, one.slip))
+    headings = "engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"
     yield grid_of("Combinations", headings, rows, key="combinations")
     named = (kind.word for kind in reversed(EngagedKind))
     counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
     yield grid_of("Kinds", ["kind", "combinations"], counts, key="kinds")
+
+
+def _torque_cell(torques: Sequence[float]) -> Cell:
+    """Return a cell with the torques of the engaged elements in their order.
+
+    >>> _torque_cell([-2.5]).datum, _torque_cell([-2.5, 1 / 3]).text
+    (-2.5, '-2.500, .333')
+    >>> _torque_cell([-2.5, 1 / 3]).datum
+    '-2.5, 0.3333333333333333'
+    """
+    if len(torques) < 2:
+        return exact(torques[0] if torques else None)
+    cells = [exact(torque) for torque in torques]
+    digits = ("" if math.isnan(torque) else repr(torque) for torque in torques)
+    return Cell(words([cell.text for cell in cells]), written_as=", ".join(digits))
