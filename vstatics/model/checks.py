@@ -13,6 +13,7 @@ from vstatics.model.part_checks import (
     of_element,
     of_gear,
     of_link,
+    of_link_drag,
     of_load,
     of_mechanism,
     of_missing_ratios,
@@ -47,6 +48,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _in_motion(case)
     yield from _cylinders(case)
     yield from of_load(case.load, ())
+    yield from of_link_drag(case, case.drag, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)
         yield from of_gear(case, gear, path)
