@@ -153,7 +153,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
         )
-    by_part = case.gear_drag(state.gear), case.gear_open_drag(state.gear)
+    gear = case.gears[case.gear_number(state.gear.name) - 1]  # that of the state has no laws
+    by_part = case.gear_drag(gear), case.gear_open_drag(gear)
     if any(isinstance(one, Law) for drags in by_part for one in drags.values()):
         yield tr(
             "Drag over speed is over that of its link, of an open shift element over its slip, "

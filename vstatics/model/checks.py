@@ -220,8 +220,18 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem("E204", message, ("link_names",))
-    if not case.gears and not moves:
-        yield Problem("E205", "there is no gear, expected at least one", ("gears",))
+    if not case.gears and case.shift_elements and not moves:
+        message = "`gears` is missing or empty: expected what each gear engages, such as"
+        yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
+
+
+def _first_gear(case: TransmissionFields) -> str:
+    """A gear as a case has it, which engages as many of its shift elements as speeds need."""
+    named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
+    names = [name for one, name in named if not one.is_freewheel]
+    count = max(case.links - len(case.mechanisms) - 1, 1)
+    words = (name if name.isidentifier() else f'"{name}"' for name in names[:count])
+    return f'"1": [{", ".join(words)}]'
 
 
 def _counted(case: TransmissionFields) -> str:

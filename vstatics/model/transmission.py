@@ -78,7 +78,7 @@ class Transmission(TransmissionFields):
         Of links; those that are left out have none. [kg*m^2]
     springs : sequence of Spring
         Elastic devices; with them a case may go without mechanisms, and without gears it has
-        one with nothing engaged.
+        one with nothing engaged, as a case without shift elements has.
     converters : sequence of Converter
         Torque converters, for vibration and motion; for all else they are open.
     dump : ClutchDump, optional

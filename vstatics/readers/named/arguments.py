@@ -32,8 +32,8 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     }
     masses = ("springs", "inertias", "masses")
     given = any(values.get(key) or (key,) in walk.spots.unreadable for key in masses)
-    if given and not parts["gears"]:
-        parts["gears"] = [Gear()]  # so that drag of the case has a place
+    if not parts["gears"] and (given or not parts["shift_elements"]):
+        parts["gears"] = [Gear()]
     load = values.get("load", Load())
     common = Common(load, bool(values.get("inertias") or values.get("masses")))
     elements, gears, drag = in_gears(
