@@ -66,7 +66,7 @@ FAULTS = [
         "gears.2: read 'F2', expected a list of shift elements, or a mapping with `engaged`, `speeds`, ",
     ),
     ("gears-empty.yaml", 4, 8, "gears: `gears` is missing or empty"),
-    ("gears-missing.yaml", 1, 1, "such as `gears: {\"1\": [T1]}`"),
+    ("gears-missing.yaml", 1, 1, 'such as `gears: {"1": [T1]}`'),
     (
         "housing-speed.yaml",
         9,
