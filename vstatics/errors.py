@@ -127,6 +127,7 @@ DOUBTS = {
     "W429": "the engine of a driving cycle would have to give more than at full load",
     "W430": "a shift element carries more than its capacity",
     "W431": "a converter can't take the torque of the load at its speed ratio",
+    "W440": "a drag without a unit is a part of the input torque, but seems to be in N*m",
     "W501": "a partial frequency that is taken out is near one that is kept",
     "W502": "what a simplified scheme takes no account of",
     "W503": "what is doubtful about the modes of a gear",

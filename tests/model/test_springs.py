@@ -51,8 +51,8 @@ def test_a_case_fills_in_names_and_kinds_of_numbers() -> None:
 def test_springs_alone_have_one_gear() -> None:
     case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3)])
     assert case.gears == (Gear(name="1"),)
-    with pytest.raises(CaseError, match="there is no gear"):
-        Transmission(2, [], [Mechanism(1, 2, 0, 2)], [])
+    with pytest.raises(CaseError, match=r"expected what each gear engages, such as .* \[T1\]"):
+        Transmission(2, [ShiftElement(2)], [Mechanism(1, 2, 0, 2)], [])
 
 
 def test_a_damping_may_be_a_number() -> None:

@@ -8,14 +8,16 @@ links 1 (sun), 2 (ring) and 3 (carrier).
 from __future__ import annotations
 
 import math
+from random import Random
 
 import numpy as np
 import pytest
 
+from tests.chance import count, seeded
 from tests.statics.differential import status, texts, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.model.parts import Load, SpeedOf
-from vstatics.readers import from_dict
+from vstatics.readers import from_dict, loads
 from vstatics.statics.results import Results
 
 
@@ -153,3 +155,32 @@ def test_an_output_of_which_nothing_is_given_is_told() -> None:
     assert [(one.severity, one.gear) for one in told] == [("warning", "1"), ("warning", "3")]
     assert "expected a given torque, below 0 where it takes some, such as `torques:" in told[0].text
     assert "expected a given speed or torque, such as `speeds: {2: link 3}`" in told[1].text
+
+
+def vectoring_axle(chance: Random) -> str:
+    """A differential with sets for torque vectoring, whose open brakes drag."""
+    aux = [f"aux{n}" for n in range(chance.randint(1, 3))]
+    sets = "".join(
+        f"  tv{n}: {{first: {chance.choice(('left', 'right'))}, second: aux{n}, third: cage, "
+        f"ratio: {chance.choice((0.85, 0.9, 1.15, -1.0, 1.3))}, efficiency: 0.97}}\n"
+        for n in range(len(aux))
+    )
+    brakes = ", ".join(
+        f"B{n}: {{links: [aux{n}, housing], drag: {chance.uniform(0.5, 4):.3f} N*m}}"
+        for n in range(len(aux))
+    )
+    return (
+        f"links: [cage, left, right, {', '.join(aux)}]\noutputs: [left, right]\n"
+        "load: {speed: 1000 rpm, torque: 400 N*m}\n"
+        "mechanisms:\n  diff: {first: left, second: right, third: cage, ratio: -1, efficiency: .96}\n"
+        f"{sets}shift_elements: {{{brakes}}}\ngears: {{straight: {{speeds: {{right: left}}}}}}\n"
+    )
+
+
+def test_straight_ahead_with_sets_that_drag_is_a_note() -> None:
+    """All sets turn as one with the differential, whatever their ratios are."""
+    chance = seeded(425)
+    for _ in range(count(60, 600)):
+        said = [one.id for one in solve(loads(vectoring_axle(chance))).messages]
+        assert "N413" in said
+        assert "W425" not in said

@@ -669,6 +669,7 @@ OTHER: dict[type, dict[str, object]] = {
         "inertias": {1: 0.5},
         "masses": {2: 300.0},
         "cylinders": 6,
+        "drag": {3: 0.2},
         "dump": ClutchDump([1], [2], [], [3], [4], M_C0=180.0, omega1=600.0),
         "vehicle": Vehicle(1000.0, 0.3),
         "converters": (Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0))),),
@@ -701,7 +702,8 @@ def with_field(part: type, name: str) -> Transmission:
 
 
 def key(case: Transmission) -> tuple[object, ...]:
-    return (*variants._structure(case), *variants._conditions(case, case.gears[0]))
+    gear = variants.with_all_drag(case, case.gears[0])
+    return (*variants._structure(case), *variants._conditions(case, gear))
 
 
 FIELDS = [(part, name) for part, names in OTHER.items() for name in names]

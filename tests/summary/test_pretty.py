@@ -167,3 +167,23 @@ gears:
     assert small.split()[-3:] == [".02000", "pair", "dragged"]
     ports = text.splitlines()[len(gear_lines(text)) :]
     assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-.04000", ".0"]
+
+
+HUB = """\
+links: [cog, sun, ring]
+output: ring
+shift_elements: {{lock: [cog, ring], B: [sun, housing]}}
+mechanisms: {{set: {{first: sun, second: ring, third: cog, ratio: {ratio}}}}}
+gears: {{fast: [B], direct: [lock]}}
+"""
+
+
+@pytest.mark.parametrize("ratio", [-1.5, -2.5, -3.2, -9.0])
+def test_a_ratio_below_1_is_shown_as_output_over_input_too(ratio: float) -> None:
+    """The ring turns at 1 - 1/u of the carrier where the sun is held."""
+    text = shown("-", stdin=HUB.format(ratio=ratio).encode())
+    assert f"1/i = output speed / input speed: fast {1 - 1 / ratio:.3f}\n" in text
+
+
+def test_gears_that_are_slower_than_their_input_have_no_inverse() -> None:
+    assert "1/i" not in shown(MZKT)

@@ -87,7 +87,7 @@ def test_the_load_changes_and_what_has_a_unit_does_not(tmp_path: Path, suffix: s
         assert there == here
         assert there.shift_elements[0].capacity == pytest.approx(300 / abs(torque))
         assert there.shift_elements[1].capacity == 2.5  # a bare number is a part of the load
-        assert there.gears[0].drag == pytest.approx({3: 4 / abs(torque), 1: 0.01})
+        assert there.gear_drag(there.gears[0]) == pytest.approx({3: 4 / abs(torque), 1: 0.01})
 
 
 @pytest.mark.parametrize("path", LOADED, ids=lambda path: path.name)

@@ -153,8 +153,9 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
         )
-    own = *state.gear.drag.values(), *state.gear.open_drag.values()
-    if any(isinstance(one, Law) for one in (*own, *(one.drag for one in case.shift_elements))):
+    gear = case.gears[case.gear_number(state.gear.name) - 1]  # that of the state has no laws
+    by_part = case.gear_drag(gear), case.gear_open_drag(gear)
+    if any(isinstance(one, Law) for drags in by_part for one in drags.values()):
         yield tr(
             "Drag over speed is over that of its link, of an open shift element over its slip, "
             "without sign: w in a formula, in rad/s; straight between points, constant outside."
@@ -181,7 +182,7 @@ def _acting(case: Transmission, gear: Gear) -> Grid:
         told = case.speed_text(speed) if not isinstance(speed, float) else cell_of(speed)
         rows.append((link, "speed", told))
     rows += [(link, "torque", cell_of(torque)) for link, torque in gear.torques.items()]
-    rows += [(link, "drag", cell_of(drag)) for link, drag in gear.drag.items()]
+    rows += [(link, "drag", cell_of(drag)) for link, drag in case.gear_drag(gear).items()]
     load = case.gear_load(gear)
     if load.speed is not None:
         rows.append((entry, "speed, rpm", cell_of(load.speed)))

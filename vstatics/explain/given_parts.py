@@ -172,18 +172,16 @@ def kind_of(one: ShiftElement) -> Cell:
 
 def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
     """Those that are open may drag; freewheels that hold are engaged."""
-    rows = []
+    rows, drags = [], case.gear_open_drag(gear)
     for number, one in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if one.is_freewheel else ("engaged", "open")
-        drag = gear.open_drag.get(number, one.drag)
-        drags = number not in engaged and (drag or isinstance(drag, Law))
         rows.append(
             (
                 one.name,
                 kind_of(one),
                 *(link_text(case, link) for link in one.links),
                 word(on if number in engaged else off),
-                cell_of(drag) if drags else "",
+                cell_of(drag) if (drag := drags[number]) and number not in engaged else "",
             )
         )
     headings = ["shift element", "kind", "first", "second", "state", "drag"]

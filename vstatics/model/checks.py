@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.errors import Problem, spoken, why_not_allowed
+from vstatics.errors import Path, Problem, spoken, why_not_allowed
 from vstatics.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.model.part_checks import (
     called,
@@ -13,13 +13,16 @@ from vstatics.model.part_checks import (
     of_element,
     of_gear,
     of_link,
+    of_link_drag,
     of_load,
     of_mechanism,
     of_missing_ratios,
     sets_side_by_side,
 )
 from vstatics.model.parts import (
+    Law,
     Mechanism,
+    OfLoad,
     ShiftElement,
     element_names,
     mechanism_name,
@@ -29,6 +32,8 @@ from vstatics.model.springs import spring_names
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
+LARGE_DRAG = 0.05
+"""Drag by the input torque; a larger one was meant in N*m. [-]"""
 THICKEST_SHAFT = 1.0
 """Diameter; a thicker one was written in mm without the unit. [m]"""
 
@@ -47,6 +52,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _in_motion(case)
     yield from _cylinders(case)
     yield from of_load(case.load, ())
+    yield from of_link_drag(case, case.drag, ())
     for number, gear in enumerate(case.gears, 1):
         path = ("gears", number)
         yield from of_gear(case, gear, path)
@@ -109,9 +115,47 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.model.vehicle_checks import doubts_of_vehicle  # costs start-up time
 
         yield from doubts_of_vehicle(case, case.vehicle)
+    yield from _bare_drags(case)
     for name, one in case.fatigue.items():
         if one.diameter and one.diameter > THICKEST_SHAFT:
             yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
+
+
+def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
+    """Drags without a unit that seem to be in N*m: beside such with a unit, or large ones."""
+    elements = {number: one.drag for number, one in enumerate(case.shift_elements, 1)}
+    paths = {number: ("shift_elements", number, "drag") for number in elements}
+    torque = case.load.torque if case.load else None
+    yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
+    yield from _bare(case, paths, elements, torque)
+    for number, gear in enumerate(case.gears, 1):
+        torque = case.gear_load(gear).torque if case.load or gear.load else None
+        for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
+            own = {part: ("gears", number, key, part) for part in drags}
+            yield from _bare(case, own, drags, torque)
+
+
+def _bare(
+    case: TransmissionFields,
+    paths: Mapping[int, Path],
+    drags: Mapping[int, float],
+    torque: float | None,
+) -> Iterator[Problem]:
+    """Warnings about the bare numbers of one table of drags, whose input torque may be known."""
+    bare = {part: drag for part, drag in drags.items() if not isinstance(drag, Law | OfLoad)}
+    has_units = len(bare) < len(drags)
+    for part, drag in bare.items():
+        if drag > LARGE_DRAG or (drag and has_units):
+            path = paths[part]
+            is_link = "drag" in path[:-1]
+            name = case.link_name(part) if is_link else case.shift_elements[part - 1].name
+            size = "" if torque is None else f", {drag * abs(torque):g} N*m"
+            yield Problem(
+                "W440",
+                f"the drag of {name} has no unit, so it is {drag:g} of the input torque{size}; "
+                f"if it is in newton metres, write `{drag:g} N*m`",
+                path,
+            )
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
@@ -176,8 +220,18 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem("E204", message, ("link_names",))
-    if not case.gears and not moves:
-        yield Problem("E205", "there is no gear, expected at least one", ("gears",))
+    if not case.gears and case.shift_elements and not moves:
+        message = "`gears` is missing or empty: expected what each gear engages, such as"
+        yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
+
+
+def _first_gear(case: TransmissionFields) -> str:
+    """A gear as a case has it, which engages as many of its shift elements as speeds need."""
+    named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
+    names = [name for one, name in named if not one.is_freewheel]
+    count = max(case.links - len(case.mechanisms) - 1, 1)
+    words = (name if name.isidentifier() else f'"{name}"' for name in names[:count])
+    return f'"1": [{", ".join(words)}]'
 
 
 def _counted(case: TransmissionFields) -> str:

@@ -17,10 +17,12 @@ from vstatics.model.parts import (
     Load,
     Mechanism,
     Member,
+    OfLoad,
     OwnDevice,
     Planet,
     ShiftElement,
     SpeedOf,
+    related,
 )
 from vstatics.model.springs import Spring, ends
 
@@ -92,6 +94,7 @@ class TransmissionFields:
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None
+    drag: Mapping[int, float] = field(default_factory=dict)
     hushed: Sequence[str] = field(default=(), repr=False, compare=False)
     """Ids that whoever asks wants to hear nothing of: no part of the case, and written nowhere."""
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
@@ -339,18 +342,44 @@ class TransmissionFields:
         """Numbers of the shift elements that are freewheels."""
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
 
+    def gear_drag(self, gear: Gear) -> dict[int, float]:
+        """The drag of links in a gear: its own, and for other links the drag of the case.
+
+        Examples
+        --------
+        >>> from vstatics.model.transmission import Transmission
+        >>> gears = [Gear(), Gear(drag={1: 0.02})]
+        >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], gears, drag={1: 0.01, 2: 0.03})
+        >>> [case.gear_drag(gear) for gear in case.gears]
+        [{1: 0.01, 2: 0.03}, {1: 0.02, 2: 0.03}]
+        """
+        return {**self._in_gear(gear, self.drag), **gear.drag}
+
+    def gear_open_drag(self, gear: Gear) -> dict[int, float]:
+        """The drag of every shift element where it is open in a gear, by its number."""
+        numbered = enumerate(self.shift_elements, 1)
+        return {
+            **self._in_gear(gear, {number: one.drag for number, one in numbered}),
+            **gear.open_drag,
+        }
+
+    def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
+        """Torques of the case, by the load of a gear if they were given with a unit."""
+        if not any(isinstance(torque, OfLoad) for torque in torques.values()):
+            return dict(torques)
+        unit = abs(self.torque_unit(gear)) if self.load or gear.load else None
+        return {part: related(torque, unit) for part, torque in torques.items()}
+
     @property
     def has_drag(self) -> bool:
         """Whether anything drags, in one gear at least."""
-        torques = [element.drag for element in self.shift_elements]
-        for gear in self.gears:
-            torques += [*gear.drag.values(), *gear.open_drag.values()]
-        return any(torques)
+        by_gear = [(self.gear_drag(gear), self.gear_open_drag(gear)) for gear in self.gears]
+        return any(torque for both in by_gear for given in both for torque in given.values())
 
     @property
     def laws(self) -> list[Law]:
         """Drags and efficiencies that depend on speed or torque."""
-        numbers = [element.drag for element in self.shift_elements]
+        numbers = [*self.drag.values(), *(element.drag for element in self.shift_elements)]
         for one in self.mechanisms:
             numbers += [one.efficiency, one.back_efficiency or 0.0]
         for gear in self.gears:

@@ -470,8 +470,8 @@ CASE = ByKey(
         KeyShape(
             "gears",
             ByName("gear", Either(ENGAGED, "engaged", GEAR)),
-            "Gears in order, each under its name: what is engaged, or a mapping.",
-            required=True,
+            "Gears in order, each under its name: what is engaged, or a mapping. A case without "
+            "shift elements may go without: it has one gear.",
             examples=({"low": ["C1", "B1"]},),
         ),
         KeyShape(
@@ -501,6 +501,6 @@ CASE = ByKey(
 
 def with_masses(case: ByKey) -> ByKey:
     """The shape of a case that has springs or inertias: it may go without the rest."""
-    free = {"mechanisms", "gears", "links"}
+    free = {"mechanisms", "links"}
     keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
     return case._replace(keys=tuple(keys))

@@ -162,14 +162,16 @@ def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
     """The drag torque of a link or of an element."""
+    size = torque.given if isinstance(torque, OfLoad) else torque
     if isinstance(torque, Law) and not torque.text:
         from vstatics.model.laws import of_points  # costs start-up time
 
         yield from of_points(torque, path, low=0, high=math.inf, what="a torque of 0 or more")
-    elif not 0 <= torque < math.inf:
-        message = f"read {torque:g}, expected a torque of 0 or more: drag opposes any motion"
+    elif not 0 <= size < math.inf:
+        unit = " N*m" if isinstance(torque, OfLoad) else ""
+        message = f"read {size:g}{unit}, expected a torque of 0 or more: drag opposes any motion"
         yield Problem("E222", message, path)
-    elif torque and element is not None and element.kind == "dog_clutch":
+    elif size and element is not None and element.kind == "dog_clutch":
         message = "a dog clutch does not drag when it is open, expected it without drag"
         yield Problem("E223", message, path)
 
@@ -468,11 +470,22 @@ def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
         yield Problem("E238", message, path)
 
 
+def of_link_drag(
+    case: TransmissionFields, drag: Mapping[int, float], path: Path
+) -> Iterator[Problem]:
+    """The drag of links in a gear or in the case."""
+    for link, torque in drag.items():
+        if link == HOUSING:
+            message = "the housing does not turn, expected a link"
+            yield Problem("E217", message, (*path, "drag", link))
+        else:
+            yield from of_link(link, (*path, "drag", link), case.own_links, lowest=1)
+        yield from of_drag(torque, None, (*path, "drag", link))
+
+
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
     """The drag that a gear gives, of links and of open elements."""
-    for link, torque in gear.drag.items():
-        yield from of_link(link, (*path, "drag", link), case.own_links, lowest=1)
-        yield from of_drag(torque, None, (*path, "drag", link))
+    yield from of_link_drag(case, gear.drag, path)
     elements = case.shift_elements
     for number, torque in gear.open_drag.items():
         inner = (*path, "open_drag", number)

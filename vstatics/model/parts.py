@@ -511,6 +511,15 @@ class OfLoad(float):
         return OfLoad(self.given, whole) if whole else self
 
 
+def related(number: float, whole: float | None) -> float:
+    """A number by a load [rpm, N*m] if it was given with a unit; any other is left as it is.
+
+    >>> related(OfLoad(10.0, 100.0), 200.0), related(0.1, 200.0)
+    (0.05, 0.1)
+    """
+    return number.by(whole) if isinstance(number, OfLoad) else number
+
+
 class Law(float):
     """A drag over a speed [N*m, rad/s], or an efficiency over a speed or torque [-, N*m].
 
@@ -554,8 +563,8 @@ class Law(float):
 
 
 def as_float(number: float) -> float:
-    """A number as a float, but a law as it is."""
-    return number if isinstance(number, Law) else float(number)
+    """A number as a float; a law, or a number with a unit, as it is."""
+    return number if isinstance(number, Law | OfLoad) else float(number)
 
 
 class SpeedOf(NamedTuple):
@@ -605,7 +614,7 @@ class Gear(NamedTuple):
         The gear's number when not given.
     drag : mapping of int to float
         Torque of bearings and oil on links, against their rotation, relative to the
-        input torque. [-]
+        input torque, in place of the drag of these links in the case. [-]
     open_drag : mapping of int to float
         Number of a shift element -> torque with which it drags in this gear when it is
         open, in place of its own `drag`. [-]

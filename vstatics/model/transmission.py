@@ -18,13 +18,13 @@ from vstatics.model.parts import (
     Gear,
     Load,
     Mechanism,
-    OfLoad,
     ShiftElement,
     SpeedOf,
     as_float,
     damping,
     element_name,
     mechanism_name,
+    related,
 )
 from vstatics.model.springs import Spring, SpringLimit, spring_name
 
@@ -78,7 +78,7 @@ class Transmission(TransmissionFields):
         Of links; those that are left out have none. [kg*m^2]
     springs : sequence of Spring
         Elastic devices; with them a case may go without mechanisms, and without gears it has
-        one with nothing engaged.
+        one with nothing engaged, as a case without shift elements has.
     converters : sequence of Converter
         Torque converters, for vibration and motion; for all else they are open.
     dump : ClutchDump, optional
@@ -91,6 +91,9 @@ class Transmission(TransmissionFields):
         Of links that move straight; what is told of the others in rad is in m. [kg]
     cylinders : int, optional
         Of the engine at the input, of four strokes: half of them fire in a revolution.
+    drag : mapping of int to float
+        Torque of bearings and oil on links, against their rotation, relative to the input
+        torque, in all gears that give none of that link. [-]
 
     Raises
     ------
@@ -268,6 +271,7 @@ def _completed(case: Transmission) -> dict[str, object]:
         "gears": tuple(
             _gear(case, gear, number) for number, gear in enumerate(case.gears or (Gear(),), 1)
         ),
+        "drag": {link: _by_torque(drag, case.load) for link, drag in case.drag.items()},
         "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
         "masses": {link: float(mass) for link, mass in case.masses.items()},
         "springs": tuple(map(_spring, case.springs, count(1))),
@@ -335,21 +339,17 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
 
 
 def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:
-    return {part: _related(number, whole) for part, number in numbers.items()}
-
-
-def _related(number: float, whole: float | None) -> float:
-    return number.by(whole) if isinstance(number, OfLoad) else as_float(number)
+    return {part: as_float(related(number, whole)) for part, number in numbers.items()}
 
 
 def _by_torque(number: float, load: Load | None) -> float:
-    return _related(number, load.torque_size if load else None)
+    return as_float(related(number, load.torque_size if load else None))
 
 
 def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:
     if isinstance(speed, SpeedOf):
         return SpeedOf(speed.link, float(speed.factor))
-    return _related(speed, whole)
+    return as_float(related(speed, whole))
 
 
 def _limit(limit: float | SpringLimit | None) -> float | SpringLimit | None:

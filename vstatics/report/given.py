@@ -10,7 +10,7 @@ from typing import Any
 
 from vstatics.elements.drawing import Drawing, drawing_of
 from vstatics.explain.given_parts import kind_of, twist_text
-from vstatics.model.parts import Law, Mechanism, ShiftElement, damping
+from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.model.springs import Spring, SpringLimit
 from vstatics.model.transmission import Transmission
 from vstatics.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of, word
@@ -93,7 +93,9 @@ def _mechanisms(case: Transmission) -> Grid:
 
 
 def _number_or_law(value: float | None) -> Any:
-    """A number, or a law in words."""
+    """A number, with its unit if it was given with one, or a law in words."""
+    if isinstance(value, OfLoad):
+        return f"{value.given:g} N*m"
     if isinstance(value, Law):
         return value.text or tr(
             "{count} point over {what}|{count} points over {what}",

@@ -16,7 +16,7 @@ from vstatics.errors import not_allowed, path_text, spoken
 from vstatics.model.checks import doubts
 from vstatics.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.numerics import elimination
-from vstatics.numerics.tolerances import UNCERTAIN
+from vstatics.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.numerics.traced import Number, is_nan, plain
 from vstatics.statics import carried, digits, freewheels, ideal, matrix, torques
 from vstatics.statics.idling import coincidences
@@ -523,13 +523,23 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         what = "torques with losses and efficiency depend"
         if not any(idle.values()):
             what = "torques with losses, but not the efficiency, depend"
-        ratios = {one.name: one.ratio for one in results.case.mechanisms}
-        straight = all(ratios.get(name) == -1 for name in idle)  # a differential straight ahead
         yield Said(
-            "N413" if straight else "W425",
+            "N413" if _is_straight_ahead(results, number, [*idle]) else "W425",
             f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
             "power assumed there",
         )
+
+
+def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
+    """Whether idle mechanisms turn as one with differentials among them, as straight ahead."""
+    speeds = [0.0, *results.speeds[number].tolist()]
+    parts = [one for one in results.case.mechanisms if one.name in idle]
+    of_differentials = [speeds[one.third] for one in parts if one.ratio == -1]
+    return all(
+        any(math.isclose(speeds[link], speed, rel_tol=TIE) for speed in of_differentials)
+        for one in parts
+        for link in (one.first, one.third)
+    )
 
 
 REGULAR = {

@@ -50,7 +50,7 @@ NEUTRAL = Status(
 NO_TORQUES = Status(
     "no torques",
     "torques do not balance",
-    "nothing holds the torque of the input",
+    "the torques on the links cannot balance; a warning says why",
 )
 LOCKED = Status(
     "locked",

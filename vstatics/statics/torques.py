@@ -59,15 +59,15 @@ def drag_torques(
     >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
     ({2: 0.1}, [0.025])
     """
-    torques = _open(case, gear)
-    if not gear.drag and not torques:
+    torques, of_links = _open(case, gear), case.gear_drag(gear)
+    if not of_links and not torques:
         return NO_DRAG
     direction = -1 if case.coasts(gear) else 1
     links: dict[int, Number] = {}
     elements: dict[int, Number] = {}
     external: dict[int, Number] = {}
     losses: list[Number] = []
-    for link, given in gear.drag.items():
+    for link, given in of_links.items():
         speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
         against = torque * direction * _direction(speed)
         if against:
@@ -89,15 +89,10 @@ def drag_torques(
 
 def _open(case: Transmission, gear: Gear) -> dict[int, float]:
     """Number -> drag of each open element that has any."""
-    torques = {
-        number: gear.open_drag.get(number, element.drag)
-        for number, element in enumerate(case.shift_elements, 1)
-        if number not in gear.engaged
-    }
     return {
         number: matrix.given_torque(case, gear, torque)
-        for number, torque in torques.items()
-        if torque
+        for number, torque in case.gear_open_drag(gear).items()
+        if torque and number not in gear.engaged
     }
 
 
@@ -105,7 +100,8 @@ def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
     """Names of links and open elements with drag whose speed is not determined; of one case."""
-    links = [case.link_name(link) for link, d in gear.drag.items() if d and not _is(speeds, link)]
+    drags = case.gear_drag(gear).items()
+    links = [case.link_name(link) for link, drag in drags if drag and not _is(speeds, link)]
     elements = [n for n in _open(case, gear) if not _is(slips, n)]
     return [*links, *(case.shift_elements[number - 1].name for number in elements)]
 
@@ -133,9 +129,9 @@ def without_load(case: Transmission) -> list[str]:
     """
     names = {}
     for gear in case.gears:
-        for link, torque in gear.drag.items():
+        for link, torque in case.gear_drag(gear).items():
             names[case.link_name(link)] = torque
-        for number, torque in gear.open_drag.items():
+        for number, torque in case.gear_open_drag(gear).items():
             names[case.shift_elements[number - 1].name] = torque
     return [
         name

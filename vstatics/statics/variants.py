@@ -77,7 +77,8 @@ def solve_variants(
     block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)
-    for number, (gear, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
+    for number, (given, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
+        gear = with_all_drag(case, given)
         if variants:
             own = _own(by_gear[number]) if by_gear else NOTHING_OWN
             rest = own.left_out_of(gear) if by_gear else gear
@@ -234,9 +235,10 @@ def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], 
 _OF_CASE = _kept(
     Transmission,
     (field.name for field in fields(Transmission)),
-    *("shift_elements", "mechanisms", "springs", "gears"),
+    *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
-_OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields)
+_OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
+"""Drag acts through the gears, see `with_all_drag`."""
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """The numbers that are left out may vary: a plan takes them as its inputs."""
 _OF_SPRING = _kept(Spring, Spring._fields)
@@ -264,13 +266,17 @@ def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     return (*own, *ends, turned, case.coasts(gear), *_loads(case, gear))
 
 
+def with_all_drag(case: Transmission, gear: Gear) -> Gear:
+    """Return a gear with the drag of the case and of shift elements as its own."""
+    return gear._replace(drag=case.gear_drag(gear), open_drag=case.gear_open_drag(gear))
+
+
 def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """Which given torques act where the input has none; nothing where it has one."""
     if case.input_torque(gear):
         return ()
     by_part = gear.torques, gear.drag, gear.open_drag
     given = [torque for torques in by_part for torque in torques.values()]
-    given += [element.drag for element in case.shift_elements]
     return (0.0, *(matrix.given_torque(case, gear, torque) for torque in given))
 
 

@@ -30,6 +30,8 @@ from vstatics.texts import tr
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
 
+SAME_RATIO = 1e-9
+"""A ratio that is as near to 1 is not below it. [-]"""
 NEEDS_DECIMALS = 10
 """A speed in rpm or a torque in N*m below has a digit after the point."""
 
@@ -79,7 +81,7 @@ def view(
     numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
     if numbered:
         gears = gears_grid(results, marks, digits, numbered=True)
-    lines = _legend(results, gears, marks, names=numbered)
+    lines = [*_legend(results, gears, marks, names=numbered), *_inverses(results, digits)]
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     return Group(*title, *terminal.tables(gears, width), *legend, *ports)
@@ -230,6 +232,15 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     for one in STATUSES:
         if one in states:
             yield f"{state(one.name).spoken.text}: {tr(one.meaning)}"
+
+
+def _inverses(results: Results, digits: int | None) -> Iterator[str]:
+    """Output speed by input speed of the gears whose output is faster, as hubs are sold by it."""
+    fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
+    if fast:
+        words = tr("1/i = output speed / input speed")
+        shown = (f"{line.gear} {exact(1 / line.ratio, digits=digits).text}" for line in fast)
+        yield f"{words}: {', '.join(shown)}"
 
 
 def results_html(results: Results) -> str:

@@ -73,8 +73,8 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
         values |= vars(drawing)
         values["elements"] = {one.name: record_of(one) for one in drawing.elements}
     wholes = {math.inf, *_wholes(case)} if units else {math.inf}
-    if units:
-        values |= _for_all_gears(case, wholes)
+    if not units:
+        values |= _drag_by_gear(case)
     links, own = _link_words(case), case.own_links
     values["links"] = own if links[1] == 1 else links[1 : own + 1]
     values["output"] = None if case.outputs or case.output == own else case.output
@@ -132,42 +132,15 @@ def _wholes(case: Transmission) -> set[float]:
     return {load.torque_size for load in given} | {abs(load.speed or 0.0) for load in given}
 
 
-def _for_all_gears(case: Transmission, wholes: Collection[float]) -> dict[str, Any]:
-    """Shift elements, gears and drag of the case, where drag with a unit is that of all gears.
-
-    So it was given: reading puts it into each of them.
-    """
-    gears = case.gears
-    drag, open_drag = (
-        _shared([getattr(gear, name) for gear in gears], wholes) for name in ("drag", "open_drag")
-    )
-    elements = list(case.shift_elements)
-    for number in [*open_drag]:
-        element = elements[number - 1]
-        if element.drag:  # its own is for gears that are still to come
-            del open_drag[number]
-        else:
-            elements[number - 1] = element._replace(drag=open_drag[number])
-    left = [
-        gear._replace(
-            drag={link: one for link, one in gear.drag.items() if link not in drag},
-            open_drag={n: one for n, one in gear.open_drag.items() if n not in open_drag},
-        )
-        for gear in gears
-    ]
-    return {"shift_elements": elements, "gears": left, "drag": drag}
-
-
-def _shared(by_gear: Sequence[Mapping[int, float]], wholes: Collection[float]) -> dict[int, float]:
-    """What has the same unit and number in all gears, by its link or shift element."""
-    first, *others = by_gear
-    return {
-        part: one
-        for part, one in first.items()
-        if isinstance(one, OfLoad)
-        and one.whole in wholes
-        and all(getattr(other.get(part), "given", None) == one.given for other in others)
-    }
+def _drag_by_gear(case: Transmission) -> dict[str, Any]:
+    """Gears with all drags as parts of their own loads, which may differ from that of the case."""
+    gears = []
+    for gear in case.gears:
+        of_elements = case.gear_open_drag(gear).items()
+        own = {n: drag for n, drag in of_elements if drag or n in gear.open_drag}
+        gears.append(gear._replace(drag=case.gear_drag(gear), open_drag=own))
+    elements = [element._replace(drag=0.0) for element in case.shift_elements]
+    return {"drag": {}, "shift_elements": elements, "gears": gears}
 
 
 def _link_words(case: Transmission) -> list[int | str]:

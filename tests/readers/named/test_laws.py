@@ -26,14 +26,14 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
 
 def test_points_have_units_of_their_own(tmp_path: Path) -> None:
     case = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]"))
-    law = case.gears[0].drag[2]
+    law = case.drag[2]
     assert isinstance(law, PointLaw)
     assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
 
 
 def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
     (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", encoding="utf-8")
-    law = load(case_of(tmp_path, "{file: drag.csv}")).gears[0].drag[2]
+    law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
     assert isinstance(law, PointLaw)
     assert law.at(15.707963267948966) == pytest.approx(2.5)
 

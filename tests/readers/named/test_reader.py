@@ -65,8 +65,8 @@ FAULTS = [
         8,
         "gears.2: read 'F2', expected a list of shift elements, or a mapping with `engaged`, `speeds`, ",
     ),
-    ("gears-empty.yaml", 4, 8, "gears: there is no gear"),
-    ("gears-missing.yaml", 1, 1, "`gears` is missing"),
+    ("gears-empty.yaml", 4, 8, "gears: `gears` is missing or empty"),
+    ("gears-missing.yaml", 1, 1, 'such as `gears: {"1": [T1]}`'),
     (
         "housing-speed.yaml",
         9,
@@ -137,7 +137,7 @@ FAULTS = [
         "no-mapping.yaml",
         1,
         1,
-        "read a list, expected a case: a mapping with `elements` or `mechanisms`, and `gears`",
+        "read a list, expected a case: a mapping with `elements`, `mechanisms`, `springs`",
     ),
     (
         "number-hexadecimal.yaml",
@@ -185,7 +185,7 @@ FAULTS = [
     ("tag.yaml", 6, 46, "tag !!python/name:os.system is not taken"),
     ("two-documents.yaml", 10, 1, "a second document starts here"),
     ("unclosed.yaml", 8, 21, "not YAML"),
-    ("gears-null.json", 5, 12, "gears: read nothing, expected a mapping: a name for each gear"),
+    ("gears-null.json", 1, 1, "gears: `gears` is missing or empty"),
     ("comment.json", 2, 15, "not JSON: read '//', expected a key in double quotes"),
     ("cut-off.json", 1, 13, "not JSON: read the end of the file, expected a key in double quotes"),
     ("data-after-the-end.json", 7, 1, "not JSON: read '{', expected the end of the file"),

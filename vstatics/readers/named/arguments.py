@@ -6,21 +6,20 @@ Speeds are related to the input speed of the load, torques and drag to its torqu
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from vstatics.errors import Path
 from vstatics.model.converters import converters_of
 from vstatics.model.keys import CASE
-from vstatics.model.part_checks import of_drag
 from vstatics.model.parts import HOUSING, Gear, Law, Load, OfLoad, ShiftElement, SpeedOf
 from vstatics.model.shape import UNITS
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.units import WithUnit
 from vstatics.readers.named.walk import Walk
 
-_OWN = tuple(key.name for key in CASE.keys if key.name != "drag")
-"""Keys that are attributes of a case; its drag becomes that of its gears."""
+_OWN = tuple(key.name for key in CASE.keys)
+"""Keys that are attributes of a case."""
 
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
@@ -33,19 +32,20 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     }
     masses = ("springs", "inertias", "masses")
     given = any(values.get(key) or (key,) in walk.spots.unreadable for key in masses)
-    if given and not parts["gears"]:
-        parts["gears"] = [Gear()]  # so that drag of the case has a place
+    if not parts["gears"] and (given or not parts["shift_elements"]):
+        parts["gears"] = [Gear()]
     load = values.get("load", Load())
-    common = Common(
-        load, values.get("drag", {}), bool(values.get("inertias") or values.get("masses"))
+    common = Common(load, bool(values.get("inertias") or values.get("masses")))
+    elements, gears, drag = in_gears(
+        parts["shift_elements"], parts["gears"], values.get("drag", {}), common, walk.spots
     )
-    elements, gears = in_gears(parts["shift_elements"], parts["gears"], common, walk.spots)
     return {
         **{key: values[key] for key in _OWN if key in values},
         **parts,
         "converters": converters_of(values.get("converters", {})),
         "shift_elements": elements,
         "gears": [gear._replace(load=_or_none(gear.load)) for gear in gears],
+        "drag": drag,
         "load": _or_none(load),
         "link_names": walk.references.link_names,
     }
@@ -77,35 +77,49 @@ _ByPart = dict[int, _Located]
 
 
 class Common(NamedTuple):
-    """What a case gives for all gears."""
+    """Loads of a case, to which numbers with a unit are related."""
 
     load: Load
-    drag: Mapping[int, float]
-    """Of links."""
     moves: bool = False
-    """Whether it has inertias: then capacities and drag with a unit need no load."""
+    """Whether the case has inertias: then capacities and drag with a unit need no load."""
 
 
 def in_gears(
-    elements: list[ShiftElement], gears: list[Gear], common: Common, spots: Spots
-) -> tuple[list[ShiftElement], list[Gear]]:
-    """Shift elements and gears with relative numbers only, and what holds for all in each gear.
+    elements: list[ShiftElement],
+    gears: list[Gear],
+    drag: Mapping[int, float],
+    common: Common,
+    spots: Spots,
+) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
+    """Shift elements, gears and the drag of the case, with relative numbers only.
 
-    Drag of shift elements with a unit goes into the gears. Their capacities are related to
-    the load of the case, as an element carries the same in all gears.
+    Capacities and drags of shift elements, and the drag of the case, are related to the load of
+    the case; each gear relates the drags to its own load.
 
     Parameters
     ----------
-    elements, gears
+    elements, gears, drag
         Of a document, with their numbers as they are written.
     spots : Spots
-        Is told where a unit stands without a load, and drag of a case that can't be.
+        Is told where a unit stands without a load.
     """
-    of_links = dict(_of_links(_located(common.drag, ("drag",)), spots))
-    of_elements = dict(_of_elements(elements, spots))
+    numbered = enumerate(elements, 1)
+    of_elements = {
+        number: _Located(element.drag, ("shift_elements", number, "drag"))
+        for number, element in numbered
+        if isinstance(element.drag, WithUnit)
+    }
+    of_links = _located(drag, ("drag",))
+    for gear in gears:
+        load = (gear.load or Load()).or_else(common.load)
+        for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
+            left = {part: one for part, one in of_case.items() if part not in of_gear}
+            _related(left, load.torque_size or _whole(common), spots)
+    whole = common.load.torque_size or math.inf
     return (
         [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
-        [_gear(gear, n, common, (of_links, of_elements), spots) for n, gear in enumerate(gears, 1)],
+        [_gear(gear, n, common, spots) for n, gear in enumerate(gears, 1)],
+        {link: _by_load(torque, whole) for link, torque in drag.items()},
     )
 
 
@@ -113,29 +127,9 @@ def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
     return {part: _Located(number, (*path, part)) for part, number in numbers.items()}
 
 
-def _of_links(drag: _ByPart, spots: Spots) -> Iterator[tuple[int, _Located]]:
-    """Drag for all gears; what can't be is told here once, and not again by each gear."""
-    for link, (torque, path) in drag.items():
-        if link == HOUSING:
-            spots.tell(path, "the housing does not turn, expected a link")
-        elif _is_drag(torque, None, path, spots):
-            yield link, _Located(torque, path)
-
-
-def _of_elements(elements: list[ShiftElement], spots: Spots) -> Iterator[tuple[int, _Located]]:
-    """Drag of shift elements that has a unit."""
-    for number, element in enumerate(elements, 1):
-        drag, path = element.drag, ("shift_elements", number, "drag")
-        if isinstance(drag, WithUnit) and _is_drag(drag, element, path, spots):
-            yield number, _Located(drag, path)
-
-
-def _is_drag(torque: float, element: ShiftElement | None, path: Path, spots: Spots) -> bool:
-    """Whether a torque is one of drag; else it is told."""
-    problems = list(of_drag(torque, element, path))
-    for problem in problems:
-        spots.tell(path, problem.message)
-    return not problems
+def _by_load(torque: float, whole: float) -> float:
+    """A torque by that of a load, if it has a unit; an infinite one stands for none."""
+    return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
 
 def _whole(common: Common) -> float:
@@ -144,8 +138,8 @@ def _whole(common: Common) -> float:
 
 
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
-    """An element without drag that has a unit, and with a relative capacity."""
-    drag = 0.0 if isinstance(element.drag, WithUnit) else element.drag
+    """An element whose drag and capacity are relative to the load of the case."""
+    drag = _by_load(element.drag, common.load.torque_size or math.inf)
     capacity, path = element.capacity, ("shift_elements", number, "capacity")
     if isinstance(capacity, WithUnit):
         if capacity > 0:
@@ -157,26 +151,22 @@ def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -
     return element._replace(drag=drag, capacity=capacity)
 
 
-def _gear(
-    gear: Gear, number: int, common: Common, by_part: tuple[_ByPart, _ByPart], spots: Spots
-) -> Gear:
+def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
-    torque, (of_links, of_elements) = load.torque_size, by_part
+    torque = load.torque_size
     drags = torque or _whole(common)
 
-    def related(
-        key: str, numbers: Mapping[int, float], whole: float, of_all: _ByPart
-    ) -> dict[int, float]:
-        return _related({**of_all, **_located(numbers, ("gears", number, key))}, whole, spots)
+    def related(key: str, numbers: Mapping[int, float], whole: float) -> dict[int, float]:
+        return _related(_located(numbers, ("gears", number, key)), whole, spots)
 
     by_links = {link: one for link, one in gear.speeds.items() if isinstance(one, SpeedOf)}
     numbers = {link: one for link, one in gear.speeds.items() if not isinstance(one, SpeedOf)}
-    speeds = related("speeds", numbers, load.speed or 0.0, {}) | by_links
+    speeds = related("speeds", numbers, load.speed or 0.0) | by_links
     return gear._replace(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
-        torques=related("torques", gear.torques, torque, {}),  # the case gives it its sign
-        drag=related("drag", gear.drag, drags, of_links),
-        open_drag=related("open_drag", gear.open_drag, drags, of_elements),
+        torques=related("torques", gear.torques, torque),  # the case gives it its sign
+        drag=related("drag", gear.drag, drags),
+        open_drag=related("open_drag", gear.open_drag, drags),
     )
 
 
@@ -194,8 +184,6 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
                 spots.tell(path, message)
         elif not isinstance(number, WithUnit):
             made[part] = number
-        elif path[-2] in ("drag", "open_drag") and not _is_drag(number, None, path, spots):
-            continue
         elif whole:
             made[part] = OfLoad(float(number), whole)
         elif path not in spots.unreadable and not no_load:

@@ -76,7 +76,7 @@ def loose_links(
     carriers = {record.get("carrier") for record in values.get("elements", {}).values()}
     outputs = [values.get("output"), *values.get("outputs", ())]
     told = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
-    told.update((*values.get("inertias", ()), *values.get("masses", ())))
+    told.update(link for key in ("drag", "inertias", "masses") for link in values.get(key, ()))
     for gear in gears:
         told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
     loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in told]

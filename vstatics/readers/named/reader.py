@@ -98,10 +98,7 @@ def read_case_tree(root: Node, found: Found) -> Reading:
     ReadError
         With every problem that can be told from the others.
     """
-    expected = (
-        "a case: a mapping with `elements` or `mechanisms`, and `gears`, or with `springs`, "
-        "`inertias` or `masses`"
-    )
+    expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = _case(_mapping(root, found, expected))
     walk = Walk(Spots(found))
     given = {key.text for key, _ in root.entries}

@@ -62,15 +62,17 @@ _DEFINITIONS: dict[str, Words] = {
 _GIVEN: Words = {"not": {"type": "null"}}
 _TWO_LINKS: Words = {"minimum": 2, "minItems": 2}
 _NOT_EMPTY: Words = {"minProperties": 1}
+_GEARS: tuple[Words, ...] = (
+    {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
+    {"properties": {"shift_elements": {"maxProperties": 0}}},
+)
+"""Gears, or no shift elements: such a case has one gear."""
 _ENOUGH: tuple[Words, ...] = (
-    {"required": ["elements", "gears"], "properties": {"links": _TWO_LINKS, "gears": _NOT_EMPTY}},
+    {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
-        "required": ["links", "mechanisms", "gears"],
-        "properties": {
-            "links": {**_GIVEN, **_TWO_LINKS},
-            "mechanisms": _GIVEN,
-            "gears": {**_GIVEN, **_NOT_EMPTY},
-        },
+        "required": ["links", "mechanisms"],
+        "properties": {"links": {**_GIVEN, **_TWO_LINKS}, "mechanisms": _GIVEN},
+        "anyOf": [*_GEARS],
     },
     *(
         {"required": [key], "properties": {key: {**_GIVEN, **_NOT_EMPTY}}}
@@ -88,7 +90,7 @@ def json_schema() -> Words:
     Examples
     --------
     >>> [one["required"] for one in json_schema()["anyOf"]]
-    [['elements', 'gears'], ['links', 'mechanisms', 'gears'], ['springs'], ['inertias'], ['masses']]
+    [['elements'], ['links', 'mechanisms'], ['springs'], ['inertias'], ['masses']]
     """
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

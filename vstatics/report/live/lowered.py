@@ -139,9 +139,8 @@ def _gears(case: Transmission, formulas: Formulas) -> Iterator[dict[str, Any]]:
             (link, of_link("torques", link, torque) if unit or isinstance(torque, OfLoad) else 0)
             for link, torque in gear.torques.items()
         ]
-        drag = {element: each.drag for element, each in enumerate(case.shift_elements)}
-        drag |= {number - 1: torque for number, torque in gear.open_drag.items()}
-        open_drag = _torques(drag, unit)
+        of_elements = case.gear_open_drag(gear).items()
+        open_drag = _torques({number - 1: torque for number, torque in of_elements}, unit)
         yield {
             "name": gear.name,
             "kind": gear.kind,
@@ -156,7 +155,7 @@ def _gears(case: Transmission, formulas: Formulas) -> Iterator[dict[str, Any]]:
                 for link, speed in gear.speeds.items()
             ],
             "torques": torques,
-            "drag": _torques(gear.drag, unit),
+            "drag": _torques(case.gear_drag(gear), unit),
             "open": [pair for pair in open_drag if pair[1]],
             "direction": -1 if case.coasts(gear) else 1,
             "turns": input_direction(case, gear),

@@ -352,12 +352,13 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     [DragTorque(is_element=False, number=1, torque=2.0)]
     """
     problems = []
-    open_drag = gear.open_drag if gear else _of_all_gears([one.open_drag for one in case.gears])
+    gears = [gear] if gear else case.gears
+    open_drag = _of_all_gears([case.gear_open_drag(one) for one in gears])
     items = [
         (True, number, open_drag.get(number, element.drag), element.name)
         for number, element in enumerate(case.shift_elements, 1)
     ]
-    of_links = gear.drag if gear else _of_all_gears([one.drag for one in case.gears])
+    of_links = _of_all_gears([case.gear_drag(one) for one in gears])
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     found = []
     for is_element, number, drag, name in items:
@@ -395,12 +396,10 @@ def _efficiency_laws(case: Transmission) -> Iterator[Problem]:
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001
-    """Where the drag of an element or a link stands: in the case, or in a gear alone."""
-    key = "open_drag" if is_element else "drag"
-    if gear is not None and number in getattr(gear, key):
-        common = _of_all_gears([getattr(one, key) for one in case.gears])
-        if number not in common:
-            return ("case", "gears", case.gear_number(gear.name), key, number)
+    """Place of the drag of an element or a link: a gear that gives it, or else the case."""
+    key, owner = "open_drag" if is_element else "drag", gear or case.gears[0]
+    if number in getattr(owner, key):
+        return ("case", "gears", case.gear_number(owner.name), key, number)
     return ("case", "shift_elements", number, "drag") if is_element else ("case", key, number)
 
 

@@ -57,9 +57,9 @@ def laws_of(case: Transmission) -> Laws:
     """All laws of a case, by the numbers that they give."""
     numbers: dict[CaseNumber, Any] = {}
     for index, gear in enumerate(case.gears):
-        for n, element in enumerate(case.shift_elements, 1):
-            numbers[CaseNumber(index, "open_drag", n)] = gear.open_drag.get(n, element.drag)
-        for link, torque in gear.drag.items():
+        for n, torque in case.gear_open_drag(gear).items():
+            numbers[CaseNumber(index, "open_drag", n)] = torque
+        for link, torque in case.gear_drag(gear).items():
             numbers[CaseNumber(index, "drag", link)] = torque
         for owner, mechanism in enumerate(case.mechanisms):
             numbers[CaseNumber(index, "efficiency", owner)] = mechanism.efficiency
@@ -74,6 +74,7 @@ def without_laws(case: Transmission) -> Transmission:
         return instead if isinstance(number, Law) else number
 
     return case.replace(
+        drag={link: plain(torque, 0.0) for link, torque in case.drag.items()},
         shift_elements=[e._replace(drag=plain(e.drag, 0.0)) for e in case.shift_elements],
         mechanisms=[
             one._replace(
@@ -184,8 +185,12 @@ def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
         )
         index, quantity, owner = number
         path: Path = ("gears", (index or 0) + 1, quantity, owner)
-        if quantity == "open_drag" and owner not in case.gears[index or 0].open_drag:
-            path = ("shift_elements", owner, "drag")
+        if owner not in getattr(case.gears[index or 0], quantity):
+            of_case: dict[str, Path] = {
+                "open_drag": ("shift_elements", owner, "drag"),
+                "drag": ("drag", owner),
+            }
+            path = of_case[quantity]
         raise CaseError([Problem("E268", message, path)])
     found: Floats = values
     return found

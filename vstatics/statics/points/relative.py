@@ -201,13 +201,10 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
 
 
 def _given(case: Transmission, gear: Gear, quantity: OfGear) -> dict[int, Any]:
-    """The numbers of a gear, with drag in N*m of elements that it says nothing of."""
-    numbers = dict(getattr(gear, quantity))
-    if quantity == "open_drag":
-        for number, element in enumerate(case.shift_elements, 1):
-            if isinstance(element.drag, OfLoad):
-                numbers.setdefault(number, element.drag)
-    return numbers
+    """The numbers of a gear, with the drag that it has from the case and shift elements."""
+    if quantity == "drag":
+        return case.gear_drag(gear)
+    return case.gear_open_drag(gear) if quantity == "open_drag" else dict(getattr(gear, quantity))
 
 
 class _Told:

@@ -236,7 +236,7 @@ class PointLoads(NamedTuple):
     def drag_losses(self) -> dict[str, Floats]:
         """By ``drag.NAME``: power that links and open elements with drag take [W]."""
         _, drags = self.link_torques()
-        has = {link for gear in self.case.gears for link in gear.drag}
+        has = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
         found = {
             f"drag.{self.case.link_name(link)}": np.abs(drags[link] * self.speeds[:, link])
             for link in sorted(has)

@@ -222,8 +222,9 @@ def _own(case: Transmission, number: CaseNumber) -> Any:
         case "speed_ratios":
             ratio = case.gear_ratios(gear)[case.own_mechanisms.start + owner - 1]
             return None if math.isnan(ratio) else ratio
-        case "speeds" | "torques" | "drag":
-            return getattr(gear, quantity).get(owner, 0.0 if quantity == "drag" else None)
-        case "open_drag":
-            return gear.open_drag.get(owner, case.shift_elements[owner - 1].drag)
+        case "speeds" | "torques":
+            return getattr(gear, quantity).get(owner)
+        case "drag" | "open_drag":
+            by_part = case.gear_drag if quantity == "drag" else case.gear_open_drag
+            return by_part(gear).get(owner, 0.0)
     return getattr(case.mechanisms[owner], quantity)

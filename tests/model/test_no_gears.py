@@ -1,0 +1,70 @@
+"""A case without gears: one gear if it has no shift elements, else a message that shows what to write."""
+
+from __future__ import annotations
+
+import json
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+import yaml
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from tests.trains import random_train
+from vstatics import ReadError, Transmission, load, loads, solve
+from vstatics.writers.named import mapping
+
+
+def test_a_chain_of_pairs_has_the_product_of_their_ratios() -> None:
+    chance = seeded(15)
+    for _ in range(count(100, 1000)):
+        ratios = [Fraction(chance.randint(-9, 9) or 1, chance.randint(1, 9)) for _ in range(4)]
+        pairs = {
+            f"p{n}": {"first": n, "second": n + 1, "ratio": str(ratio)}
+            for n, ratio in enumerate(ratios, 1)
+        }
+        data: dict[str, Any] = {"links": 5, "mechanisms": pairs}
+        data |= chance.choice(({}, {"gears": None}, {"gears": {}}, {"shift_elements": {}}))
+        results = solve(loads(chance.choice((json.dumps, yaml.safe_dump))(data)))
+        product = float(ratios[0] * ratios[1] * ratios[2] * ratios[3])
+        assert results.ratio == pytest.approx([product], rel=1e-12)
+        assert [gear.name for gear in results.case.gears] == ["1"]
+
+
+def test_a_workbook_may_go_without_its_sheet_of_gears(tmp_path: Path) -> None:
+    """Ring 9 held, planets 8 and 7, ring 8 driven: i = 1/(1 - 9*7/(8*8)) = 64."""
+    case = tmp_path / "case.yaml"
+    case.write_text(
+        "input: cam\noutput: out\nelements: {c: {kind: stepped, ring: housing, ring2: out, "
+        "carrier: cam, teeth: {ring: 9, planet: 8, planet2: 7, ring2: 8}}}",
+        encoding="utf-8",
+    )
+    assert solve(load(case)).ratio == pytest.approx([64])
+    vstatics("convert", case, tmp_path / "case.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "case.xlsx")
+    del book["gears"]
+    book.save(tmp_path / "case.xlsx")
+    assert solve(load(tmp_path / "case.xlsx")).ratio == pytest.approx([64])
+
+
+def test_the_gears_that_a_message_shows_can_be_written() -> None:
+    chance = seeded(16)
+    for _ in range(count(100, 1000)):
+        train = random_train(chance)
+        if not train.shift_elements:
+            continue
+        data = mapping(train)
+        del data["gears"]
+        with pytest.raises(ReadError) as error:
+            Transmission.from_dict(data)
+        [problem] = [one for one in error.value.problems if one.id == "E205"]
+        shown = re.search(r"such as `gears: (\{.*\})`", problem.message)
+        assert shown
+        gears = yaml.safe_load(shown[1])
+        case = Transmission.from_dict({**data, "gears": gears})
+        needed = max(train.links - len(train.mechanisms) - 1, 1)
+        assert len(case.gears[0].engaged) == min(needed, len(train.shift_elements))
