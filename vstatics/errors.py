@@ -147,6 +147,7 @@ DOUBTS = {
     "N002": "no ratios are given for a case of a scheme",
     "N003": "what is told of found structures",
     "N004": "what statics says of a gear whose run is shown",
+    "N005": "columns of a driving cycle are skipped, as they have other names",
     "N201": "the input of a gear is taken to turn forward, on which freewheels depend",
     "N202": "mechanisms look as if they shared planets: losses may not be exact",
     "N203": "a mechanism of three links has the ratio 1",
