@@ -11,6 +11,7 @@ from pathlib import Path
 from vstatics.readers.named.csv_rows import numbered_rows
 from vstatics.readers.named.headings import without_titles
 from vstatics.readers.named.nodes import encoding_of
+from vstatics.readers.signs import with_plain_blanks
 
 _NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
 _ARE_READ: ContextVar[bool] = ContextVar("files are read", default=True)
@@ -89,4 +90,6 @@ def csv_rows(
         text = data.decode(encoding_of(data))
     except UnicodeDecodeError:
         raise ValueError("expected text in UTF-8") from None
-    return list(numbered_rows(without_titles(io.StringIO(text).readlines(), is_heading)))
+    return list(
+        numbered_rows(without_titles(io.StringIO(with_plain_blanks(text)).readlines(), is_heading))
+    )

@@ -15,6 +15,7 @@ from typing import NamedTuple, NoReturn, TypeAlias
 
 from vstatics.errors import Path, Place, Problem, ReadError, nearest, path_text
 from vstatics.readers.reading import Source
+from vstatics.readers.signs import with_plain_blanks
 
 MOST_DEEP = 16
 MOST_PROBLEMS = 100
@@ -170,7 +171,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> Found:
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
         message = f"{message} (byte {error.start + 1} of the file); save it in UTF-8"
         found.stop(message, len(before), len(before[-1]) + 1)
-    found = Found(Source(file, text))
+    found = Found(Source(file, with_plain_blanks(text)))
     if not text.strip():
         found.stop(f"the file is empty, expected {expected}", 1, 1)
     if "\0" in text:

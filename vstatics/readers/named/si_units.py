@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.errors import spoken
 from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, slip
 from vstatics.readers.named.units import (
     LONGEST_UNIT,
     Quantity,
@@ -131,7 +131,7 @@ def measured(text: str, measure: Measure) -> float:
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
     if other:
         raise ValueError(f"{in_unit}; this is {with_article(other)}")
-    raise ValueError(in_unit + usual(behind, _QUANTITIES.get(measure)))
+    raise ValueError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:

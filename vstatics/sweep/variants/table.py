@@ -23,6 +23,7 @@ from vstatics.readers.named.csv_rows import (
     separator_of,
 )
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.readers.signs import with_plain_blanks
 from vstatics.readers.sweep_tables import NUMBER, STATUS
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -314,7 +315,7 @@ def _text(data: bytes, file: str, line: int) -> str:
     """A line without its end."""
     data = data.removesuffix(b"\r")
     try:
-        return data.decode()
+        return with_plain_blanks(data.decode())
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start]:
             message = "a zero byte: this is no text; save the table as CSV in UTF-8"
