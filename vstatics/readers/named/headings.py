@@ -2,13 +2,14 @@
 
 A unit is in brackets, in parentheses, after a comma that does not separate cells, or after `_`.
 Lines before the first line of headings are titles. Capitals do not count, nor do signs of a
-comment before the headings.
+comment before the headings. Units may also stand in a line of their own below the names.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from itertools import chain, islice, repeat
 from types import MappingProxyType
 from typing import NamedTuple
@@ -272,10 +273,12 @@ class _ExpectedTable(NamedTuple):
         except ValueError as error:
             raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
         try:
-            for heading in headings:
-                _ = heading.size
+            _check_units(headings)
         except ValueError as error:
-            raise HeadingError(str(error), number) from None
+            with_units = _with_units_below(headings, separator, lines[at + 1 : at + 2])
+            if not with_units:
+                raise HeadingError(str(error), number) from None
+            headings, number = with_units, lines[at + 1][0]
         return HeadingLine(number, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
@@ -304,6 +307,35 @@ class _ExpectedTable(NamedTuple):
         if missing:
             verb = "is" if len(missing) == 1 else "are"
             raise ValueError(f"{spoken(map(quoted, missing))} {verb} missing, expected {self.what}")
+
+
+def _check_units(headings: Sequence[Heading]) -> None:
+    """Check that each heading has a unit of what its column measures.
+
+    Raises
+    ------
+    ValueError
+        With what was read and expected.
+    """
+    for heading in headings:
+        _ = heading.size
+
+
+def _with_units_below(
+    headings: Sequence[Heading], separator: str, below: Sequence[tuple[int, str]]
+) -> list[Heading]:
+    """Headings with the units of the line below them; empty if it is not a line of units."""
+    for _, line in below:
+        cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
+        if len(cells) > max(heading.place for heading in headings):
+            found = [
+                heading._replace(unit=heading.unit or cells[heading.place] or None)
+                for heading in headings
+            ]
+            with suppress(ValueError):
+                _check_units(found)
+                return found
+    return []
 
 
 def _split(line: str) -> Iterator[tuple[str, list[str]]]:
