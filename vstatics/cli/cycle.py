@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Iterator
 from functools import partial
+from itertools import repeat
 from typing import TYPE_CHECKING
 
 import click
@@ -98,9 +99,10 @@ def cycle(
 ) -> int:
     """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
 
-    TRACE is a CSV file with the columns time [s] and speed [km/h], and perhaps gear and
-    slope, the sine of its angle. Between two rows speed is the mean, acceleration constant,
-    gear and slope those of the first row. Without a column gear say --least-speed or --shift.
+    TRACE is a table with the columns time [s] and speed [km/h], and optionally gear, and slope
+    (the sine of its angle) or grade (rise over horizontal distance). Published files of cycles are
+    read as they are. Between two rows speed is the mean, acceleration constant, gear and slope
+    those of the first row. Without a column gear give --least-speed or --shift.
 
     The engine gives what wheels, inertias, losses and drag take. Where it would brake more
     than its `overrun`, brakes take the rest. Steps in which it would have to give more, or
@@ -137,7 +139,9 @@ def _shown(
     """What a case takes for a cycle."""
     made = _driven(outcome, results, trace, choice)
     if steps:
-        files.write_output(_as_sweep(made), steps)
+        with files.stream(steps) as write:
+            for part in _as_sweep(made):
+                write(part.encode())
 
     def tables() -> Iterator[Grid]:
         energy = made.energy
@@ -155,17 +159,26 @@ def _shown(
         return CycleAnswer(results.case.name, made)
 
     titles = [results.case.name or outcome.file]
-    problems = [of_file(one.id, outcome.file, one.text) for one in made.messages]
+    places = {note.id: note.place for note in trace.notes}
+    problems = [
+        of_file(message.id, outcome.file, message.text)
+        if message.id not in places
+        else Problem(message.id, message.text, (), places[message.id])
+        for message in made.messages
+    ]
     return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
 
 
-def _as_sweep(made: DriveCycle) -> str:
-    """The steps as a written sweep over time."""
+def _as_sweep(made: DriveCycle) -> Iterator[str]:
+    """The steps as a written sweep over time, in pieces."""
+    from vstatics.summary.operation.trace import blocks
+
     time, *others = made.steps
-    columns = [range(len(made.gears)), made.steps[time].tolist(), ["ok"] * len(made.gears)]
-    columns += [made.steps[name].tolist() for name in others]
-    rows = zip(*columns, strict=True)
-    return csv.lines([["variant", time, "status", *others], *(map(str, row) for row in rows)])
+    yield csv.lines([["variant", time, "status", *others]])
+    for block in blocks(len(made.gears)):
+        numbers = [made.steps[name][block].tolist() for name in (time, *others)]
+        columns = [range(block.start, block.stop), numbers[0], repeat("ok"), *numbers[1:]]
+        yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
 
 
 def _driven(
@@ -196,7 +209,7 @@ def _located(problem: Problem, trace: Trace, file: str) -> Problem:
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))
-    return problem.in_file(file)
+    return problem if problem.place else problem.in_file(file)
 
 
 def _fuel(case: str, name: str) -> FuelMap | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from vstatics.errors import CaseError, Path, Place, Problem, ReadError, not_allowed
@@ -14,10 +15,14 @@ class Source:
     """A text and its file name; gives places in it."""
 
     def __init__(self, file: str, text: str) -> None:
-        """Split the text into lines, whatever ends them."""
+        """Keep the text."""
         self.file = file
         self.text = text
-        self.lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+    @cached_property
+    def lines(self) -> list[str]:
+        """The lines, whatever ends them; those of a long table are deleted when it is read."""
+        return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
         """The place at a line and column, both from 1; line 0 is the file as a whole."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from array import array
+from collections.abc import Container, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.csv_rows import decimal, numbered_rows
+from vstatics.readers.named.headings import with_unit, without_titles
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
@@ -55,8 +57,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     file : str
         Its name, for messages.
     wanted : mapping of str to str
-        Headings, behind which a unit may stand in brackets, with what they measure; None: whatever
-        their unit is.
+        Headings, behind which a unit may stand in brackets or parentheses, with what they measure;
+        None: whatever their unit is.
 
     Raises
     ------
@@ -72,50 +74,62 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     array([ 1500., -2000.])
     """
     source = decode(data, file, "a record").source
+    rows = numbered_rows(without_titles(source.lines, lambda cell: _wanted(cell, wanted) in wanted))
+    problems: list[Problem] = []
+    lines = array("q")
     try:
-        rows = numbered_rows(source.lines)
+        head, first = next(rows, (1, []))
+        headings = tuple(unguarded(cell.strip()) for cell in first)
+        places = _places(headings, wanted, source.place(head))
+        columns = {name: array("d") for name in places}
+        for line, row in rows:
+            lines.append(line)
+            for name, (place, size) in places.items():
+                cell = row[place] if place < len(row) else ""
+                try:
+                    columns[name].append(decimal(cell) * size)
+                except ValueError as error:
+                    message = f"{name}: read {cell.strip()[:40]!r}, {error}"
+                    problems.append(Problem("E121", message, (), source.place(line)))
+            if len(problems) >= MOST_PROBLEMS:
+                break
     except ValueError as error:
         raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
-    head, first = rows.pop(0) if rows else (1, [])
-    headings = tuple(unguarded(cell.strip()) for cell in first)
-    places: dict[str, tuple[int, float]] = {}
-    for place, heading in enumerate(headings):
-        name, size = _named(heading, wanted, source, head)
-        if name in places:
-            message = f"{name}: read two columns of this name, expected one"
-            raise ReadError([Problem("E121", message, (), source.place(head))])
-        if name in wanted:
-            places[name] = place, size
-    problems: list[Problem] = []
-    values: dict[str, list[float]] = {name: [] for name in places}
-    for line, row in rows:
-        for name, (place, size) in places.items():
-            cell = row[place].strip() if place < len(row) else ""
-            try:
-                values[name].append(decimal(cell) * size)
-            except ValueError as error:
-                message = f"{name}: read {cell[:40]!r}, {error}"
-                problems.append(Problem("E121", message, (), source.place(line)))
-        if len(problems) >= MOST_PROBLEMS:
-            break
     if problems:
         raise ReadError(problems)
-    made = {name: np.array(column) for name, column in values.items()}
-    return RecordedColumns(made, headings, [line for line, _ in rows], source)
+    return RecordedColumns(
+        {name: np.array(column) for name, column in columns.items()}, headings, lines, source
+    )
 
 
-def _named(
-    heading: str, wanted: Mapping[str, Measure | None], source: Source, line: int
-) -> tuple[str, float]:
-    """The name that a heading has without its unit, and the size of that in SI."""
-    name, bracket, unit = heading.rpartition(" [")
-    measure = wanted.get(name.strip())
-    if heading in wanted or not bracket or name.strip() not in wanted:
-        return heading, 1.0
-    if measure is None:
-        return name.strip(), 1.0
+def _places(
+    headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
+) -> dict[str, tuple[int, float]]:
+    """The wanted columns by their names: index, and size of the unit in SI."""
+    places: dict[str, tuple[int, float]] = {}
+    for place, heading in enumerate(headings):
+        name = _wanted(heading, wanted)
+        if name in places:
+            message = f"{name}: read two columns of this name, expected one"
+            raise ReadError([Problem("E121", message, (), head)])
+        if name in wanted:
+            places[name] = place, _size(heading, name, wanted[name], head)
+    return places
+
+
+def _wanted(heading: str, wanted: Container[str]) -> str:
+    """The name of a heading, without its unit if only that makes it a wanted column."""
+    name, _ = with_unit(heading)
+    return name if name in wanted and heading not in wanted else heading
+
+
+def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
+    """Size in SI of the unit of a heading."""
+    _, unit = with_unit(heading)
+    if heading == name or measure is None or not unit:
+        return 1.0
     try:
-        return name.strip(), measured(f"1 {unit.removesuffix(']')}", measure)
+        return measured(f"1 {unit}", measure)
     except ValueError as error:
-        message = f"{name.strip()}: read the unit {unit.removesuffix(']')[:40]!r}, {error}"
-        raise ReadError([Problem("E121", message, (), source.place(line))]) from None
+        message = f"{name}: read the unit {unit[:40]!r}, {error}"
+        raise ReadError([Problem("E121", message, (), head)]) from None

@@ -1,84 +1,70 @@
-"""Tables in CSV whose headings tell units: `speed [rpm],torque [N*m]`."""
+"""Tables in CSV whose headings have units: `speed [rpm],torque [N*m]`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+import re
+import sys
+from array import array
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import Place, Problem, ReadError, nearest, quoted, spoken
-from vstatics.model.shape import UNIT_OF, Measure
-from vstatics.readers.named.csv_rows import (
-    Decimals,
-    cells_of,
-    decimal,
-    expect_cells,
-    has_cells,
-    headings_of,
-    separator_of,
+import numpy as np
+
+from vstatics.errors import Place, Problem, ReadError
+from vstatics.readers.named.csv_rows import Decimals, cells_of, decimal, expect_cells, has_cells
+from vstatics.readers.named.headings import (
+    COMMENT_SIGNS,
+    HeadingError,
+    HeadingLine,
+    TableColumn,
+    read_headings,
 )
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
-from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
 
+__all__ = ["TableColumn", "UnitTable", "read_unit_table"]
+
+_PLAIN = re.compile(r"[-+0-9.eE, \t]+")
+_MOST_AT_ONCE = 5000
 MOST_TABLE_ROWS = 1_000_000
 """Rows of a table; a day in tenths of a second has 864,000."""
-
-
-class TableColumn(NamedTuple):
-    """A column that a table may have."""
-
-    name: str
-    measure: Measure | None = None
-    """What its numbers are in SI; None: of numbers without a unit, or of texts."""
-    is_text: bool = False
-    optional: bool = False
-    may_be_bare: bool = False
-    """Whether a heading without a unit means the unit of SI."""
-    meaning: str = ""
-    """Ends the message about a unit that may not stand there."""
-    sizes: Mapping[str, float] | None = None
-    """Sizes of the only units that may stand there, where these are no measure."""
-
-    @property
-    def heading(self) -> str:
-        """As it may be written.
-
-        >>> TableColumn("speed", "si_speed").heading
-        'speed [rad/s]'
-        """
-        if self.sizes:
-            return f"{self.name} [{next(iter(self.sizes))}]"
-        return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
 
 class UnitTable(NamedTuple):
     """A table that was read: numbers in SI, and the line of each row."""
 
-    numbers: dict[str, list[float]]
-    texts: dict[str, list[str]]
-    lines: list[int]
+    numbers: Mapping[str, Sequence[float]]
+    texts: Mapping[str, Sequence[str]]
+    lines: Sequence[int]
     source: Source
+    head: HeadingLine
 
     def place(self, row: int) -> Place:
         """Where a row stands, counted from 0."""
         return self.source.place(self.lines[row])
 
+    @property
+    def head_place(self) -> Place:
+        """The line of the headings."""
+        return self.source.place(self.head.number)
 
-def read_unit_table(
+
+def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
     data: bytes,
     file: str,
     what: str,
     columns: Sequence[TableColumn],
     id: str,  # noqa: A002
+    *,
+    skips: bool = False,
 ) -> UnitTable:
     """Read a table.
 
     Parameters
     ----------
     data : bytes
-        A line of headings, then a line for each row, with commas, or with semicolons and
-        decimal commas.
+        A line of headings, then a line for each row, with commas, or with semicolons or tabs and
+        decimal commas. Lines above the headings are titles.
     file : str
         Its name, for messages.
     what : str
@@ -87,6 +73,8 @@ def read_unit_table(
         Those that it may have, in any order.
     id : str
         Of what is wrong in it.
+    skips : bool
+        Whether columns with other headings are skipped.
 
     Raises
     ------
@@ -102,104 +90,119 @@ def read_unit_table(
     (3.141593, ['1', 'R'])
     """
     source = decode(data, file, what).source
-    lines = [(number, line) for number, line in enumerate(source.lines, 1) if has_cells(line)]
-    if not lines:
-        raise ReadError([Problem(id, f"read nothing, expected {what}", (), source.place(1))])
-    problems: list[Problem] = []
-    (first, headings), *rows = lines
     try:
-        separator = separator_of(headings)
-        found = _headings(headings_of(cells_of(headings, separator)), what, columns)
-    except ValueError as error:
-        raise ReadError([Problem(id, str(error), (), source.place(first))]) from None
-    if not rows:
+        head = read_headings(_filled(source.lines, 1), what, columns, skips=skips)
+    except HeadingError as error:
+        raise ReadError([Problem(id, str(error), (), source.place(error.line))]) from None
+    rows = _ColumnsRead(head)
+    problems = [
+        Problem(id, message, (), source.place(line))
+        for line, message in rows.read(source.lines, head.number + 1)
+    ]
+    if len(rows.lines) > MOST_TABLE_ROWS:
+        message = f"read more rows, expected {MOST_TABLE_ROWS} at most"
+        raise ReadError([Problem(id, message, (), source.place(head.number))])
+    if not (rows.lines or problems):
         message = f"there is no row below the headings, expected {what}"
-        problems.append(Problem(id, message, (), source.place(first)))
-    if len(rows) > MOST_TABLE_ROWS:
-        message = f"read {len(rows)} rows, expected {MOST_TABLE_ROWS} at most"
-        raise ReadError([Problem(id, message, (), source.place(first))])
-    table = UnitTable(
-        {one.name: [] for one, _ in found if not one.is_text},
-        {one.name: [] for one, _ in found if one.is_text},
-        [number for number, _ in rows],
-        source,
-    )
-    decimals = Decimals(separator)
-    for number, line in rows:
-        try:
-            cells = cells_of(line, separator)
-            expect_cells(cells, len(found), separator)
-            _add(table, cells, found, partial(decimals.with_points, line=number))
-        except ValueError as error:
-            problems.append(Problem(id, str(error), (), source.place(number)))
-            if len(problems) >= MOST_PROBLEMS:
-                break
-    if decimals.doubt:
-        line_of_it, message = decimals.doubt
-        problems.append(Problem(id, message, (), source.place(line_of_it)))
+        problems.append(Problem(id, message, (), source.place(head.number)))
+    if rows.decimals.doubt:
+        line_in_doubt, message = rows.decimals.doubt
+        problems.append(Problem(id, message, (), source.place(line_in_doubt)))
     if problems:
         raise ReadError(problems)
-    return table
+    del source.lines  # they take more memory than the numbers
+    return UnitTable(rows.numbers, rows.texts, rows.lines, source, head)
 
 
-def _headings(
-    cells: Sequence[str], what: str, columns: Sequence[TableColumn]
-) -> list[tuple[TableColumn, float]]:
-    """The columns in their order, each with the size of its unit in SI."""
-    by_name = {one.name: one for one in columns}
-    found: list[tuple[TableColumn, float]] = []
-    for cell in cells:
-        name, bracket, unit = (part.strip() for part in cell.partition("["))
-        known = by_name.get(name)
-        if known is None:
-            expected = spoken([quoted(one.heading) for one in columns], "or")
-            hint = nearest(name, by_name)
-            raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
-        if any(one is known for one, _ in found):
-            raise ValueError(f"two columns are called {quoted(name)}")
-        found.append((known, _size(known, unit.removesuffix("]").strip(), bool(bracket))))
-    names = [one.name for one, _ in found]
-    missing = [one.heading for one in columns if not one.optional and one.name not in names]
-    if missing:
-        raise ValueError(f"{spoken(map(quoted, missing))} is missing, expected {what}")
-    return found
+def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
+    """The lines with cells, with their numbers from a first one on."""
+    return ((number, line) for number, line in enumerate(lines, first) if has_cells(line))
 
 
-def _size(column: TableColumn, unit: str, told: bool) -> float:  # noqa: FBT001
-    """The unit of a column in SI."""
-    if column.sizes is not None:
-        if unit not in column.sizes:
-            expected = spoken(map(quoted, column.sizes), "or")
-            message = f"{column.name}: read the unit {unit[:40]!r}, expected {expected}"
-            raise ValueError(message + column.meaning)
-        return column.sizes[unit]
-    if column.measure is None:
-        if told:
-            message = f"{column.name}: read the unit {unit[:40]!r}, expected none"
-            raise ValueError(message + column.meaning)
-        return 1.0
-    if not told and column.may_be_bare:
-        return 1.0
-    if not unit:
-        raise ValueError(f"{column.name}: its unit is missing, such as {quoted(column.heading)}")
-    try:
-        return measured(f"1 {unit}", column.measure)
-    except ValueError as error:
-        raise ValueError(f"{column.name}: read the unit {unit[:40]!r}, {error}") from None
+class _ColumnsRead:
+    """The rows of a table, column by column."""
 
+    def __init__(self, head: HeadingLine) -> None:
+        self.head = head
+        self.decimals = Decimals(head.separator)
+        self.lines = array("q")
+        self.numbers = {
+            heading.column.name: array("d")
+            for heading in head.headings
+            if not heading.column.is_text
+        }
+        self.texts: dict[str, list[str]] = {
+            heading.column.name: [] for heading in head.headings if heading.column.is_text
+        }
+        self._sizes = [
+            (heading.place, heading.column.name, heading.size, self.numbers[heading.column.name])
+            for heading in head.headings
+            if not heading.column.is_text
+        ]
+        self._words = [
+            (heading.place, self.texts[heading.column.name])
+            for heading in head.headings
+            if heading.column.is_text
+        ]
+        self._has_comments = all(place for place, _ in self._words)
 
-def _add(
-    table: UnitTable,
-    cells: Sequence[str],
-    found: Sequence[tuple[TableColumn, float]],
-    with_points: Callable[[str], str],
-) -> None:
-    """Add a row; a ValueError says what of it can't be read."""
-    for cell, (column, unit) in zip(cells, found, strict=False):
-        if column.is_text:
-            table.texts[column.name].append(cell)
-            continue
+    def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
+        """Add all rows; yield the faults with their lines, and end where these are many."""
+        faults = 0
+        for start in range(first, len(lines) + 1, _MOST_AT_ONCE):
+            block = lines[start - 1 : start - 1 + _MOST_AT_ONCE]
+            for number, line in _filled(block, start) if not self.add_plain(start, block) else ():
+                try:
+                    self.add(number, line)
+                except ValueError as error:
+                    yield number, str(error)
+                    faults += 1
+                    if faults == MOST_PROBLEMS:
+                        return
+            if len(self.lines) > MOST_TABLE_ROWS:
+                return
+
+    def add_plain(self, first: int, lines: Sequence[str]) -> bool:
+        """Add lines of numbers and commas at once; False if there is anything else in them."""
+        commas, text = self.head.width - 1, ",".join(lines)
+        if (
+            self._words
+            or self.head.separator != ","
+            or not _PLAIN.fullmatch(text)
+            or any(line.count(",") != commas for line in lines)
+        ):
+            return False
         try:
-            table.numbers[column.name].append(decimal(with_points(cell)) * unit)
-        except ValueError as error:
-            raise ValueError(f"{column.name}: read {cell[:40]!r}, {error}") from None
+            flat = np.fromiter(map(float, text.split(",")), float)
+        except ValueError:
+            return False
+        cells = flat.reshape(len(lines), self.head.width)
+        if not np.isfinite(cells).all():
+            return False
+        self.lines.extend(range(first, first + len(lines)))
+        for place, _, size, column in self._sizes:
+            column.frombytes((cells[:, place] * size).tobytes())
+        return True
+
+    def add(self, number: int, line: str) -> None:
+        """Add a row.
+
+        Raises
+        ------
+        ValueError
+            With what cannot be read in it.
+        """
+        if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
+            return
+        separator = self.head.separator
+        cells = cells_of(line, separator) if '"' in line else line.split(separator)
+        expect_cells(cells, self.head.width, separator)
+        self.lines.append(number)
+        for place, name, size, column in self._sizes:
+            cell = cells[place]
+            try:
+                column.append(decimal(self.decimals.with_points(cell, number)) * size)
+            except ValueError as error:
+                raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}") from None
+        for place, words in self._words:
+            words.append(sys.intern(cells[place].strip()))

@@ -147,7 +147,7 @@ FAULTS = [
     ),
     ("number-infinite.yaml", 6, 46, "mechanisms.D1.ratio: read '-.inf', expected a number"),
     ("number-nan.yaml", 6, 46, "mechanisms.D1.ratio: read '.nan', expected a number"),
-    ("number-sexagesimal.yaml", 6, 46, "mechanisms.D1.ratio: read '1:30', expected a number"),
+    ("number-sexagesimal.yaml", 6, 46, "mechanisms.D1.ratio: read '1:30:15', expected a number"),
     (
         "number-too-large.yaml",
         6,
@@ -468,7 +468,7 @@ def test_numbers(text: str, value: float) -> None:
                 "--1",
                 "0x10",
                 "0b1",
-                "1:30",
+                "1:30:15",
                 "inf",
                 "nan",
                 "1d5",

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import count, seeded
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import (
@@ -17,6 +17,7 @@ from vstatics import (
     Gear,
     Load,
     Mechanism,
+    ReadError,
     ShiftElement,
     Spring,
     Transmission,
@@ -24,6 +25,7 @@ from vstatics import (
 )
 from vstatics.model.fatigue import Fatigue
 from vstatics.readers import from_dict
+from vstatics.summary.duty_file import read_duty_table
 from vstatics.summary.operation.load_spectrum import points_of, spectrum
 from vstatics.summary.operation.point_loads import DutyPoints
 
@@ -328,3 +330,23 @@ def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
         assert made.energy.lost["drag.out"] == pytest.approx(10 * abs(speed))
         closed = made.energy.in_ - made.energy.out - sum(made.energy.lost.values())
         assert closed == pytest.approx(0, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(count(10, 200)))
+def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int) -> None:
+    """Numbers of any size: no warning of NumPy, which would be an error here."""
+    rng = seeded(5400 + seed)
+    for _ in range(20):
+        sizes = [1.0, rng.random(), *(10.0 ** rng.randint(-320, 308) for _ in range(2))]
+        rows = [
+            f"{rng.choice(sizes)!r},1,{rng.choice('- ')}{rng.choice(sizes)!r},{rng.choice(sizes)!r}"
+            for _ in range(3)
+        ]
+        text = "\n".join(["time [s],gear,speed [rad/s],torque [N*m]", *rows])
+        problems = []
+        try:
+            made = read_duty_table(text.encode(), "d.csv").of(solve(PAIRS))
+            assert math.isfinite(made.energy.in_)
+        except ReadError as error:
+            problems = error.problems
+        assert all(problem.place and problem.place.line > 1 for problem in problems)

@@ -10,6 +10,7 @@ from math import isfinite
 from typing import NamedTuple, TypeVar
 
 from vstatics.readers.deck.text import Field, Scan, latin
+from vstatics.readers.signs import dash_hint
 
 Number = TypeVar("Number", int, float)
 TOKEN = re.compile(r"[^\s,]+|,")
@@ -52,7 +53,7 @@ def integer(text: str) -> int:
         If it is none.
     """
     if INTEGER.fullmatch(text) is None:
-        raise NotANumberError("expected a whole number")
+        raise NotANumberError(f"expected a whole number{dash_hint(text)}")
     if len(text) > 18:
         raise NotANumberError("which overflows; expected a whole number")
     return int(text)
@@ -73,7 +74,7 @@ def real(text: str) -> float:
     """
     match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST_DECK_NUMBER else None
     if match is None:
-        raise NotANumberError("expected a number such as -.8 or .26E+01")
+        raise NotANumberError(f"expected a number such as -.8 or .26E+01{dash_hint(text)}")
     number = float(f"{match[1]}E{match[2] or match[3] or 0}")
     if not isfinite(number):
         raise NotANumberError("which overflows; expected a number below 1.8E+308")

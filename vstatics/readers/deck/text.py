@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from vstatics.errors import Place, Problem, ReadError
 from vstatics.readers.deck.encodings import in_each_encoding
 from vstatics.readers.reading import Source
+from vstatics.readers.signs import with_plain_blanks
 from vstatics.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"
@@ -286,10 +287,10 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
         raise _unreadable(file, message)
     data = data.rstrip(b"\x1a")  # the end of a text for DOS
     try:
-        yield data.decode("utf-8-sig"), []
+        yield with_plain_blanks(data.decode("utf-8-sig")), []
     except UnicodeDecodeError as error:
         for text in in_each_encoding(data):
-            yield text, []
+            yield with_plain_blanks(text), []
         yield _damaged(data, error.start, file)
 
 

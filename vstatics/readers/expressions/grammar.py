@@ -14,7 +14,7 @@ What to say of a sign or a word that does not belong where it stands.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from vstatics.errors import nearest, quoted
@@ -24,6 +24,7 @@ from vstatics.readers.expressions.operands import (
     DottedName,
     Subscript,
     TableName,
+    quantity_end,
     read_dotted,
     read_number,
     read_subscripts,
@@ -95,6 +96,8 @@ class Language(NamedTuple):
     instead: str = ""
     caret: bool = False
     of_names: Collection[str] = ()
+    quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
+    """What a number with a unit means, by what is written and where, such as ``20 km/h``."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -216,7 +219,7 @@ class _Parser:
         found = None if sign else read_dotted(self.source, self.at)
         if not found and name and not sign:
             return self.named(name, depth)
-        read = found or read_number(self.source, self.at)
+        read = found or self.quantity() or read_number(self.source, self.at)
         if not read:
             message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
             raise self.source.error(message, self.at)
@@ -225,6 +228,12 @@ class _Parser:
         tree, end = read
         self.take(self.source.text[self.at : end], end)
         return tree
+
+    def quantity(self) -> tuple[Constant, int] | None:
+        """A number with a unit, and where it ends, if the language knows it."""
+        end = quantity_end(self.source, self.at)
+        known = self.language.quantity(self.source.text[self.at : end], self.at)
+        return None if known is None else (known, end)
 
     def prefixed(self, sign: str, least: int, depth: int) -> Tree:
         """An operand behind a sign."""

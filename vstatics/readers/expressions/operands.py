@@ -14,6 +14,7 @@ from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.tables.names import DOTTED, NAME
 
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)")
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
@@ -29,6 +30,24 @@ class Constant(NamedTuple):
     """A number."""
 
     value: float
+
+
+class Velocity(Constant):
+    """The speed of a vehicle in m/s, whose link is not known yet."""
+
+    at: int = 0
+    written: str = ""
+
+    @classmethod
+    def of(cls, value: float, written: str, at: int) -> Velocity:
+        """A speed in m/s, as it is written at a place.
+
+        >>> Velocity.of(5.0, "18 km/h", 3).written
+        '18 km/h'
+        """
+        velocity = cls(value)
+        velocity.at, velocity.written = at, written
+        return velocity
 
 
 class Subscript(NamedTuple):
@@ -82,6 +101,15 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
     if float(text) == float("inf"):
         raise source.error(f"read {quoted(text)}, expected a number below 1.8e308", at)
     return Constant(float(text)), end
+
+
+def quantity_end(source: Excerpt, at: int) -> int:
+    """Where a number with a unit ends; where it begins if there is none.
+
+    >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
+    7
+    """
+    return source.end_of(_QUANTITY, at)
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:

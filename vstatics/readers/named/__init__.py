@@ -6,6 +6,7 @@ read, and what stands in for one that cannot be; `compounds` reads entries of ma
 and points; `references` knows the names of links and shift elements. Single values are
 `scalars`, with `arithmetic` before them and a unit behind: of the trade in `units`, of SI in
 `si_units`. `joined_links` gathers the links of a case that lists none, `drawing` makes those of
-drawn elements. `arguments` has what `Transmission` takes, `reader` does all this in order.
+drawn elements. `headings` and `csv_rows` read tables of numbers in files. `arguments` has what
+`Transmission` takes, `reader` does all this in order.
 `schema` makes the JSON Schema of the same shape, `node_paths` finds numbers by dotted paths.
 """

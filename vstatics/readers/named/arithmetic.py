@@ -9,6 +9,8 @@ import math
 import re
 from typing import NamedTuple
 
+from vstatics.readers.signs import dash_hint, with_plain_blanks
+
 LONGEST_ARITHMETIC = 1000
 """Characters of a text with a number."""
 MOST_ARITHMETIC_BRACKETS = 20
@@ -18,8 +20,10 @@ _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
 """For a JSON Schema, which cannot count brackets."""
 
-_DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
-"""The sign for minus, and what word processors make of a hyphen."""
+DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
+"""A number without a unit, a percentage or a ratio of two numbers, for a JSON Schema."""
+
+_GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
@@ -57,8 +61,33 @@ def calculated(text: str) -> LeadingNumber:
         raise ValueError(f"expected a number of at most {LONGEST_ARITHMETIC} characters")
     if _PLAIN.match(text):
         return LeadingNumber(_finite(float(text)), "")
-    reading = _Calculation(text.strip(" "))
+    reading = _Calculation(with_plain_blanks(text).strip(" "))
     return LeadingNumber(reading.joined(0, 0), reading.text[reading.at :])
+
+
+def dimensionless(text: str) -> float:
+    """Work out a number without a unit, a percentage, or a ratio of two numbers.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> [dimensionless(text) for text in ("98 %", "3.55:1", "5:2", "1 + 78/30")]
+    [0.98, 3.55, 2.5, 3.6]
+    """
+    value, behind = calculated(text)
+    if behind == "%":
+        return value / 100
+    if behind.startswith(":"):
+        other, behind = calculated(behind[1:])
+        if not behind:
+            return _applied("/", value, other)
+    if behind:
+        raise ValueError(expected(text))
+    return value
 
 
 def expected(text: str) -> str:
@@ -78,8 +107,9 @@ def slip(text: str) -> str:
     """
     if "," in text:
         return " (with a decimal point)"
-    dash = next((sign for sign in text if sign in _DASHES), None)
-    return f" (with `-` in place of `{dash}`)" if dash else ""
+    if grouped := _GROUPED.search(with_plain_blanks(text)):
+        return f" (digits without blanks: {grouped[0].replace(' ', '')})"
+    return dash_hint(text)
 
 
 class _Calculation:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
 from vstatics.jobs.input_files import read_file
 from vstatics.readers.named.csv_rows import numbered_rows
+from vstatics.readers.named.headings import without_titles
 from vstatics.readers.named.nodes import encoding_of
+from vstatics.readers.signs import with_plain_blanks
 
 _NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
 _ARE_READ: ContextVar[bool] = ContextVar("files are read", default=True)
@@ -22,7 +24,7 @@ def noted_files() -> Iterator[set[str]]:
 
     >>> with noted_files() as noted:
     ...     try:
-    ...         csv_rows(Path("nowhere.csv"), 100)
+    ...         csv_rows(Path("nowhere.csv"), 100, bool)
     ...     except OSError:
     ...         noted
     {'nowhere.csv'}
@@ -40,7 +42,7 @@ def no_files() -> Iterator[None]:
     """Refuse in this block whatever file is named in a text, as it may be that of a stranger.
 
     >>> with no_files():
-    ...     csv_rows(Path("/etc/passwd"), 100)
+    ...     csv_rows(Path("/etc/passwd"), 100, bool)
     Traceback (most recent call last):
     ValueError: expected the points themselves: a text has no folder; ...
     """
@@ -56,14 +58,18 @@ def are_read() -> bool:
     return _ARE_READ.get()
 
 
-def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
-    """Lines that are not empty, each with its number.
+def csv_rows(
+    file: Path, most: int, is_heading: Callable[[str], bool]
+) -> list[tuple[int, list[str]]]:
+    """Lines from the headings on that are not empty, each with its number.
 
     Parameters
     ----------
     file : Path
     most : int
         Of its bytes.
+    is_heading : callable
+        Whether a cell is a heading; lines above the first are titles.
 
     Raises
     ------
@@ -82,4 +88,6 @@ def csv_rows(file: Path, most: int) -> list[tuple[int, list[str]]]:
         text = data.decode(encoding_of(data))
     except UnicodeDecodeError:
         raise ValueError("expected text in UTF-8") from None
-    return numbered_rows(io.StringIO(text))
+    return list(
+        numbered_rows(without_titles(io.StringIO(with_plain_blanks(text)).readlines(), is_heading))
+    )

@@ -1,4 +1,4 @@
-"""Rows of CSV that people give, as spreadsheets write it: with commas, or with semicolons.
+"""Rows of CSV that people give, as spreadsheets write it: with commas, semicolons or tabs.
 
 Where a comma is the decimal sign, as in German or Russian, a spreadsheet separates by semicolons.
 Every reader of such a file asks here which sign separates, and takes its numbers from here.
@@ -9,45 +9,40 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
 from vstatics.readers.named.arithmetic import slip
 
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
+_COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _TOLD_SEPARATOR = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 """The line with which a spreadsheet is told what separates, as the headings do, too."""
 
 
 def separator_of(head: str) -> str:
-    """The sign that separates the cells of a table, by its line of headings.
-
-    Raises
-    ------
-    ValueError
-        If it is the tabulator, which does not tell what its commas are.
+    """Return the sign that separates the cells of a table, by its line of headings.
 
     Examples
     --------
-    >>> [separator_of(head) for head in ("time [s];speed [km/h]", "a,b", "speed [rpm];,2;,5")]
-    [';', ',', ';']
+    >>> heads = "time [s];speed [km/h]", "a,b", "speed [rpm];,2;,5", "Time, s\\tSpeed, mph"
+    >>> [separator_of(head) for head in heads]
+    [';', ',', ';', '\\t']
     """
+    if "\t" in head.strip():
+        return "\t"
     semicolons, commas = head.count(";"), head.count(",")
-    if not (semicolons or commas) and "\t" in head.strip():
-        raise ValueError(
-            "tabs separate the headings, expected commas or semicolons; save it as CSV"
-        )
     return ";" if semicolons >= max(1, commas) else ","
 
 
 class Decimals:
-    """The numbers of one table, with decimal points where commas stood between semicolons.
+    """The numbers of one table, with decimal points where commas stood between semicolons or tabs.
 
     A point there may be a decimal one, or stand between thousands as in `1.200`: that is told by
     the other numbers. It is a decimal one if some has a point that can't be anything else, such as
-    `0.5`, and none a comma.
+    `0.5`, and none a comma. Between tabs the same holds for a comma, as in `1,200`.
 
     >>> german = Decimals(";")
     >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
@@ -63,17 +58,21 @@ class Decimals:
 
     def __init__(self, separator: str) -> None:
         self.are_commas = False
-        self._is_looking = separator == ";"
+        self._separator = separator
         self._are_points = False
-        self._doubt: tuple[int, str] | None = None
+        self._doubts: dict[str, tuple[int, str]] = {}
+        """By the sign that may stand between thousands: the first line, and the number."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """A cell with decimal points, where it is a number between semicolons."""
-        if not (self._is_looking and _CALCULATION.fullmatch(cell)):
+        """Return a cell with decimal points, where it is a number between semicolons or tabs."""
+        if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
-        self.are_commas |= "," in cell
-        if found := _THOUSANDS.search(cell):
-            self._doubt = self._doubt or (line, found[0])
+        if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
+            self._doubts.setdefault(",", (line, thousands[0]))
+        else:
+            self.are_commas |= "," in cell
+        if thousands := _THOUSANDS.search(cell):
+            self._doubts.setdefault(".", (line, thousands[0]))
         else:
             self._are_points |= bool(_FRACTION.search(cell))
         return cell.replace(",", ".")
@@ -81,12 +80,17 @@ class Decimals:
     @property
     def doubt(self) -> tuple[int, str] | None:
         """The first line with a number that may be two, and what to say of it."""
-        if self._doubt is None or (self._are_points and not self.are_commas):
-            return None
-        line, text = self._doubt
-        whole = text.replace(".", "")
-        readings = f"{whole} with decimal commas but {float(text):g} with decimal points"
-        return line, f"read '{text}', {readings}; write {whole} or {text.replace('.', ',')}"
+        if "," in self._doubts and (self._are_points or not self.are_commas):
+            line, text = self._doubts[","]
+            whole, point = text.replace(",", ""), text.replace(",", ".")
+            readings = f"{float(point):g} with decimal commas but {whole} with decimal points"
+            return line, f"read '{text}', {readings}; write {point} or {whole}"
+        if "." in self._doubts and (self.are_commas or not self._are_points):
+            line, text = self._doubts["."]
+            whole = text.replace(".", "")
+            readings = f"{whole} with decimal commas but {float(text):g} with decimal points"
+            return line, f"read '{text}', {readings}; write {whole} or {text.replace('.', ',')}"
+        return None
 
 
 def has_cells(line: str) -> bool:
@@ -95,7 +99,8 @@ def has_cells(line: str) -> bool:
     >>> has_cells(" ;;"), has_cells("0;"), has_cells("sep=;")
     (False, True, False)
     """
-    return bool(line.strip(" \t\r\n,;")) and not _TOLD_SEPARATOR.fullmatch(line)
+    filled = line.strip(" \t\r\n,;")
+    return bool(filled) and not (filled[0] in 'sS"' and _TOLD_SEPARATOR.fullmatch(line))
 
 
 def cells_of(line: str, separator: str) -> list[str]:
@@ -160,6 +165,8 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
     ValueError: read 4 cells, expected 2, as the headings; with decimal commas, semicolons ...
     """
     read = len(cells)
+    if read == expected:
+        return
     if read < expected or any(map(str.strip, cells[expected:])):
         commas = separator == "," and read > expected
         hint = "; with decimal commas, semicolons have to separate the cells" if commas else ""
@@ -167,8 +174,8 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
         raise ValueError(f"read {count}, expected {expected}, as the headings{hint}")
 
 
-def numbered_rows(lines: Iterable[str]) -> list[tuple[int, list[str]]]:
-    """Rows of numbers that are not empty, each with the number of its last line.
+def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
+    """Yield rows of numbers that are not empty, each with the number of its last line.
 
     The first is that of the headings, and no other one is longer; numbers have decimal points.
 
@@ -177,12 +184,11 @@ def numbered_rows(lines: Iterable[str]) -> list[tuple[int, list[str]]]:
     ValueError
         With what was expected.
     """
-    rest = iter(lines)
-    above, head = next((one for one in enumerate(rest) if has_cells(one[1])), (0, ""))
+    below = iter(lines)
+    above, head = next((line for line in enumerate(below) if has_cells(line[1])), (0, ""))
     separator, columns = separator_of(head), 0
     decimals = Decimals(separator)
-    rows = csv.reader(chain([head], rest), delimiter=separator)
-    made = []
+    rows = csv.reader(chain([head], below), delimiter=separator)
     try:
         for row in rows:
             if not any(map(str.strip, row)):
@@ -194,9 +200,8 @@ def numbered_rows(lines: Iterable[str]) -> list[tuple[int, list[str]]]:
                     expect_cells(row, columns, separator)
                 except ValueError as error:
                     raise ValueError(f"line {line}: {error}") from None
-            made.append((line, [decimals.with_points(cell, line) for cell in row[:columns]]))
+            yield line, [decimals.with_points(cell, line) for cell in row[:columns]]
     except csv.Error as error:
         raise ValueError(f"expected CSV: {error}") from None
     if decimals.doubt:
         raise ValueError("line {}: {}".format(*decimals.doubt))
-    return made

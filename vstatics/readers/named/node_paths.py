@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 from vstatics.errors import nearest, quoted, spoken, typed_number
-from vstatics.readers.named.arithmetic import calculated
+from vstatics.readers.named.arithmetic import calculated, dimensionless
 from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, what
 from vstatics.tables.names import in_quotes
 
@@ -174,6 +174,8 @@ def number_of(node: Node) -> WrittenNumber:
         raise ValueError(f"is {what(node)}, expected a number") from None
     if behind in _VARIABLES or behind[:1] in _SIGNS or _CALL.search(behind):
         raise ValueError(f"is a formula, {what(node)}, expected a number")
+    if behind[:1] in ("%", ":"):
+        return WrittenNumber(dimensionless(node.text), "")
     return WrittenNumber(value, behind)
 
 

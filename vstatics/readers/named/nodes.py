@@ -9,11 +9,13 @@ from __future__ import annotations
 import codecs
 from bisect import bisect_right
 from collections.abc import Iterable
+from functools import cached_property
 from itertools import accumulate, islice
 from typing import NamedTuple, NoReturn, TypeAlias
 
 from vstatics.errors import Path, Place, Problem, ReadError, nearest, path_text
 from vstatics.readers.reading import Source
+from vstatics.readers.signs import with_plain_blanks
 
 MOST_DEEP = 16
 MOST_PROBLEMS = 100
@@ -61,9 +63,16 @@ class Found:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.text = "\n".join(source.lines)
         self.problems: list[Problem] = []
-        self._starts = [0, *accumulate(len(line) + 1 for line in source.lines)]
+
+    @cached_property
+    def text(self) -> str:
+        """The text with one sign at the end of each line; tables, which are long, need none."""
+        return "\n".join(self.source.lines)
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        return [0, *accumulate(len(line) + 1 for line in self.source.lines)]
 
     def place(self, offset: int) -> tuple[int, int]:
         """Line and column, from 1, of an offset in the text."""
@@ -162,12 +171,11 @@ def decode(data: bytes, file: str, expected: str = "a case") -> Found:
         message = f"no {encoding.removesuffix('-sig').upper()} text: {error.reason}"
         message = f"{message} (byte {error.start + 1} of the file); save it in UTF-8"
         found.stop(message, len(before), len(before[-1]) + 1)
-    found = Found(Source(file, text))
+    found = Found(Source(file, with_plain_blanks(text)))
     if not text.strip():
         found.stop(f"the file is empty, expected {expected}", 1, 1)
-    zero = found.text.find("\0")
-    if zero >= 0:
-        found.stop("a zero byte: this is no text", *found.place(zero))
+    if "\0" in text:
+        found.stop("a zero byte: this is no text", *found.place(found.text.find("\0")))
     return found
 
 

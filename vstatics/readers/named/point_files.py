@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 from vstatics.model.shape import Measure
 from vstatics.readers.named.csv_files import csv_rows
+from vstatics.readers.named.headings import with_unit
 from vstatics.readers.named.si_units import measured
 
 MOST_BYTES = 1_000_000
 """Of a file of points."""
-_HEAD = re.compile(r"\s*(?P<name>speed|torque)\s*\[(?P<unit>[^\]]+)\]\s*")
 _COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 
@@ -24,7 +23,12 @@ def points_of(name: str) -> list[tuple[float, ...]]:
     ValueError
         With what was expected.
     """
-    return _points(csv_rows(Path(name), MOST_BYTES))
+    return _points(csv_rows(Path(name), MOST_BYTES, lambda cell: _name(cell) == "speed"))
+
+
+def _name(heading: str) -> str:
+    """The name of a column, in small letters."""
+    return with_unit(heading)[0].casefold()
 
 
 def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
@@ -65,13 +69,12 @@ def _units(heads: list[str]) -> list[str]:
     ValueError
         If a column is another one, or a unit none of its quantity.
     """
-    found = [head for head in map(_HEAD.fullmatch, heads) if head]
-    names = [head["name"] for head in found]
-    if names != [name for name, _ in _COLUMNS] or len(names) != len(heads):
+    units = [unit for _, unit in map(with_unit, heads) if unit]
+    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
         raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
-    for head, (name, kind) in zip(found, _COLUMNS, strict=True):
+    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
         try:
-            measured(f"1 {head['unit']}", kind)
+            measured(f"1 {unit}", kind)
         except ValueError as error:
             raise ValueError(f"line 1: the unit of {name}: {error}") from None
-    return [head["unit"] for head in found]
+    return units

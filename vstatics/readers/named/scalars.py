@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import re
 
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected, slip
+from vstatics.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip
 
-NUMBER = rf"^{ARITHMETIC}$"
+NUMBER = rf"^{DIMENSIONLESS}$"
 """A number, or a calculation of numbers, as a pattern for ECMAScript."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
@@ -23,7 +23,7 @@ _MOST_DIGITS = 9
 
 
 def number(text: str) -> float:
-    """A decimal number, a fraction, or other arithmetic.
+    """A decimal number, a fraction, other arithmetic, a percentage or a ratio of two numbers.
 
     Raises
     ------
@@ -32,13 +32,10 @@ def number(text: str) -> float:
 
     Examples
     --------
-    >>> number("-2.5e-1"), number("-96/39") == -96 / 39, number("1 + 78/30")
-    (-0.25, True, 3.6)
+    >>> number("-2.5e-1"), number("-96/39") == -96 / 39, number("98%"), number("3.55:1")
+    (-0.25, True, 0.98, 3.55)
     """
-    value, behind = calculated(text)
-    if behind:
-        raise ValueError(expected(text))
-    return value
+    return dimensionless(text)
 
 
 def link_number(text: str) -> int | None:

@@ -33,6 +33,7 @@ from vstatics.model.shape import (
     Shares,
 )
 from vstatics.model.torsional_keys import DAMPING
+from vstatics.readers.named.arithmetic import ARITHMETIC
 from vstatics.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.readers.named.si_units import WITH_UNIT
 from vstatics.readers.named.units import QUANTITY
@@ -113,7 +114,7 @@ def _measure(name: Measure) -> Words:
         "title": name.removeprefix("si_").capitalize(),
         "description": f"Bare in {UNIT_OF[name]}, or with its unit.",
         "type": ["number", "string"],
-        "pattern": f"{NUMBER}|{WITH_UNIT}",
+        "pattern": f"^{ARITHMETIC}$|{WITH_UNIT}",
     }
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vstatics.errors import spoken
 from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, slip
 from vstatics.readers.named.units import (
     LONGEST_UNIT,
     Quantity,
@@ -80,6 +80,11 @@ _OTHERS = {
     )
     for word in words.split()
 }
+_VELOCITIES = {
+    "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m in an hour
+    **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
+}
+"""Speeds of vehicles in one word, in letters of any size."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 """Units of force to `units`, of mass here where that gives what is asked for."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
@@ -107,6 +112,8 @@ def measured(text: str, measure: Measure) -> float:
     (57.2957..., 0.002)
     >>> measured("30 1/min", "si_speed") == measured("30 rpm", "si_speed")
     True
+    >>> measured("10 mph", "velocity"), measured("10 mi/h", "velocity").__round__(12)
+    (4.4704, 4.4704)
     """
     in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
     if not any(sign in "0123456789" for sign in text):
@@ -124,7 +131,7 @@ def measured(text: str, measure: Measure) -> float:
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
     if other:
         raise ValueError(f"{in_unit}; this is {with_article(other)}")
-    raise ValueError(in_unit + usual(behind, _QUANTITIES.get(measure)))
+    raise ValueError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
@@ -243,8 +250,8 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
     if of_words and word in _MILLISECONDS:
         return [_Base(_TIME, 1, 1000)]
-    if word in _OTHERS:
-        return [_OTHERS[word]]
+    if known := _OTHERS.get(word) or _VELOCITIES.get(word.casefold()):
+        return [known]
     whole = factors(word)
     if not _known(whole):
         for end in range(len(word), 0, -1):

@@ -6,9 +6,9 @@ import math
 import re
 from typing import Literal, Self
 
-from vstatics.errors import nearest
+from vstatics.errors import mixed_letters, nearest
 from vstatics.model.shape import UNITS
-from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, expected, slip
+from vstatics.readers.named.arithmetic import ARITHMETIC, calculated, dimensionless, expected, slip
 
 Quantity = Literal["speed", "torque", "power"]
 
@@ -50,11 +50,12 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
         ("ft foot feet", "length", *_FT),
         ("in inch inches", "length", _FT[0], _FT[1] * 12),
         ("yd yard yards", "length", _FT[0] * 3, _FT[1]),
+        ("mi mile miles", "length", _FT[0] * 5280, _FT[1]),
         ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
         ("rad radian radians рад", "angle", 1, 2 * math.pi),
         ("deg degree degrees °", "angle", 1, 360),
-        ("min minute minutes мин", "time", 1, 1),
-        ("s sec second seconds с сек", "time", 1, 60),
+        ("min mins minute minutes мин", "time", 1, 1),
+        ("s sec secs second seconds с сек", "time", 1, 60),
         ("h hr hour hours ч", "time", 60, 1),
         ("rpm", "speed", 1, 1),
         ("rps", "speed", 60, 1),
@@ -183,7 +184,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     number, behind = calculated(text) if _has_digits(text) else (0.0, "")
     found, size = unit(behind)
     if found != kind:
-        other = f"; this is a {found}" if found else usual(behind, kind)
+        other = f"; this is a {found}" if found else slip(text) or usual(behind, kind)
         such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
         raise ValueError(f"{such}{or_else}{other}")
     value = number * size
@@ -204,11 +205,13 @@ def usual(read: str, kind: Quantity | None) -> str:
     """
     told = slip(read)
     if told or kind is None:
-        return told
+        return told or mixed_letters(read)
     letters = _letters(read)
     alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
     meant = next(alike, _MEANT.get(letters))
-    return f"; did you mean `{meant}`?" if meant else nearest(read[:LONGEST_UNIT], _USUAL[kind])
+    if meant:
+        return f"; did you mean `{meant}`?"
+    return nearest(read[:LONGEST_UNIT], _USUAL[kind]) or mixed_letters(read)
 
 
 def _letters(text: str) -> str:
@@ -250,9 +253,9 @@ def relative(text: str, kind: Quantity) -> float:
     (0.002, 3.0)
     """
     if _has_digits(text):
-        value, behind = calculated(text)
-        if not behind:
-            return value
+        _, behind = calculated(text)
+        if not behind or behind[0] in "%:":
+            return dimensionless(text)
     if not any(sign.isalpha() for sign in text):
         raise ValueError(expected(text))
     return WithUnit(quantity(text, kind, f", or one relative to the input {kind}"), kind)

@@ -10,6 +10,7 @@ from vstatics.readers.named.node_paths import NoValueError
 from vstatics.readers.named.nodes import Found, Listing, Node, Scalar
 from vstatics.readers.named.nodes import Mapping as MappingNode
 from vstatics.readers.reading import Source
+from vstatics.readers.signs import with_plain_blanks
 from vstatics.readers.workbook.cells import MOST_ROWS, ReadCell, ReadSheet
 from vstatics.readers.workbook.grown import GrownNode, moved
 from vstatics.readers.workbook.sheets import (
@@ -266,12 +267,13 @@ class TreeOfSheets:
     def _value(self, cell: ReadCell) -> Node:
         """The node of a cell."""
         at = self._at(cell)
-        if not is_flow(cell.text):
-            return Scalar(cell.text, *at)
+        text = with_plain_blanks(cell.text)
+        if not is_flow(text):
+            return Scalar(text, *at)
         from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
         try:
-            return moved(yaml_tree(Found(Source("", cell.text))), *at)
+            return moved(yaml_tree(Found(Source("", text))), *at)
         except ReadError as error:
             self._no_value(cell, error.problems[-1].message)
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any, NamedTuple
 
-from vstatics.errors import quoted
+from vstatics.errors import listed, quoted, spoken
 from vstatics.readers.expressions.excerpt import Excerpt
 from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import TableName
+from vstatics.readers.expressions.operands import Constant, TableName, Velocity
+from vstatics.readers.named.si_units import measured
+from vstatics.simulation.scenario.algebra import parts
 from vstatics.simulation.scenario.corners import COMPARES
 from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
@@ -67,6 +70,82 @@ class StepCondition(NamedTuple):
 
         return true(self.formula.whole)
 
+    def with_wheel_speeds(self, turning: Mapping[str, Callable[[float], float]]) -> StepCondition:
+        """Return the condition with speeds of wheels in place of those of their vehicles.
+
+        Parameters
+        ----------
+        turning : mapping of str to callable
+            By the names of links with a road: the speed of the link at a speed of the vehicle.
+            [rad/s, m/s]
+
+        Raises
+        ------
+        ValueError
+            If the speed of a vehicle is compared with anything but such a link.
+
+        Examples
+        --------
+        >>> words = Vocabulary({"speed": ["wheel"]})
+        >>> fast = read_condition(Excerpt("speed('wheel') > 36 km/h", "when"), words)
+        >>> wheels = {"wheel": lambda velocity: velocity / 0.5}
+        >>> fast.with_wheel_speeds(wheels).formula.whole.operands[1]
+        Constant(value=20.0)
+        """
+        return StepCondition(
+            self.formula._replace(tree=_with_wheel_speeds(self.formula.whole, turning))
+        )
+
+
+def _speed(written: str, at: int) -> Constant | None:
+    """A speed with its unit: in rad/s, or in m/s as that of a vehicle."""
+    with suppress(ValueError):
+        return Velocity.of(measured(written, "velocity"), written, at)
+    with suppress(ValueError):
+        return Constant(measured(written, "si_speed"))
+    return None
+
+
+def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]]) -> Any:
+    """A tree of joined comparisons with speeds of wheels."""
+    if not isinstance(tree, Applied):
+        return tree
+    if not _compares(tree):
+        operands = tuple(_with_wheel_speeds(operand, turning) for operand in tree.operands)
+        return tree._replace(operands=operands)
+    speeds = [part for part in parts(tree) if isinstance(part, Velocity)]
+    if not speeds:
+        return tree
+    read = f"read {quoted(speeds[0].written)}, the speed of a vehicle, expected"
+    direct = [_signed(side) for side in tree.operands]
+    if any(speed not in direct for speed in speeds):
+        raise ValueError(f"{read} it alone on one side of a comparison")
+    seen = (seen_in(part) for part in parts(tree) if isinstance(part, TableName))
+    links = [one.of for one in seen if one is not None and one.word == "speed"]
+    if not links or not turning.keys() >= {*links}:
+        known = f"; links with a `road`: {listed(list(turning))}" if turning else ""
+        raise ValueError(f"{read} it next to speed() of a link with a `road`{known}")
+    reached = {turning[link](speed.value) for link in links for speed in speeds[:1]}
+    if len(reached) > 1:
+        raise ValueError(f"{read} it next to links that turn alike, not to {spoken(links)}")
+    sides = (_of_wheel(side, turning[links[0]]) for side in tree.operands)
+    return tree._replace(operands=tuple(sides))
+
+
+def _signed(side: Tree) -> Tree:
+    """A side of a comparison without its sign."""
+    is_negative = isinstance(side, Applied) and side.name == "-x"
+    return side.operands[0] if isinstance(side, Applied) and is_negative else side
+
+
+def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
+    """A side of a comparison, which may be the speed of a vehicle with a sign."""
+    if isinstance(side, Velocity):
+        return Constant(turning(side.value))
+    if isinstance(side, Applied) and isinstance(_signed(side), Velocity):
+        return side._replace(operands=(_of_wheel(_signed(side), turning),))
+    return side
+
 
 def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     """Read a condition.
@@ -83,7 +162,7 @@ def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     ...
     vstatics.errors.ReadError: when:1:3: error: expected a condition, such as `t >= 0.5` [E105]
     """
-    formula = read_formula(source, ["t"], words)
+    formula = read_formula(source, ["t"], words, quantity=_speed)
     for part in _parts(formula.whole):
         is_event = isinstance(part, TableName) and part.name in OF_EVENTS
         if not (is_event or (isinstance(part, Applied) and part.name in (*COMPARES, *_JOINS))):

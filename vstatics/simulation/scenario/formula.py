@@ -34,6 +34,8 @@ from vstatics.simulation.scenario.formula_code import (
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
+Quantity = Callable[[str, int], Constant | None]
+"""What a number with a unit means, by what is written and where; None if it is not known."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of what a motion is, which any formula may see."""
 OF_TORQUES = ("acceleration", "torque", "power")
@@ -198,7 +200,11 @@ class Formula(NamedTuple):
 
 
 def read_formula(
-    source: Excerpt, names: Collection[str] = VARIABLES, words: Vocabulary = NO_WORDS
+    source: Excerpt,
+    names: Collection[str] = VARIABLES,
+    words: Vocabulary = NO_WORDS,
+    *,
+    quantity: Quantity | None = None,
 ) -> Formula:
     """Read a formula.
 
@@ -209,6 +215,8 @@ def read_formula(
         What it may have of t, speed and angle.
     words : Vocabulary
         What else.
+    quantity : callable, optional
+        What numbers with units mean.
 
     Raises
     ------
@@ -224,19 +232,22 @@ def read_formula(
     ...
     vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
-    tree = formula_tree(source, names, words)
+    tree = formula_tree(source, names, words, quantity=quantity)
     text = source.part.strip()
     known = _with_numbers(tree, words.numbers)
     calls = any(isinstance(part, Applied) and part.name in words.tables for part in parts(tree))
-    return Formula(text, known if calls or known != tree else None)
+    return Formula(text, known if calls or quantity or known != tree else None)
 
 
-def formula_tree(source: Excerpt, names: Collection[str], words: Vocabulary) -> Tree:
+def formula_tree(
+    source: Excerpt, names: Collection[str], words: Vocabulary, *, quantity: Quantity | None = None
+) -> Tree:
     """The tree of a formula in which only these names and words stand."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     functions = (*FUNCTIONS, *words.tables)
     of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    read = parse(source, Language(functions, operands, "t", caret=True, of_names=of_names))
+    language = Language(functions, operands, "t", caret=True, of_names=of_names)
+    read = parse(source, language._replace(quantity=quantity) if quantity else language)
     tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
         if isinstance(part, Applied):

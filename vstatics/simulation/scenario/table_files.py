@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import get_args
 
 from vstatics.model.shape import Measure
 from vstatics.numerics.lookup_table import LookupTable
 from vstatics.readers.named.csv_files import csv_rows
+from vstatics.readers.named.headings import with_unit
 from vstatics.readers.named.si_units import measured
 
 MOST_BYTES = 5_000_000
 """Of a file."""
-_HEAD = re.compile(r"\s*[^\[\]]*\[(?P<unit>[^\]]+)\]\s*")
 
 
 def table_of(scenario: str, name: str) -> LookupTable:
@@ -25,7 +24,8 @@ def table_of(scenario: str, name: str) -> LookupTable:
     ValueError
         With what was expected.
     """
-    return _table(csv_rows(Path(scenario).parent / name, MOST_BYTES))
+    rows = csv_rows(Path(scenario).parent / name, MOST_BYTES, lambda cell: bool(with_unit(cell)[1]))
+    return _table(rows)
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
@@ -45,13 +45,10 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     0.75
     """
     heads = rows[0][1] if rows else []
-    first = _HEAD.fullmatch(heads[0]) if len(heads) > 1 else None
-    if first is None:
+    found = [with_unit(head)[1] or "" for head in heads]
+    if len(heads) < 2 or not found[0]:
         raise ValueError("expected a CSV file with a head such as `speed [rpm],.2,.5,1`")
-    units = [first["unit"], *[""] * (len(heads) - 1)]
-    one = _HEAD.fullmatch(heads[1])
-    if len(heads) == 2 and one:
-        units[1] = one["unit"]
+    units = found if len(heads) == 2 else [found[0], *[""] * (len(heads) - 1)]
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
     for line, row in rows[1:]:

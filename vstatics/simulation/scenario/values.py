@@ -80,7 +80,7 @@ class ScenarioValues:
             },
             settings={name: float(one) for name, one in values.get("set", {}).items()},
             states=tuple(self._states(values.get("states", {}))),
-            sequences=tuple(self._sequences(values.get("sequences", {}))),
+            sequences=tuple(self._sequences(values.get("sequences", {}), turning)),
             speeds={
                 link: self._given_speed(one, ("speeds", link), turning.get(link))
                 for link, one in values.get("speeds", {}).items()
@@ -145,11 +145,35 @@ class ScenarioValues:
                 math.inf if most is None else float(most),
             )
 
-    def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
-        for name, one in given.items():
-            steps = one.steps if isinstance(one, GivenSteps) else one
-            repeat = isinstance(one, GivenSteps) and one.repeat
-            yield StepSequence(name, tuple(map(_step, steps)), repeat)
+    def _sequences(
+        self, given: Mapping[str, Any], turning: Mapping[int, Turning]
+    ) -> Iterator[StepSequence]:
+        roads = {self.case.link_name(link): one for link, one in turning.items()}
+        for number, (name, sequence) in enumerate(given.items(), 1):
+            is_long = isinstance(sequence, GivenSteps)
+            path: Path = ("sequences", number, *["steps"] * is_long)
+            steps = sequence.steps if is_long else sequence
+            done = tuple(
+                self._step(step, (*path, place), roads) for place, step in enumerate(steps, 1)
+            )
+            yield StepSequence(name, done, is_long and sequence.repeat)
+
+    def _step(
+        self, given: Mapping[str, Any], path: Path, roads: Mapping[str, Turning]
+    ) -> SequenceStep:
+        within, shift, when = given.get("within"), given.get("shift"), given.get("when")
+        try:
+            when = when and when.with_wheel_speeds(roads)
+        except ValueError as error:
+            self.spots.tell((*path, "when"), str(error))
+        return SequenceStep(
+            when,
+            math.inf if within is None else float(within),
+            float(given["wait"]),
+            {name: _as_curve(one) for name, one in (given.get("set") or {}).items()},
+            Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
+            {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
+        )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
         """Distributions by the paths of numbers."""
@@ -285,18 +309,6 @@ def _ratios(given: Any) -> Curve:
         return _as_curve(given)
     times, ratios = zip(*given, strict=True) if given else ((), ())
     return Points(_floats(times), _floats(ratios))
-
-
-def _step(given: Mapping[str, Any]) -> SequenceStep:
-    within, shift = given.get("within"), given.get("shift")
-    return SequenceStep(
-        given.get("when"),
-        math.inf if within is None else float(within),
-        float(given["wait"]),
-        {name: _as_curve(one) for name, one in (given.get("set") or {}).items()},
-        Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
-        {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
-    )
 
 
 def _floats(values: Iterable[float]) -> tuple[Any, ...]:

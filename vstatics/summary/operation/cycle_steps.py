@@ -16,6 +16,7 @@ from vstatics.statics.solve import solve
 from vstatics.summary.design_table import is_guess
 from vstatics.summary.operation.point_loads import DutyPoints, PointLoads
 from vstatics.summary.operation.shifting import (
+    EngineSpeeds,
     ShiftSpeed,
     by_least_speed,
     by_shift_speeds,
@@ -84,9 +85,9 @@ class CycleSteps(NamedTuple):
             ratios = still.speeds / still.speeds[own, outputs][:, None]
             ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
-        engine = wheels[:, None] * ratios[own, inputs]
+        engine = EngineSpeeds(wheels, ratios[own, inputs], vehicle.may_turn)
         driving = np.where(engine_alone(case), still.ratio, math.nan)
-        gears = _gears(case, vehicle, trace, choice, engine, driving)
+        gears = _gears(case, trace, choice, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
             gear = case.gears[gears[lacking[0]]]
@@ -100,6 +101,17 @@ class CycleSteps(NamedTuple):
         ways = directions(driving, names) if choice.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
         return cls(case, vehicle, trace, gears, ratios, guessed)
+
+    def at(self, rows: Integers) -> CycleSteps:
+        """Some of the steps; the trace keeps its table."""
+        whole = self.trace
+        trace = whole._replace(
+            duration=whole.duration[rows],
+            speed=whole.speed[rows],
+            acceleration=whole.acceleration[rows],
+            slope=whole.slope[rows],
+        )
+        return self._replace(trace=trace, gears=self.gears[rows])
 
     @property
     def forces(self) -> Floats:
@@ -120,7 +132,7 @@ class CycleSteps(NamedTuple):
         links = np.array([of(gear) - 1 for gear in self.case.gears])
         return links[self.gears]
 
-    def _links(self, kind: str) -> Floats:
+    def link_speeds(self, kind: str) -> Floats:
         """Speeds of the input or output links [rad/s]."""
         speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
         return speeds
@@ -128,7 +140,7 @@ class CycleSteps(NamedTuple):
     @property
     def engine_speeds(self) -> Floats:
         """Of the engine, forward [rad/s]."""
-        return np.abs(self._links("input"))
+        return np.abs(self.link_speeds("input"))
 
     def course(self, engine: Floats) -> dict[str, Floats]:
         """What each step has in its middle, where speeds are their means, by heading."""
@@ -185,8 +197,9 @@ class CycleSteps(NamedTuple):
 
     def _from_wheels(self, rows: Integers) -> PointLoads:
         """The box with its output as input."""
-        speeds = self._links("output")[rows]
-        torques = -self.forces[rows] * self.vehicle.radius / self.vehicle.final_drive
+        here = self.at(rows)
+        speeds = here.link_speeds("output")
+        torques = -here.forces * self.vehicle.radius / self.vehicle.final_drive
         points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
         return self._solved(self._turned, rows, points)
 
@@ -220,70 +233,70 @@ class CycleSteps(NamedTuple):
         """Of the engine, with all losses, in its direction [N*m]."""
         loads = self._from_wheels(rows)
         given = self._given(self._turned, rows, loads)
-        engine: Floats = -given * np.sign(self._links("input")[rows])
+        engine: Floats = -given * np.sign(self.at(rows).link_speeds("input"))
         return engine
 
     def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
         """What rows lose that the engine drives, or that brake no more than its overrun."""
-        if rows.size:
-            lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
+        lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """The energy of brakes where the engine brakes at its overrun [J]."""
-        speeds = self._links("input")[rows]
+        here = self.at(rows)
+        speeds = here.link_speeds("input")
         points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
         lost.add(loads, rows, self.trace.duration[rows])
-        torque = self._given(self.case, rows, loads) * np.sign(self._links("output")[rows])
+        torque = self._given(self.case, rows, loads) * np.sign(here.link_speeds("output"))
         force = torque * self.vehicle.final_drive / self.vehicle.radius
-        power = (force - self.forces[rows]) * self.trace.speed[rows]
-        return float(power @ self.trace.duration[rows])
+        power = (force - here.forces) * here.trace.speed
+        return float(power @ here.trace.duration)
 
 
-def _gears(  # noqa: PLR0913 PLR0917 (what tells a gear)
-    case: Transmission,
-    vehicle: Vehicle,
-    trace: Trace,
-    choice: GearChoice,
-    engine: Floats,
-    ratios: Floats,
+def _gears(
+    case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
 ) -> Integers:
     """The gear of each step: of the trace, by shift speeds, or the highest that fits.
+
+    Parameters
+    ----------
+    ratios : ndarray, shape (gears,)
+        Of the case; NaN where the engine alone does not drive. [-]
 
     Raises
     ------
     CaseError
-        If one is none of the case, nothing tells it, or shifts are none of those up.
+        If a gear is not in the case, nothing gives it, or shifts do not go up.
     """
-    names, may = [gear.name for gear in case.gears], vehicle.may_turn(engine)
+    names = [gear.name for gear in case.gears]
     ways = {
         "the column `gear`": bool(trace.gears),
         "--shift": bool(choice.shifts),
         "--least-speed": choice.least_speed is not None,
     }
     if len(means := [name for name, given in ways.items() if given]) > 1:
-        raise CaseError("E426", f"{' and '.join(means)} tell the gears, expected one of them")
+        message = f"{' and '.join(means)} tell the gears, expected one of them"
+        raise CaseError("E426", message, place=trace.place)
     if choice.least_speed is not None:
         ahead = next(iter(directions(ratios, names)), [])
-        return by_least_speed(engine, choice.least_speed, may, ahead)
+        return by_least_speed(engine, choice.least_speed, ahead)
     if choice.shifts:
         try:
-            told_gears = by_shift_speeds(case, choice.shifts, trace.speed, may, ratios)
+            return by_shift_speeds(case, choice.shifts, trace.speed, engine, ratios)
         except ValueError as error:
             raise CaseError("E426", f"--shift: {error}") from None
-    elif trace.gears:
-        told_gears = trace.gears
-    elif len(names) == 1:
-        return np.zeros(len(trace.speed), np.int64)
-    else:
+    if not trace.gears:
+        if len(names) == 1:
+            return np.zeros(len(trace.speed), np.int64)
         message = "the trace has no column `gear`, expected one, --shift, or --least-speed"
-        raise CaseError("E426", message)
+        raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
+    numbers = {name: number for number, name in enumerate(names)}
     problems = [
         Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
-        for row, name in enumerate(told_gears)
-        if name not in names and not (standing[row] and not name)
+        for row, name in enumerate(trace.gears)
+        if name not in numbers and not (standing[row] and not name)
     ]
     if problems:
         raise CaseError(problems)
-    return np.array([names.index(name) if name in names else 0 for name in told_gears])
+    return np.array([numbers.get(name, 0) for name in trace.gears])

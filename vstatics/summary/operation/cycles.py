@@ -34,7 +34,8 @@ def cycle(
     ----------
     case : Transmission
     trace : path-like or Trace
-        CSV with columns time [s], speed [km/h], and perhaps gear and slope, a sine [-].
+        Table with columns time [s], speed [km/h], and optionally gear, and slope, a sine [-], or
+        grade, the rise over the horizontal distance [-].
     least_speed : float, optional
         The highest gear in which the engine turns as fast, else the lowest in which it turns no
         faster than at its last point. [rad/s]

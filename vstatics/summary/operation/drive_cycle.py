@@ -18,13 +18,13 @@ import numpy as np
 
 from vstatics.errors import listed, not_allowed
 from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.statics.carried import overloads_at_points
 from vstatics.statics.diagnosis import outside_message
 from vstatics.statics.result_arrays import Message
 from vstatics.summary.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.summary.operation.fuel_map import FuelMap
-from vstatics.summary.operation.trace import Trace
+from vstatics.summary.operation.trace import Trace, blocks
 from vstatics.summary.operation.traction import bare
 from vstatics.tables.answer import document, told
 
@@ -89,19 +89,19 @@ def drive(
     """
     assert case.vehicle is not None  # noqa: S101 - who asks knows
     steps = CycleSteps.of(bare(case), case.vehicle, trace, choice)
-    moving = np.flatnonzero(trace.speed > 0)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
     lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
     brakes = 0.0
-    if moving.size:
-        engine[moving] = steps.engine_torques(moving)
+    if (trace.speed > 0).any():
+        for rows in _blocks(trace.speed > 0):
+            engine[rows] = steps.engine_torques(rows)
         over = engine < case.vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
         over &= trace.speed > 0
         if over.any():
             engine[over] = case.vehicle.overrun_torque(speeds[over])
-        steps.add_losses(np.flatnonzero((trace.speed > 0) & ~over), lost)
-        if over.any():
-            brakes = steps.braked(np.flatnonzero(over), engine, lost)
+        for rows in _blocks((trace.speed > 0) & ~over):
+            steps.add_losses(rows, lost)
+        brakes = math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
     energy = CycleEnergy(
         float((engine * speeds) @ trace.duration),
         float((steps.forces * trace.speed) @ trace.duration),
@@ -122,10 +122,18 @@ def drive(
     distance = float(trace.speed @ trace.duration)
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
-    doubts = *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
+    notes = (Message(note.id, note.message) for note in trace.notes)
+    doubts = *notes, *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
     doubts += (outside_message(outside),) * bool(outside)
     messages = not_allowed(doubts, case.untold)
     return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
+
+
+def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
+    """The indices of wanted steps, in blocks that are calculated together."""
+    wanted = np.flatnonzero(are_wanted)
+    for part in blocks(len(wanted)):
+        yield wanted[part]
 
 
 def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:

@@ -25,6 +25,9 @@ from vstatics.tables.answer import told
 EXPONENT = 3.0
 """Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
 
+MOST = 1e30
+"""Largest number of a point in SI, above which energies and their sums may not be finite."""
+
 
 class LargestValue(NamedTuple):
     """The value that is largest without its sign, and the row that has it, from 1."""
@@ -180,6 +183,12 @@ def points_of(
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))
         for row, value in enumerate(numbers[kind])
         if value < 0
+    ]
+    problems += [
+        Problem("E425", f"{name}: read {value:g}, expected at most {MOST:g} in SI", (row,))
+        for name in ("speed", "torque", kind)
+        for row, value in enumerate(numbers[name])
+        if abs(value) > MOST
     ]
     if not problems and not sum(numbers[kind]) > 0:
         problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]

@@ -5,7 +5,7 @@ No rule takes a gear in which the engine would turn faster than it may, if anoth
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,6 +17,7 @@ from vstatics.numerics.arrays import Booleans, Floats, Integers
 from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.readers.named.si_units import measured
 from vstatics.summary.design_table import ranges_of
+from vstatics.summary.operation.trace import blocks
 
 
 class ShiftSpeed(NamedTuple):
@@ -84,14 +85,30 @@ def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
     return ranges_of(ratios.tolist(), [True] * len(ratios), names)
 
 
+class EngineSpeeds(NamedTuple):
+    """Speeds of the engine in each gear at the steps of a cycle."""
+
+    output: Floats
+    """(steps,): speed of the output [rad/s]."""
+    ratios: Floats
+    """(gears,): speed of the engine by that of the output [-]."""
+    may_turn: Callable[[Floats], Booleans]
+    """Whether the engine may turn as fast [rad/s]."""
+
+    def of(self, gear: int, rows: slice = slice(None)) -> Floats:
+        """Speeds in a gear at some steps [rad/s]."""
+        speeds: Floats = self.output[rows] * self.ratios[gear]
+        return speeds
+
+
 def by_shift_speeds(
     case: Transmission,
     shifts: Sequence[ShiftSpeed],
     speeds: Floats,
-    may: Booleans,
+    engine: EngineSpeeds,
     ratios: Floats,
-) -> list[str]:
-    """The gears of mean speeds [m/s], from the first gear on.
+) -> Integers:
+    """Return the indices of gears at mean speeds [m/s], from the first gear on.
 
     A shift up comes at the latest where the engine may not turn as fast as it would.
 
@@ -99,34 +116,34 @@ def by_shift_speeds(
     ----------
     case : Transmission
     shifts : sequence of ShiftSpeed
-    speeds : ndarray, shape (rows,)
+    speeds : ndarray, shape (steps,)
         Of the vehicle. [m/s]
-    may : ndarray, shape (rows, gears)
-        Whether the engine may turn as fast as it would.
+    engine : EngineSpeeds
     ratios : ndarray, shape (gears,)
         Of the case; NaN where the engine alone does not drive. [-]
 
     Raises
     ------
     ValueError
-        If there is no such gear, or a shift up goes to one of a larger ratio, of another
+        If there is no such gear, or a shift up goes to a gear of a larger ratio, of another
         direction, or of none.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
-    >>> speeds, may = np.array([3.0, 5.0, 4.5, 3.9]), np.ones((4, 2), bool)
-    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, may, np.array([2.0, 2.0]))
-    ['1', '2', '2', '1']
+    >>> speeds, ratios = np.array([3.0, 5.0, 4.5, 3.9]), np.array([2.0, 2.0])
+    >>> engine = EngineSpeeds(speeds, ratios, np.isfinite)
+    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, engine, ratios)
+    array([0, 1, 1, 0])
     """
     names = [gear.name for gear in case.gears]
-    ladder = [shifts[0].low, *(one.high for one in shifts)]
+    ladder = [shifts[0].low, *(shift.high for shift in shifts)]
     for name in ladder:
         if name not in names:
             raise ValueError(f"there is no gear {quoted(name)} in the case")
     alike = directions(ratios, names)
-    pairs = [f"{names[one]}-{names[other]}" for way in alike for one, other in pairwise(way)]
+    pairs = [f"{names[lower]}-{names[upper]}" for way in alike for lower, upper in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
     for low, high in pairwise(ladder):
         both = {names.index(low), names.index(high)}
@@ -134,33 +151,34 @@ def by_shift_speeds(
             message = f"the shift {low}-{high} is not from a gear to another one of its direction"
             raise ValueError(f"{message}; neighbours: {listed(pairs, 20) or 'none'}")
         if size[high] > size[low] * (1 + SAME_RATIO):
-            told = " and ".join(f"{quoted(one)} {size[one]:.6g}" for one in (low, high))
+            sizes = " and ".join(f"{quoted(name)} {size[name]:.6g}" for name in (low, high))
             message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"
-            raise ValueError(f"{message} ({told}), expected the lower gear first: {high}-{low}")
-    holds = may[:, [names.index(name) for name in ladder]]
-    place, found = 0, []
-    for speed, held in zip(speeds.tolist(), holds.tolist(), strict=True):
-        while place < len(shifts) and (speed >= shifts[place].up or not held[place]):
-            place += 1
-        while place and speed < shifts[place - 1].down and held[place - 1]:
-            place -= 1
-        found.append(ladder[place])
-    return found
+            raise ValueError(f"{message} ({sizes}), expected the lower gear first: {high}-{low}")
+    numbers = [names.index(name) for name in ladder]
+    place, chosen = 0, np.empty(len(speeds), np.int64)
+    for rows in blocks(len(speeds)):
+        columns = [engine.may_turn(engine.of(gear, rows)).tolist() for gear in numbers]
+        places = []
+        for speed, held in zip(speeds[rows].tolist(), zip(*columns, strict=True), strict=True):
+            while place < len(shifts) and (speed >= shifts[place].up or not held[place]):
+                place += 1
+            while place and speed < shifts[place - 1].down and held[place - 1]:
+                place -= 1
+            places.append(place)
+        chosen[rows] = np.array(numbers)[places]
+    return chosen
 
 
-def by_least_speed(engine: Floats, least: float, may: Booleans, ahead: Sequence[int]) -> Integers:
-    """The highest gear in which the engine turns as fast as it shall and no faster than it may.
+def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
+    """Return the highest gears in which the engine turns fast enough and no faster than it may.
 
     Where there is none, the first of those in which it turns no faster; of none the highest.
 
     Parameters
     ----------
-    engine : ndarray, shape (rows, gears)
-        Speeds of the engine. [rad/s]
+    engine : EngineSpeeds
     least : float
         As fast as it shall turn. [rad/s]
-    may : ndarray, shape (rows, gears)
-        Whether it may turn as fast as it would.
     ahead : sequence of int
         Indices of gears that are taken.
 
@@ -168,14 +186,16 @@ def by_least_speed(engine: Floats, least: float, may: Booleans, ahead: Sequence[
     --------
     Of 100 to 600 rad/s: in the first gear too fast, in the second too slow; too fast in both.
 
-    >>> engine = np.array([[700.0, 90.0], [1400.0, 700.0]])
-    >>> by_least_speed(engine, 100.0, engine <= 600, [0, 1])
+    >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
+    >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)
+    >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
-    order = sorted(ahead, key=lambda gear: float(engine[:, gear].max(initial=0.0)))
-    chosen = np.full(len(engine), order[0] if order else 0)
+    order = sorted(ahead, key=lambda gear: float(engine.ratios[gear]))
+    chosen = np.full(len(engine.output), order[0] if order else 0)
     for gear in order:
-        chosen[may[:, gear]] = gear
+        chosen[engine.may_turn(engine.of(gear))] = gear
     for gear in reversed(order):
-        chosen[may[:, gear] & (engine[:, gear] >= least)] = gear
+        speeds = engine.of(gear)
+        chosen[engine.may_turn(speeds) & (speeds >= least)] = gear
     return chosen

@@ -31,6 +31,8 @@ _ROOTS = ("load", "gears", "drag", "mesh_efficiency")
 """First words of paths that are no names."""
 
 
+_KEYS_OF_PARTS = ("elements", "mechanisms", "shift_elements", "springs")
+"""Keys of a case with parts that have names, by which a path may begin too."""
 _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
 """Keys of a case whose numbers no table of a gear depends on."""
 
@@ -133,6 +135,21 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     if not (of or part):
         return None
     return CasePath(path, of, None if of else part, unit[1].strip() if unit else "")
+
+
+def by_name(text: str) -> str:
+    """Return the path of a number by the name of its part, where the key of the case is before it.
+
+    >>> by_name("inertias.wl [kg*m^2]"), by_name("springs.damper.stiffness"), by_name("D1.ratio")
+    ('wl.inertia [kg*m^2]', 'damper.stiffness', 'D1.ratio')
+    """
+    key, dot, path = text.strip().partition(".")
+    if dot and key == "inertias":
+        name, unit = (
+            (path[: found.start()], found[0]) if (found := _UNIT.search(path)) else (path, "")
+        )
+        return f"{name}.inertia{unit}"
+    return path if dot and key in _KEYS_OF_PARTS else text
 
 
 def known_paths(case: Transmission) -> list[str]:

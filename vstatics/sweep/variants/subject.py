@@ -17,7 +17,7 @@ from vstatics.errors import Place, ReadError, nearest, quoted
 from vstatics.jobs.input_files import read_file
 from vstatics.model.transmission import Transmission
 from vstatics.readers.named.nodes import Mapping, Node, decode
-from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
+from vstatics.sweep.variants.path_numbers import CasePath, by_name, case_path, known_paths, no_path
 from vstatics.sweep.variants.scenario_numbers import (
     NumberPath,
     Trees,
@@ -315,7 +315,9 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
     ReadError
         If there is no such number; it names the nearest.
     """
-    path = case_path(text, case)
+    if not (known := case_path(text, case)):
+        text = by_name(text)
+    path = known or case_path(text, case)
     if path is not None and path.quantity not in OF_MECHANISM:
         return path
     try:

@@ -23,6 +23,7 @@ from vstatics.readers.named.csv_rows import (
     separator_of,
 )
 from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.readers.signs import with_plain_blanks
 from vstatics.readers.sweep_tables import NUMBER, STATUS
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
@@ -166,10 +167,7 @@ def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:
 def _separator(line: str, place: Place) -> str:
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", place)
-    try:
-        return separator_of(line)
-    except ValueError as error:
-        raise refusal(str(error), place) from None
+    return separator_of(line)
 
 
 def targets_of(
@@ -248,8 +246,8 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
     """The numbers of a piece; none if anything in it is unusual."""
-    if columns.separator == ";":
-        if b"." in piece:
+    if columns.separator != ",":
+        if b"." in piece or (columns.separator == "\t" and b"," in piece):
             return None  # each is looked at
         columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
@@ -324,7 +322,7 @@ def _text(data: bytes, file: str, line: int) -> str:
     """A line without its end."""
     data = data.removesuffix(b"\r")
     try:
-        return data.decode()
+        return with_plain_blanks(data.decode())
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start]:
             message = "a zero byte: this is no text; save the table as CSV in UTF-8"
