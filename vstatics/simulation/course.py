@@ -449,7 +449,7 @@ class EventRun:
         return f"the sequence {self.sequences.going[watch.of].name}"
 
     def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
-        sticks = ("stick", "rigid")
+        sticks = ("stick", "rigid", "parted")  # the last one is no matter of friction
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
             kind = "slips"

@@ -32,10 +32,10 @@ from vstatics.simulation.scenario.formula import (
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
-from vstatics.simulation.scenario.words import vocabulary
+from vstatics.simulation.scenario.words import elastic_names, vocabulary
 from vstatics.simulation.tolerances import (
     LARGEST_NUMBER,
     MISSING_MASS,
@@ -129,10 +129,25 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
     elif start.speed:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
     yield from of_finite([start.speed], "a speed", ("start", "speed"))
-    speeds = {link: [speed] for link, speed in start.speeds.items()}
-    yield from _of_speeds(speeds, case, "start", "speeds")
+    for key, numbers in (("speeds", start.speeds), ("angles", start.angles)):
+        yield from _of_speeds({n: [one] for n, one in numbers.items()}, case, "start", key)
+    yield from _of_twists(start, case)
     for place, element in enumerate(start.engaged, 1):
         yield from _of_element(element, case, ("start", "engaged", place))
+
+
+def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
+    """Of twists at the start: of something elastic, finite, and not beside `settled`."""
+    names = elastic_names(case)
+    for name, twist in start.twists.items():
+        path = ("start", "twists", name)
+        if name not in names:
+            hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
+            yield Problem("E671", f"read {quoted(name)}, expected the name of a spring{hint}", path)
+        yield from of_finite([twist], "a twist", path)
+    if start.twists and start.settled:
+        message = "read `twists` beside `settled`, which determines them: expected one of them"
+        yield Problem("E648", message, ("start", "twists"))
 
 
 def _of_controls(
