@@ -7,6 +7,7 @@ import pytest
 from scipy import linalg
 
 from tests.chance import count, seeded
+from vstatics.model.parts import damping
 from vstatics.model.springs import Spring
 from vstatics.model.transmission import Transmission
 from vstatics.torsion import Harmonic, modes, response
@@ -70,6 +71,6 @@ def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(s
     assert found == pytest.approx(np.abs(amplitudes).tolist(), rel=1e-8, abs=1e-14)
     for one in case.springs:
         twist = sum(part * amplitudes[link - 1] for link, part in one.form.items())
-        factor = 1j * omega * one.damping.viscous if one.is_damper else one.rate
+        factor = 1j * omega * damping(one.damping).viscous if one.is_damper else one.rate
         carried = abs(complex(order.torques[one.name][0]))
         assert carried == pytest.approx(abs(factor * twist), rel=1e-8, abs=1e-12)

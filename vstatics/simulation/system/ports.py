@@ -38,6 +38,9 @@ from vstatics.simulation.system.curves import (
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.sight import following, looking
 
+SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
+"""States of mechanisms that move and lose power."""
+
 
 class States(NamedTuple):
     """What everything does between two events."""
