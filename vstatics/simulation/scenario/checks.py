@@ -27,6 +27,7 @@ from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,
     OF_TORQUES,
+    SHORT_SPEED,
     Formula,
     Vocabulary,
     formula_tree,
@@ -406,6 +407,11 @@ def of_formula(
     try:
         if law.tree is None:  # else read with its names, which it no longer has
             formula_tree(Excerpt(law.text, "formula"), names, words)
+            if SHORT_SPEED in words.values and "speed" in law.variables:
+                message = (
+                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or number"
+                )
+                yield Problem("E680", f"{message}: expected another name of it", path)
         if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
             message = f"read {quoted(law.text)}, which is {value:g}, expected a number"
             yield Problem("E723", message, path)

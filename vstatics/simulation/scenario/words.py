@@ -18,7 +18,7 @@ from vstatics.simulation.scenario.formula import (
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
 from vstatics.tables.names import NAME
 
-_TRUTH = ("on", "off", "yes", "no", "true", "false", "y", "n")
+_TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that a reader of YAML may take for true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
