@@ -191,6 +191,18 @@ def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
         yield Problem("E633", message, path)
 
 
+def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
+    """A formula of the time, or of its own motion, that has no value whatever these are."""
+    if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
+        return
+    times = np.linspace(0.0, duration, _TRIED_TIMES)
+    speeds, angles = 1e3 * np.sin(7.3 * np.arange(_TRIED_TIMES)), np.cos(np.arange(_TRIED_TIMES))
+    values = law.along(times, speeds, angles)
+    if law.variables and not np.isfinite(values).any():
+        message = f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number"
+        yield Problem("E633", message, path)
+
+
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
     """A control or a limit: numbers over time."""
     law, scale = control
@@ -360,7 +372,11 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     converters = [one.name for one in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
     for law, own, path, which in _placed_formulas(scenario):
-        yield from of_formula(law, own, path, words.only(*which) if which else Vocabulary())
+        known = words.only(*which) if which else Vocabulary()
+        problems = list(of_formula(law, own, path, known))
+        yield from problems
+        if not problems and path[0] not in ("controls", "limits"):  # these must always be numbers
+            yield from _never_a_number(law, scenario.duration, path)
 
 
 _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
