@@ -55,8 +55,9 @@ def test_play_holds_nothing_until_it_is_passed() -> None:
     assert motion.speeds[before][:, 0] == pytest.approx(3.0)
 
 
-def test_a_damper_acts_in_play_too() -> None:
-    case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=4.0, name="S"),))
+def test_a_damper_alone_acts_in_the_play_of_a_spring_beside_it() -> None:
+    oil = Spring(between(1), damping=4.0, name="S")
+    case = links(2.0, springs=(Spring(between(1), points=PLAY, damping=9.0, name="P"), oil))
     motion = run(case, 0.015, {1: 3.0})  # 2 dw/dt = -4 w
     assert motion.speeds[-1, 0] == pytest.approx(3 * math.exp(-2 * 0.015), rel=1e-10)
     assert torque(motion)[-1] == pytest.approx(4 * motion.speeds[-1, 0])
@@ -82,10 +83,8 @@ def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
 def test_the_torque_of_a_spring_has_its_damper_and_its_friction_too() -> None:
     spring = Spring(between(1), points=PLAY, damping=4.0, friction=14.0, name="S")
     motion = run(links(2.0, springs=(spring,)), 0.01, {1: 3.0})
-    assert torque(motion) == pytest.approx(14.0 + 4 * motion.speeds[:, 0])  # in its play
-    assert motion.energy.heat["S"] + motion.energy.losses["S"] == pytest.approx(
-        9.0 - motion.speeds[-1, 0] ** 2
-    )
+    assert torque(motion) == pytest.approx(14.0)  # in its play
+    assert motion.energy.heat["S"] == pytest.approx(9.0 - motion.speeds[-1, 0] ** 2)
 
 
 def test_friction_in_play_holds_a_link() -> None:
@@ -191,13 +190,23 @@ def random_chain(rng: Random) -> tuple[Scenario, list[Line]]:
     number = rng.randint(2, 4)
     lines = [random_points(rng) for _ in range(number - 1)]
     springs = [
-        Spring(between(n, n + 1), points=line, damping=rng.choice((0, rng.uniform(0, 5))))
+        Spring(between(n, n + 1), points=line, damping=_random_damping(rng, line))
         for n, line in enumerate(lines, 1)
     ]
     case = links(*(rng.uniform(0.2, 3) for _ in range(number)), springs=tuple(springs))
     ramp = Points((0.0, 0.4), (rng.uniform(-50, 50), rng.uniform(-50, 50)))
     start = Start(speeds={n: rng.uniform(-5, 5) for n in range(1, number + 1)})
     return Scenario(case, 0.6, start, torques=((1, ramp),)), lines
+
+
+def _random_damping(rng: Random, line: Line) -> float:
+    """None beside a play, in whose contact it would not act as an integrator without events has it."""
+    damping = rng.choice((0.0, rng.uniform(0, 5)))
+    return (
+        0.0
+        if sum(torque == 0 for _, torque in line) > 1 or line[0][0] == line[1][1] == 0
+        else damping
+    )
 
 
 def integrated(scenario: Scenario, lines: list[Line]) -> Floats:

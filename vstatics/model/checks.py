@@ -94,11 +94,10 @@ def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _laws(case: TransmissionFields) -> Iterator[Problem]:
-    """Drags and efficiencies that depend on speed or torque need a load."""
+    """Balances of machines, which depend on their torques."""
     if case.depends:
-        from vstatics.model.laws import of_balances, without_loads  # costs start-up time
+        from vstatics.model.laws import of_balances  # costs start-up time
 
-        yield from without_loads(case)
         yield from of_balances(case)
 
 

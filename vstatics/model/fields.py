@@ -274,7 +274,7 @@ class TransmissionFields:
             element = self.shift_elements[number - 1]
             join(bodies, element.first, element.second)
         for spring in self.springs:  # a shaft is not twisted further at mean speeds
-            join(bodies, *(ends(spring.twist) or ()))
+            join(bodies, *(() if spring.is_damper else ends(spring.twist) or ()))
         return bodies
 
     def bypassed(self, gear: Gear) -> set[int]:

@@ -102,7 +102,7 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:
-    """Laws in gears whose load does not tell speed and torque."""
+    """Laws in gears whose load has no speed or no torque; statics needs both, a run does not."""
     places: list[Path] = [
         ("mechanisms", number, name)
         for number, one in enumerate(case.mechanisms, 1)

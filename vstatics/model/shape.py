@@ -136,7 +136,7 @@ class Ends(NamedTuple):
 class Numbers(NamedTuple):
     """Links or shift elements with a number for each, or with what else it has in its place."""
 
-    by: Literal["link", "shift element", "mechanism", "spring"]
+    by: Literal["link", "shift element", "mechanism", "spring", "elastic device"]
     item: Shape
     limits: Limits = NO_LIMITS
 

@@ -51,6 +51,17 @@ class TwistCurve(NamedTuple):
         """Whether it is not straight through 0."""
         return len(self.twists) > 2 or self.piece(0)[0] != 0
 
+    def side(self, number: int) -> float:
+        """The sign of the torque on a piece beside a play; 0 in the play."""
+        torque = sum(self.torques[number : number + 2])
+        return math.copysign(1.0, torque) if torque else 0.0
+
+    @property
+    def has_gap(self) -> bool:
+        """Whether a piece of it has no torque: what it joins can part there."""
+        pieces = [self.piece(number) for number in range(len(self.twists) - 1)]
+        return (0.0, 0.0) in pieces and len({*pieces}) > 1
+
     @property
     def has_play(self) -> bool:
         """Whether it has no torque about a twist of 0."""
@@ -160,7 +171,7 @@ class Spring(NamedTuple):
         Links with their coefficients; that of a shaft is the angle of the first link less
         that of the second. The housing does not turn, so it may be left out.
     stiffness : float, optional
-        [N*m/rad]
+        A spring without one is a damper alone. [N*m/rad]
     compliance : float, optional
         In place of the stiffness. [rad/(N*m)]
     damping : Damping or float
@@ -208,7 +219,14 @@ class Spring(NamedTuple):
             return self.strut.slope(self.strut.at)
         if self.points:
             return self.curve.steepest
-        return self.stiffness if self.stiffness is not None else 1 / (self.compliance or 0.0)
+        if self.compliance:
+            return 1 / self.compliance
+        return self.stiffness or 0.0
+
+    @property
+    def is_damper(self) -> bool:
+        """Whether it has no stiffness: a damper alone, which carries nothing at mean speeds."""
+        return not (self.stiffness or self.compliance or self.points or self.strut)
 
     @property
     def curve(self) -> TwistCurve | StrutCurve:

@@ -76,9 +76,13 @@ def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Ite
     if spring.strut:
         yield from _of_strut(case, spring, (*path, "strut"))
     given = (spring.stiffness, spring.compliance)
-    if given.count(None) == 2 and not (spring.points or spring.strut):
-        message = "there is no `stiffness`, no `compliance` and no `points`, expected one of them"
-        yield Problem("E252", message, path)
+    damped = damping(spring.damping)
+    if spring.is_damper and damped.loss_factor:
+        message = "read a loss factor or ratio without `stiffness`, of which it would be a part"
+        yield Problem("E252", f"{message}: expected one", path)
+    elif spring.is_damper and given == (None, None) and not damped.viscous:
+        message = "there is no `stiffness`, no `compliance`, no `points` and no `damping`"
+        yield Problem("E252", f"{message}, expected one of them", path)
     elif None not in given:
         yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
     if spring.compliance is not None:
@@ -202,9 +206,10 @@ def of_elastic(
     stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
 ) -> Iterator[Problem]:
     """The stiffness and damping of a device; what is rigid (unless `always` elastic) has none."""
-    if stiffness is not None:
-        yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
+    is_damper = always and stiffness == 0 and viscous > 0
+    if stiffness is not None and not is_damper:
+        yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     here = (*path, "damping")
     if not always:
         yield from _of_unit(viscous, "it turns", here, straight=False)

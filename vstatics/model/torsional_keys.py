@@ -170,7 +170,12 @@ SPRING = ByKey(
             limits=ABOVE_0,
             examples=(84e-5,),
         ),
-        _DAMPING,
+        KeyShape(
+            "damping",
+            DAMPING,
+            "Damping beside its stiffness, in N*m*s/rad; of a spring whose points have a play it "
+            "acts in contact only, and spring and damper together never pull.",
+        ),
         KeyShape(
             "limit",
             LIMIT,

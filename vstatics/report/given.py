@@ -238,6 +238,8 @@ def _stiffness(spring: Spring) -> list[Cell]:
         return [_number(spring.rate), word("strut")]
     if spring.points:
         return [Cell(tr("{count} points", count=len(spring.points)), None), _number(None)]
+    if spring.is_damper:
+        return [_number(None), _number(None)]
     return [_number(spring.rate), _number(1 / spring.rate)]
 
 

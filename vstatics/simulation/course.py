@@ -37,7 +37,7 @@ from vstatics.simulation.scenario.parts import SequenceStep
 from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
-from vstatics.simulation.system.ports import States
+from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
 from vstatics.simulation.system.sight import corners
 from vstatics.simulation.tolerances import (
     AHEAD,
@@ -449,7 +449,26 @@ class EventRun:
                     self._tell_change(time, contact, *change)
             for index, spring in enumerate(self.system.springs):
                 self._tell_change(time, spring, before.springs[index], states.springs[index])
+            self._tell_meshes(time, before, states)
         self.record.joined.clear()
+
+    def _tell_meshes(self, time: float, before: States, states: States) -> None:
+        """List mechanisms that begin to be held still by their friction, or to move again."""
+        pairs = zip(before.meshes, states.meshes, strict=True)
+        for index, (earlier, later) in enumerate(pairs):
+            if earlier in SIGNS_OF_MESHES and later == "stick" and self._holds(index, states):
+                kind: EventKind = "locks"
+            elif earlier == "stick" and later in SIGNS_OF_MESHES and self._holds(index, before):
+                kind = "slips"
+            else:
+                continue
+            self.record.events.append(event_of(time, self.system.meshes[index], kind))
+
+    def _holds(self, mesh: int, states: States) -> bool:
+        """Whether without friction in mechanisms a mechanism would move."""
+        loose = self.selection.structure(states.held, ("",) * len(states.meshes))
+        slip = self.system.meshes[mesh].slip
+        return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
         """The law of a torque at whose jump there is no way on."""
@@ -483,7 +502,7 @@ class EventRun:
         return f"the sequence {self.sequences.going[watch.of].name}"
 
     def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
-        sticks = ("stick", "rigid")
+        sticks = ("stick", "rigid", "parted")  # the last one is no matter of friction
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
             kind = "slips"

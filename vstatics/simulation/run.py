@@ -17,6 +17,7 @@ from vstatics.simulation.events.instants import start_instant
 from vstatics.simulation.events.selection import NoChoice
 from vstatics.simulation.events.springs_at_start import settled_twists, with_viscous_damping
 from vstatics.simulation.events.start import (
+    given_angles,
     start_gear,
     start_speeds,
     with_all_converters,
@@ -121,7 +122,9 @@ def begun(
     system = motion_system(scenario, programmes(scenario, engaged), gear)
     speeds = start_speeds(system, gear)
     system, messages = with_viscous_damping(system, speeds)
-    start = start_instant(system, speeds, _twists(system, speeds))
+    angles, twists = given_angles(system)
+    twists = _settled(system, speeds) if scenario.start.settled else twists
+    start = start_instant(system, speeds, twists, angles)
     record = Record(system, start, step, asked)
     notes = (*bare_capacities(scenario.case), *cut_controls(scenario))
     told = (Message(one.id, one.message) for one in notes)
@@ -146,10 +149,8 @@ def _to_its_end(run: EventRun) -> Motion:
     return motion if stopped else _closed(motion, record.turnover)
 
 
-def _twists(system: MotionSystem, speeds: Floats) -> Floats:
-    """Twists at t = 0 [rad]."""
-    if not system.scenario.start.settled:
-        return np.zeros(len(system.springs))
+def _settled(system: MotionSystem, speeds: Floats) -> Floats:
+    """Twists at t = 0 with which nothing swings [rad]."""
     try:
         return settled_twists(system, speeds)
     except NoChoice:

@@ -45,6 +45,8 @@ def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
     >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])
     (True, False)
     """
+    if spring.is_damper:
+        return False
     first, *others = (speeds[link - 1] for link in spring.form)
     parts = list(spring.form.values())
     if abs(sum(parts)) > TIE * max(map(abs, parts)):

@@ -338,7 +338,8 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
-        springs = [names[i] for i in involved if always - len(case.springs) <= i < always]
+        loaded = always - sum(not one.is_damper for one in case.springs)
+        springs = [names[i] for i in involved if loaded <= i < always]
         free = [names[i] for i in involved if i < always and names[i] in at_ratios]
         every = [names[i] for i in involved]
         conditions = spoken(engaged + springs + others if engaged or others else every)

@@ -294,11 +294,12 @@ def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
 
 
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:
-    """Those of mechanisms and springs, without converters that are bypassed in the gear."""
-    elements = len(case.shift_elements)
-    bypassed = case.bypassed(gear)
-    number = elements + len(case.mechanisms) + len(case.springs)
-    return [device for device in range(elements, number) if device - elements not in bypassed]
+    """Those of mechanisms and springs, without bypassed converters and dampers alone."""
+    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
+    left_out = case.bypassed(gear)
+    left_out |= {n for n, one in enumerate(case.springs, mechanisms) if one.is_damper}
+    number = elements + mechanisms + len(case.springs)
+    return [device for device in range(elements, number) if device - elements not in left_out]
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:

@@ -61,8 +61,8 @@ def solve(  # noqa: PLR0913
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none, there is a text among the numbers, or
-        a converter has no speed ratio.
+        If a ratio or an efficiency in the arrays is none, there is a text among the numbers, a
+        converter has no speed ratio, or a drag or efficiency depends on a load that is missing.
     TypeError
         If `case` is no transmission, such as the name of a file.
     ValueError
@@ -93,6 +93,11 @@ def solve(  # noqa: PLR0913
     """
     if problems := list(of_missing_ratios(case, open_too=True)):
         raise CaseError(problems)
+    if case.depends:
+        from vstatics.model.laws import without_loads  # it costs start-up time
+
+        if problems := list(without_loads(case)):
+            raise CaseError(problems)
     case = case.with_coast(coast)
     if idle not in (None, case.idle):
         case = replace(case, idle=idle)

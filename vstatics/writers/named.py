@@ -307,6 +307,8 @@ def _dumper() -> type[yaml.SafeDumper]:
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
         plain = printable(data, lines=True) == data  # else only quotes can hold its escapes
         style = ("|" if "\n" in data else None) if plain else '"'
+        if data in {*"yYnN"}:  # true or false for strict readers of YAML 1.1, PyYAML writes it bare
+            style = "'"
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 
     def on_one_line(dumper: yaml.SafeDumper, data: _OnOneLine) -> yaml.MappingNode:

@@ -219,9 +219,9 @@ def test_points_are_in_order_and_none_is_below_0(law: PointLaw, said: str) -> No
 
 def test_what_depends_needs_a_load() -> None:
     with pytest.raises(CaseError, match=r"gears\[1\].drag\[1\]: it depends .* has no torque"):
-        pair(Load(1000), drag={1: PointLaw([(0, 1)])})
+        solve(pair(Load(1000), drag={1: PointLaw([(0, 1)])}))
     with pytest.raises(CaseError, match=r"mechanisms\[1\].efficiency: it depends"):
-        pair(None, PointLaw([(0, 0.9)]))
+        solve(pair(None, PointLaw([(0, 0.9)])))
 
 
 def test_a_case_with_laws_is_written_as_it_was_read(tmp_path: Any) -> None:

@@ -68,6 +68,6 @@ def test_points_are_written_and_read(write: object) -> None:
 
 def test_without_a_load_the_element_is_told() -> None:
     with pytest.raises(CaseError, match="gear drive has no speed") as caught:
-        loads(OVER_TORQUE.replace("{speed: 2000 rpm, torque: 100 N*m}", "{torque: 100 N*m}"))
+        solve(loads(OVER_TORQUE.replace("{speed: 2000 rpm, torque: 100 N*m}", "{torque: 100 N*m}")))
     path, _ = [problem.path for problem in caught.value.problems if problem.id == "E267"]
-    assert path == ("elements", 1, "efficiency")
+    assert path == ("mechanisms", 1, "efficiency")

@@ -227,6 +227,7 @@ def _spring(number: int, spring: Spring, case: Transmission) -> Device:
     if shaft is not None:
         members = dict(zip(("first", "second"), shaft, strict=True))
         has_gap = isinstance(spring.curve, TwistCurve) and spring.curve.has_play
+        has_gap &= not spring.is_damper
         return Device(spring.name, "spring", members, (number,), has_gap=has_gap)
     members = {case.link_name(link): link for link in spring.form}
     labels = {case.link_name(link): f"×{part:.5g}" for link, part in spring.form.items()}

@@ -18,6 +18,8 @@ from vstatics.readers.expressions.operands import DottedName, TableName
 
 SPEED = "w"
 """The magnitude of the speed of a link, or of the slip of a shift element. [rad/s]"""
+NAMES = (SPEED, "speed")
+"""Names of this speed in a formula; in formulas of a scenario it has its sign."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 _OPERANDS = f"a number, the speed {SPEED} in rad/s, pi, or one of {', '.join(FUNCTIONS)}"
 
@@ -85,7 +87,7 @@ def _tree(text: str) -> Tree:
     """The tree of a formula."""
     tree = parse(Excerpt(text, "drag"), Language(FUNCTIONS, _OPERANDS, SPEED, caret=True))
     for part in _names(tree):
-        known = isinstance(part, TableName) and part.name in (SPEED, "pi") and not part.subscripts
+        known = isinstance(part, TableName) and part.name in (*NAMES, "pi") and not part.subscripts
         if not known:
             read = part.name if isinstance(part, TableName) else part.written
             message = f"read {quoted(read)} in it, expected {_OPERANDS}"

@@ -57,13 +57,20 @@ def either_way(text: str, measure: Any) -> float:
     return of_either(text, measure)
 
 
+_FORMULA = re.compile(
+    r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
+)
+"""A name of the speed, or operators where no unit follows the first number."""
+
+
 def _drag(text: str) -> float:
-    """A torque, or what depends on the speed w."""
+    """A torque, or a formula of the speed."""
     try:
         return units.relative(text, "torque")
-    except ValueError:
-        if not re.search(r"\bw\b", text):
-            raise
+    except ValueError as error:
+        if not _FORMULA.search(text):
+            allowed = "a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
+            raise ValueError(f"{error}; {allowed}") from None
     from vstatics.readers.named.drag_formulas import read_drag_formula  # likewise
 
     return read_drag_formula(text)

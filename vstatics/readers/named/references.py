@@ -40,7 +40,11 @@ class References:
         self._links = 0
         self._link_numbers: dict[str, int] = {}
         self._elements: dict[str, int] = {}
-        self._others: dict[str, dict[str, int]] = {"mechanism": {}, "spring": {}}
+        self._others: dict[str, dict[str, int]] = {
+            "mechanism": {},
+            "spring": {},
+            "elastic device": {},
+        }
 
     def set_links(self, links: int) -> None:
         """Links that have numbers only."""
@@ -57,7 +61,7 @@ class References:
         self._elements = _numbered(names)
 
     def set_others(self, kind: str, names: Iterable[str]) -> None:
-        """The mechanisms in order, without those of drawn elements, or the springs."""
+        """The mechanisms in order, without those of drawn elements; springs; all that bends."""
         self._others[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
@@ -75,7 +79,8 @@ class References:
         numbers = self._others[kind]
         if text in numbers:
             return numbers[text]
-        raise ValueError(f"expected the name of a {kind}{self._known(text, numbers)}")
+        article = "an" if kind == "elastic device" else "a"
+        raise ValueError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
         """The number of a link, 0 for the housing, `NO_LINK` if no links are known.

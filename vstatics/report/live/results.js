@@ -200,15 +200,18 @@
     return c.conditions.every(([kind, formula]) => holds[kind](number(formula))) ? "" : "no such teeth";
   };
 
-  // Mechanisms and springs, by their indices among the devices, without bypassed converters: model/fields.py
-  const alwaysLoaded = ({ links, elements, mechanisms, springs }) => {
-    const devices = [...mechanisms, ...springs].map((one, n) => elements.length + n);
+  // Mechanisms and springs, by their indices among the devices, without bypassed converters and dampers
+  // alone: model/fields.py
+  const alwaysLoaded = ({ links, elements, mechanisms, springs, dampers }) => {
+    const isDamper = (n) => dampers.includes(n - mechanisms.length);
+    const devices = [...mechanisms, ...springs].map((one, n) => elements.length + n)
+      .filter((one, n) => !isDamper(n));
     if (!mechanisms.some(({ kind }) => kind === "converter")) return () => devices;
     const bypassed = (engaged) => {
       let bodies = [...Array(links + 1).keys()]; // the housing first
       const join = (a, b) => { bodies = bodies.map((one) => (one === bodies[a] ? bodies[b] : one)); };
       for (const n of engaged) join(...elements[n]);
-      for (const [[a, one], [b, other] = [0, -one], ...more] of springs) {
+      for (const [[a, one], [b, other] = [0, -one], ...more] of springs.filter((_, n) => !dampers.includes(n))) {
         if (!more.length && one === -other && Math.abs(one) === 1 && (one === 1 || !b)) join(a, b); // a shaft
       }
       return ({ kind, links: [a, b] }) => kind === "converter" && bodies[a] === bodies[b];

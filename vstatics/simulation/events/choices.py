@@ -175,6 +175,9 @@ class ModeChoices:
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
         spring = self.system.springs[index]
+        if spring.can_part:  # it has no limit
+            choices.append(("springs", index, ("stick", "parted")))
+            return "stick"
         limit = programme_at(spring.programme, math.nextafter(at.time, math.inf), self.seen)
         if math.isinf(limit):
             return "stick"

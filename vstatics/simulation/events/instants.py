@@ -128,15 +128,18 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
     )
 
 
-def start_instant(system: MotionSystem, speeds: Floats, twists: Floats) -> Instant:
-    """The instant t = 0, up to which nothing has turned or worked."""
+def start_instant(
+    system: MotionSystem, speeds: Floats, twists: Floats, angles: Floats | None = None
+) -> Instant:
+    """The instant t = 0, up to which nothing has worked; angles of links are 0 when not given."""
     layout, elements = system.layout, system.case.shift_elements
     accounts = np.zeros(layout.ports + 2 * len(system.springs) + len(system.meshes))
     stores = [elements[index].heat_store for index in layout.hot]
     values = [state.start for state in system.scenario.states]
     values += [store.ambient for store in stores if store]
+    turned = np.zeros(len(system.names)) if angles is None else angles
     return Instant(
-        0.0, speeds, twists, np.zeros(len(layout.angles)), np.array(values, float), accounts
+        0.0, speeds, twists, turned[list(layout.angles)], np.array(values, float), accounts
     )
 
 

@@ -220,6 +220,18 @@ class Margins:
             if state in SIGNS:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
+        self.touching: list[tuple[int, float]] = []
+        """Springs beside their play, by index, and the sign of the torque of spring and damper
+        together, which is that of the spring in contact and the other one where they part."""
+        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+            side = spring.side(self._piece(index)) if spring.can_part else 0.0
+            if side:
+                self.touching.append((index, side if state == "stick" else -side))
+                self._watch("limit" if state == "stick" else "grip", index)
+
+    def _piece(self, spring: int) -> int:
+        """The piece of its points on which a spring is, by its index."""
+        return self.equations.states.pieces[self.equations.layout.curves + spring]
 
     def _pieces(self) -> None:
         """Corners of points over a speed, an angle or a twist."""
@@ -515,6 +527,11 @@ class Margins:
                     for n, time in enumerate(times.tolist())
                 ]
                 made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
+        for index, sign in self.touching:
+            fixed, by_twist = springs[index].curve.piece(self._piece(index))
+            elastic = fixed + by_twist * states[equations.twists][index]
+            trial = elastic + springs[index].viscous * rates[first + index]
+            made.append((sign * trial)[None, :])
         return made
 
 

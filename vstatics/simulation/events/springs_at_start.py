@@ -63,7 +63,11 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
             rows.append(contact.row)
     free = null(system.rows(rows))
     seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
-    bent = [one for one in system.springs if programme_at(one.programme, 0.0, seen) > 0]
+    bent = [
+        one
+        for one in system.springs
+        if programme_at(one.programme, 0.0, seen) > 0 and not one.is_damper
+    ]
     if not bent or not free.shape[1]:
         return 0.0
     forms = np.array([one.row for one in bent]) @ free
@@ -93,7 +97,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     """
     seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
     limits = [programme_at(one.programme, 0.0, seen) for one in system.springs]
-    bent = [index for index, limit in enumerate(limits) if limit > 0]
+    bent = [n for n, limit in enumerate(limits) if limit > 0 and not system.springs[n].is_damper]
     held = _held_torques(system, speeds, bent)
     twists = np.zeros(len(system.springs))
     for index in bent:
@@ -112,7 +116,10 @@ def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> 
     stiff = Programme(constant(math.inf), is_dog=True)
     others = [one for one in system.contacts if one.beside is None]
     rigid = [Contact(system.springs[n].name, system.springs[n].row, stiff) for n in bent]
-    limp = [one._replace(curve=straight_curve(0.0), viscous=0.0) for one in system.springs]
+    limp = [
+        one if one.is_damper else one._replace(curve=straight_curve(0.0), viscous=0.0)
+        for one in system.springs
+    ]
     other = replace(system, contacts=(*others, *rigid), springs=tuple(limp))
     other = with_settings(other, system.settings)
     at = start_instant(other, speeds, np.zeros(len(limp)))

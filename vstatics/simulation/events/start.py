@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed
+from vstatics.errors import CaseError, Problem, listed, spoken
 from vstatics.model.open_converters import with_open_converters
 from vstatics.model.transmission import Gear
 from vstatics.numerics.arrays import Floats, largest
@@ -126,6 +126,69 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     if backward := list(_backward(system, speeds, open_still, scale)):
         raise CaseError(backward)
     return speeds
+
+
+def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
+    """Angles of links and twists of springs at t = 0 [rad].
+
+    Rigid mechanisms tie angles as they tie speeds, and the twist of a spring is the angle between
+    its ends unless it can slip. What is not given is 0 where nothing determines it.
+
+    Raises
+    ------
+    CaseError
+        Of twists and angles that contradict each other, or leave open how springs share a twist.
+    """
+    start, links = system.scenario.start, np.eye(len(system.names))
+    twists = np.array([start.twists.get(one.name, 0.0) for one in system.springs])
+    tied = {} if start.settled else {n: s for n, s in enumerate(system.springs) if not s.may_slip}
+    given = [
+        (("angles", system.names[link - 1]), links[link - 1], angle)
+        for link, angle in start.angles.items()
+    ]
+    given += [
+        (("twists", one.name), one.row, start.twists[one.name])
+        for one in tied.values()
+        if one.name in start.twists
+    ]
+    if not given:
+        return np.zeros(len(links)), twists
+    rows = [*(mesh.row for mesh in system.meshes), *(row for _, row, _ in given)]
+    values = np.array([*(0.0 for _ in system.meshes), *(value for *_, value in given)])
+    matrix = system.rows(rows)
+    _check_angles(matrix, values, [path for path, *_ in given])
+    open_still, angles = null(matrix), solved(matrix, values)
+    loose = []
+    for number, one in tied.items():
+        if one.name in start.twists:
+            continue
+        if largest(one.row @ open_still) > MOVING_LINK:
+            loose.append(one)
+        else:
+            twists[number] = one.row @ angles
+    matrix = np.vstack([matrix, system.rows(one.row for one in loose)])
+    values = np.append(values, np.zeros(len(loose)))
+    angles = solved(matrix, values)
+    if largest(matrix @ angles - values) > STANDING * max(1.0, largest(values)):
+        names = spoken([one.name for one in loose])
+        message = f"the twists that are given leave open how {names} share the others: give more"
+        raise CaseError("E726", message, ("start", "twists"))
+    is_open = np.abs(null(matrix)).max(axis=1, initial=0.0) > MOVING_LINK
+    return np.where(is_open, 0.0, angles), twists
+
+
+def _check_angles(matrix: Floats, values: Floats, paths: Sequence[tuple[str, str]]) -> None:
+    """Refuse the first angle or twist that contradicts what is given before it."""
+    for count in range(len(values) - len(paths) + 1, len(values) + 1):
+        rows, wanted = matrix[:count], values[:count]
+        if largest(rows @ solved(rows, wanted) - wanted) > STANDING * max(1.0, largest(wanted)):
+            expected = float(rows[-1] @ solved(rows[:-1], wanted[:-1]))
+            path = paths[count - 1 - len(values)]
+            message = (
+                f"read {wanted[-1]:g} rad, but the other angles and twists, and the mechanisms "
+                f"between them, make it {expected:g} rad"
+            )
+            raise CaseError("E649", message, ("start", *path))
 
 
 def fixed_rows(system: MotionSystem) -> list[Floats]:

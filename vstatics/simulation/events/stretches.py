@@ -293,7 +293,8 @@ class Closed:
         """Factors by which speeds and twists count alike: square roots of their energies."""
         equations = self.equations
         factors = np.ones(self.size)
-        factors[equations.twists] = np.sqrt(equations.ports.stiffness)
+        stiffness = equations.ports.stiffness
+        factors[equations.twists] = np.sqrt(np.where(stiffness > 0, stiffness, 1.0))
         free = equations.structure.free
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))

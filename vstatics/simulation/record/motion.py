@@ -19,7 +19,7 @@ EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
 
 class Event(NamedTuple):
-    """What happens to an element, to a load, or in a sequence, at an instant."""
+    """What happens to an element, to a load, to a mechanism, or in a sequence, at an instant."""
 
     time: float
     """[s]"""
@@ -28,8 +28,8 @@ class Event(NamedTuple):
     energy: Annotated[float | None, SOMETIMES] = 0.0
     """Lost at once, in an impact; None of a step. [J]"""
     word: Annotated[str | None, SOMETIMES] = ""
-    """What people call it: dog clutches open and close, freewheels overrun, loads start. None: of a
-    step."""
+    """What people call it: dog clutches open and close, freewheels overrun, loads start, mechanisms
+    that their friction holds still stick and move. None: of a step."""
     step: Annotated[int | None, SOMETIMES] = None
     """The number of the step of a sequence that was done."""
 

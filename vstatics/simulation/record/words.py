@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from vstatics.simulation.record.motion import Event, EventKind
-from vstatics.simulation.system.matrices import Contact, Elastic
+from vstatics.simulation.system.matrices import Contact, Elastic, RigidMechanism
+
+Device = Contact | Elastic | RigidMechanism
 
 
-def event_of(time: float, device: Contact | Elastic, kind: EventKind, energy: float = 0.0) -> Event:
+def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
     """An event of a device, with its word.
 
     Parameters
@@ -24,7 +26,9 @@ def released(event: Event) -> Event:
     return event._replace(word="opens") if event.word == "slips" else event
 
 
-def _word(device: Contact | Elastic, kind: EventKind) -> str:
+def _word(device: Device, kind: EventKind) -> str:
+    if isinstance(device, RigidMechanism):
+        return "sticks" if kind == "locks" else "moves"
     if isinstance(device, Contact) and kind == "slips":
         if device.one_way:
             return "overruns"

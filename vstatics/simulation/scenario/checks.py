@@ -27,15 +27,16 @@ from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,
     OF_TORQUES,
+    SHORT_SPEED,
     Formula,
     Vocabulary,
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
-from vstatics.simulation.scenario.words import vocabulary
+from vstatics.simulation.scenario.words import elastic_names, vocabulary
 from vstatics.simulation.tolerances import (
     LARGEST_NUMBER,
     MISSING_MASS,
@@ -129,10 +130,25 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
     elif start.speed:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
     yield from of_finite([start.speed], "a speed", ("start", "speed"))
-    speeds = {link: [speed] for link, speed in start.speeds.items()}
-    yield from _of_speeds(speeds, case, "start", "speeds")
+    for key, numbers in (("speeds", start.speeds), ("angles", start.angles)):
+        yield from _of_speeds({n: [one] for n, one in numbers.items()}, case, "start", key)
+    yield from _of_twists(start, case)
     for place, element in enumerate(start.engaged, 1):
         yield from _of_element(element, case, ("start", "engaged", place))
+
+
+def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
+    """Of twists at the start: of something elastic, finite, and not beside `settled`."""
+    names = elastic_names(case)
+    for name, twist in start.twists.items():
+        path = ("start", "twists", name)
+        if name not in names:
+            hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
+            yield Problem("E671", f"read {quoted(name)}, expected the name of a spring{hint}", path)
+        yield from of_finite([twist], "a twist", path)
+    if start.twists and start.settled:
+        message = "read `twists` beside `settled`, which determines them: expected one of them"
+        yield Problem("E648", message, ("start", "twists"))
 
 
 def _of_controls(
@@ -172,6 +188,18 @@ def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
         first = int(wrong[0])
         wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
         message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
+        yield Problem("E633", message, path)
+
+
+def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
+    """A formula of the time, or of its own motion, that has no value whatever these are."""
+    if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
+        return
+    times = np.linspace(0.0, duration, _TRIED_TIMES)
+    speeds, angles = 1e3 * np.sin(7.3 * np.arange(_TRIED_TIMES)), np.cos(np.arange(_TRIED_TIMES))
+    values = law.along(times, speeds, angles)
+    if law.variables and not np.isfinite(values).any():
+        message = f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number"
         yield Problem("E633", message, path)
 
 
@@ -344,7 +372,11 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     converters = [one.name for one in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
     for law, own, path, which in _placed_formulas(scenario):
-        yield from of_formula(law, own, path, words.only(*which) if which else Vocabulary())
+        known = words.only(*which) if which else Vocabulary()
+        problems = list(of_formula(law, own, path, known))
+        yield from problems
+        if not problems and path[0] not in ("controls", "limits"):  # these must always be numbers
+            yield from _never_a_number(law, scenario.duration, path)
 
 
 _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
@@ -391,6 +423,11 @@ def of_formula(
     try:
         if law.tree is None:  # else read with its names, which it no longer has
             formula_tree(Excerpt(law.text, "formula"), names, words)
+            if SHORT_SPEED in words.values and "speed" in law.variables:
+                message = (
+                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or number"
+                )
+                yield Problem("E680", f"{message}: expected another name of it", path)
         if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
             message = f"read {quoted(law.text)}, which is {value:g}, expected a number"
             yield Problem("E723", message, path)

@@ -39,7 +39,7 @@ from vstatics.simulation.scenario.formula import Vocabulary
 from vstatics.simulation.scenario.keys import named_numbers, scenario_shape
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.values import ScenarioValues
-from vstatics.simulation.scenario.words import name_problems, vocabulary
+from vstatics.simulation.scenario.words import elastic_names, name_problems, vocabulary
 
 FileOrStream = str | os.PathLike[str] | Stream
 EXPECTED = "a scenario: a mapping with `case`, `duration`, `start` and what happens"
@@ -123,6 +123,7 @@ class ScenarioDocument(NamedTuple):
         walk.references.set_elements(element.name for element in case.shift_elements)
         walk.references.set_others("mechanism", (one.name for one in case.mechanisms))
         walk.references.set_others("spring", (one.name for one in case.springs))
+        walk.references.set_others("elastic device", elastic_names(case))
         words = self._words(case)
         values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)
@@ -315,10 +316,10 @@ def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
 
 def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     """A path with names of links, elements and converters -> that of the reader, with numbers."""
-    named = 2 if path[:2] == ("start", "speeds") else 1
+    named = 2 if path[0] == "start" and path[1:2] != ("engaged",) else 1
     if len(path) <= named:
         return path
-    names = _names(path[0], case, spots)
+    names = _names(path[1] if path[:2] == ("start", "twists") else path[0], case, spots)
     start, name, rest = path[:named], path[named], path[named + 1 :]
     own = (*start, names.get(str(name), name))
     if path[0] == "sequences" and rest:
@@ -348,6 +349,8 @@ def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
         listed = list(case.link_names)
     elif key == "speed_ratios":
         listed = [one.name for one in case.mechanisms]
+    elif key == "twists":
+        listed = list(elastic_names(case))
     elif key == "limits":
         listed = [one.name for one in case.springs]
     elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):

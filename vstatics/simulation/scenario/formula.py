@@ -36,6 +36,8 @@ from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
 """What a number with a unit means, by what is written and where; None if it is not known."""
+SHORT_SPEED = "w"
+"""Another name of the speed of the link itself, as in formulas of a case, here with its sign."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
 """Words of what a motion is, which any formula may see."""
 OF_TORQUES = ("acceleration", "torque", "power")
@@ -63,7 +65,7 @@ NO_WORDS = Vocabulary()
 
 
 class Formula(NamedTuple):
-    """A formula of t [s], and of speed [rad/s] and angle [rad] of the link itself.
+    """A formula of t [s], and of speed (or w) [rad/s] and angle [rad] of the link itself.
 
     It may see the whole box, too: speeds, slips, twists, states (`seen`).
 
@@ -236,7 +238,7 @@ def read_formula(
     text = source.part.strip()
     known = _with_numbers(tree, words.numbers)
     calls = any(isinstance(part, Applied) and part.name in words.tables for part in parts(tree))
-    return Formula(text, known if calls or quantity or known != tree else None)
+    return Formula(text, known if calls or quantity or known != _with_speed(tree) else None)
 
 
 def formula_tree(
@@ -257,7 +259,16 @@ def formula_tree(
             raise source.error(message, part.at)
         elif isinstance(part, TableName):
             _check_name(part, names, words, source)
-    return tree
+    is_speed = SHORT_SPEED not in (*words.numbers, *words.values)
+    return _with_speed(tree) if is_speed else tree
+
+
+def _with_speed(tree: Any) -> Any:
+    """The tree with `speed` for its short name."""
+    if isinstance(tree, Applied):
+        return tree._replace(operands=tuple(map(_with_speed, tree.operands)))
+    is_short = isinstance(tree, TableName) and tree.name == SHORT_SPEED and not tree.subscripts
+    return tree._replace(name="speed") if is_short else tree
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
@@ -295,7 +306,8 @@ def _check_name(
         where = "`when`" if name in OF_EVENTS else "`rate` and `when`"
         message = f"read `{name}`, which stands in {where} alone"
         raise source.error(message, part.at)
-    known = (*names, *words.numbers, *words.values)
+    short = [SHORT_SPEED] * ("speed" in names)
+    known = (*names, *short, *words.numbers, *words.values)
     if name == PI or name in known:
         if part.subscripts:
             message = f"read `[` behind `{name}`, expected {name} alone"
@@ -303,11 +315,12 @@ def _check_name(
             raise source.error(message, part.at)
         return
     expected = f"expected a formula of {spoken(names)}"
-    rows = words.rows.get(name, ())
+    word = "speed" if name == SHORT_SPEED else name
+    rows = words.rows.get(word, ())
     if rows:
-        expected += f"; name what it is of, as in {name}('{next(iter(rows))}')"
+        expected += f"; name what it is of, as in {word}('{next(iter(rows))}')"
     others = (*known, *words.rows, *FUNCTIONS, PI)
-    hint = "" if name in (*VARIABLES, *words.rows) else nearest(name, others)
+    hint = "" if word in (*VARIABLES, *words.rows) else nearest(name, others)
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
 
 
@@ -359,7 +372,8 @@ def _crossings(tree: Tree, until: float) -> tuple[float, ...]:
 def _parsed(text: str) -> Tree:
     of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
     language = Language(FUNCTIONS, "t", "t", caret=True, of_names=of_names)
-    return parse(Excerpt(text, "formula"), language)
+    tree: Tree = _with_speed(parse(Excerpt(text, "formula"), language))
+    return tree
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:

@@ -107,6 +107,7 @@ ABSCISSA = _number(
     ["time", "si_speed", "angle", "velocity", "length"], "a time, a speed, an angle or a way"
 )
 SPEED = _number(["si_speed", "velocity"], "a speed", _SPEED)
+TWIST = _number(["angle", "length"], "an angle in rad, or a length in m", UNIT_OF["angle"])
 ANYTHING = _number(ANY_MEASURE, "a number")
 
 

@@ -32,6 +32,7 @@ from vstatics.simulation.scenario.given import (
     ANYTHING,
     CAPACITY,
     SPEED,
+    TWIST,
     GivenControl,
     GivenLaw,
     GivenSteps,
@@ -215,6 +216,20 @@ START = ByKey(
             "engaged", ENGAGED, "Shift elements that do not slip at t = 0.", examples=(["FH"],)
         ),
         KeyShape("settled", FLAG, "Springs are loaded as they are at rest.", default=False),
+        KeyShape(
+            "twists",
+            Numbers("elastic device", TWIST),
+            "Of springs, in rad, or in m if they are straight; 0 when not given, unless others "
+            "determine it.",
+            examples=({"shaft": 0.02},),
+        ),
+        KeyShape(
+            "angles",
+            Numbers("link", TWIST),
+            "Of links, in rad, or in m if they move straight; springs between links with given "
+            "angles are twisted.",
+            examples=({"crank": "90 deg"},),
+        ),
     ),
 )
 

@@ -29,6 +29,10 @@ class Start(NamedTuple):
         Numbers of shift elements that do not slip at t = 0, beside `speeds`.
     settled : bool
         Whether springs are loaded as they are at rest under the torques of t = 0.
+    twists : mapping of str to float
+        Of springs, by name, not beside `settled`. [rad, m]
+    angles : mapping of int to float
+        Of links. [rad, m]
 
     Examples
     --------
@@ -41,6 +45,8 @@ class Start(NamedTuple):
     speeds: Mapping[int, float] = MappingProxyType({})
     engaged: tuple[int, ...] = ()
     settled: bool = False
+    twists: Mapping[str, float] = MappingProxyType({})
+    angles: Mapping[int, float] = MappingProxyType({})
 
 
 class Capacity(NamedTuple):

@@ -37,6 +37,7 @@ from vstatics.simulation.scenario.parts import (
     Start,
     StepSequence,
 )
+from vstatics.simulation.scenario.words import elastic_names
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 Turning = Callable[[float], float]
@@ -192,7 +193,25 @@ class ScenarioValues:
             },
             tuple(values.get("engaged", ())),
             values.get("settled", False),
+            dict(self._twists(values.get("twists", {}))),
+            dict(self._angles(values.get("angles", {}))),
         )
+
+    def _twists(self, given: Mapping[int, float]) -> Iterator[tuple[str, float]]:
+        """Twists of springs by name: angles, or lengths of straight springs."""
+        names = elastic_names(self.case)
+        straight = {one.name for one in self.case.springs if self.case.is_straight(one)}
+        for number, twist in given.items():
+            name = names[number - 1]
+            measure: Measure = "length" if name in straight else "angle"
+            self._check_unit(twist, measure, ("start", "twists", number))
+            yield name, float(twist)
+
+    def _angles(self, given: Mapping[int, float]) -> Iterator[tuple[int, float]]:
+        for link, angle in given.items():
+            measure: Measure = "length" if link in self.case.masses else "angle"
+            self._check_unit(angle, measure, ("start", "angles", link))
+            yield link, float(angle)
 
     def _speeds(self, given: Any, path: Path, turning: Turning | None) -> Iterator[float]:
         """Speeds of a link [rad/s]; velocities by how the wheels on it turn."""
@@ -252,7 +271,7 @@ class ScenarioValues:
             self._check_unit(y, measure, (*path, number, 2), why)
         return Points(tuple(float(x) for x, _ in given), tuple(float(y) for _, y in given), along)
 
-    def _check_unit(self, value: Any, measure: Measure, path: Path, why: str) -> None:
+    def _check_unit(self, value: Any, measure: Measure, path: Path, why: str = "") -> None:
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")

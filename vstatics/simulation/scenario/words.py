@@ -18,7 +18,7 @@ from vstatics.simulation.scenario.formula import (
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
 from vstatics.tables.names import NAME
 
-_TRUTH = ("on", "off", "yes", "no", "true", "false", "y", "n")
+_TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that a reader of YAML may take for true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
@@ -55,17 +55,22 @@ def vocabulary(
     """
     links = tuple(case.link_names)
     elements = tuple(one.name for one in case.shift_elements)
-    springs = (
-        *(one.name for one in case.shift_elements if one.stiffness is not None),
-        *(one.name for one in case.mechanisms if one.stiffness is not None),
-        *(one.name for one in case.springs),
-    )
+    springs = elastic_names(case)
     hot = tuple(one.name for one in case.shift_elements if one.heat_store is not None)
     rows: dict[str, Collection[str]] = dict.fromkeys(("speed", "angle", "acceleration"), links)
     rows |= dict.fromkeys(("slip", *OF_EVENTS), elements)
     rows |= {"twist": springs, "temperature": hot, "torque": (*case.devices, *converters)}
     rows["power"] = (*links, *elements, *springs)
     return Vocabulary(rows, numbers, values, tables)
+
+
+def elastic_names(case: Transmission) -> tuple[str, ...]:
+    """Names of what bends: shift elements and mechanisms with a stiffness, springs."""
+    return (
+        *(one.name for one in case.shift_elements if one.stiffness is not None),
+        *(one.name for one in case.mechanisms if one.stiffness is not None),
+        *(one.name for one in case.springs),
+    )
 
 
 def name_problems(key: str, names: Collection[str], before: Collection[str]) -> Iterator[Problem]:

@@ -70,6 +70,9 @@ class Equations:
         self.size = self.meshed.stop
         self.viscous = np.array([one.viscous for one in system.springs])
         slips = ~self.ports.bends
+        acting = self.ports.by_rate[layout.spring_ports]
+        self.acting_dampers = np.where(slips, self.viscous, acting)
+        """Of springs, with those of springs at their limits. [N*m*s/rad]"""
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
         self.seen_limits = [one for one in self.ports.limits if self.limited[one[0]]]
@@ -269,7 +272,8 @@ class Equations:
                     slopes = np.array([self._seen_slopes(*one) for one in columns]).T
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
-            made[first : first + self.springs] = self.viscous[:, None] * growing**2
+            twists = states[self.twists]
+            made[first : first + self.springs] = self._damped(growing.T, twists.T).T
             made[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
         if structure.loses:
             lost = structure.mesh_rates @ states[: self.motions]
@@ -417,7 +421,7 @@ class Equations:
                     slopes = self.limit_slopes(time, rates, state)
                 growing = self._growing(twisting, sprung, state[self.twists], slopes)
             change[self.twists] = growing
-            change[self.damped] = self.viscous * growing * growing
+            change[self.damped] = self._damped(growing, state[self.twists])
             change[self.slipped] = sprung * (twisting - growing)
         if self.angles.stop > self.angles.start:
             turning = self.angle_rows @ state[: self.motions]
@@ -472,6 +476,15 @@ class Equations:
         """
         step = SIGHT * max(self.system.scenario.duration, LEAST_DURATION)
         return -step if time - step > self.time else step
+
+    def _damped(self, growing: Floats, twists: Floats) -> Floats:
+        """Powers of the dampers of springs, by how fast their twists grow.
+
+        The last axis of all is that of the springs.
+        """
+        fixed, by_twist = self.ports.taken
+        powers: Floats = self.acting_dampers * growing**2 - (fixed + by_twist * twists) * growing
+        return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
         """How twists grow where springs slip: by their dampers, or with their limits.

@@ -8,6 +8,7 @@ gives its rate, and a torque along the same row.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -126,6 +127,38 @@ class Elastic(NamedTuple):
     def stiffness(self) -> float:
         """Where it is steepest [N*m/rad]."""
         return self.curve.steepest
+
+    @property
+    def can_part(self) -> bool:
+        """Whether it has a play, and so a damper that acts in contact alone and never pulls."""
+        return self.viscous > 0 and isinstance(self.curve, TwistCurve) and self.curve.has_gap
+
+    def side(self, piece: int) -> float:
+        """The sign of the torque on a piece of a spring that can part; 0 in its play."""
+        return self.curve.side(piece) if isinstance(self.curve, TwistCurve) else 0.0
+
+    def carried(self, twist: float, rate: float) -> float:
+        """Its torque within its limit, with its damper [N*m].
+
+        Examples
+        --------
+        >>> curve = TwistCurve((-1.0, 0.0, 1.0), (0.0, 0.0, 100.0))
+        >>> spring = Elastic("S", 0, np.ones(1), curve, 5.0, 0.0, Programme(Points((0.0,), (1e9,))))
+        >>> [spring.carried(*at) for at in ((-0.5, 9.0), (0.1, 1.0), (0.1, -1.0), (0.1, -9.0))]
+        [0.0, 15.0, 5.0, 0.0]
+        """
+        elastic = self.curve.at(twist)
+        torque = elastic + self.viscous * rate
+        if not self.can_part:
+            return torque
+        return torque if torque * elastic > 0 else 0.0
+
+    @property
+    def may_slip(self) -> bool:
+        """Whether there is a torque that it does not carry, or may be one."""
+        curve = self.programme.curve
+        limited = not isinstance(curve, Points) or {*curve.y} != {math.inf}
+        return limited or self.element is not None
 
     @property
     def is_damper(self) -> bool:

@@ -38,6 +38,9 @@ from vstatics.simulation.system.curves import (
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.sight import following, looking
 
+SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
+"""States of mechanisms that move and lose power."""
+
 
 class States(NamedTuple):
     """What everything does between two events."""
@@ -47,7 +50,8 @@ class States(NamedTuple):
     meshes: tuple[str, ...]
     """As `MeshStates`."""
     springs: tuple[str, ...]
-    """`stick`: it bends; else the sign of the torque at whose limit it slips; `open`."""
+    """`stick`: it bends; `parted`: its damper would pull, so it has no torque; else the sign of the
+    torque at whose limit it slips; `open`."""
     pieces: tuple[int, ...]
     """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
     of each converter; of the coefficient of friction of each contact, over its slip; of the points
@@ -119,10 +123,14 @@ class Ports:
         layout = self.layout
         self.stiffness = np.array([one.stiffness for one in system.springs])
         """Of springs where they are steepest. [N*m/rad]"""
-        self.bends = np.array([state == "stick" for state in states.springs], dtype=bool)
+        bends = [state in ("stick", "parted") for state in states.springs]
+        parted = np.array([state == "parted" for state in states.springs], dtype=bool)
+        self.bends = np.array(bends, dtype=bool)
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
-        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2)
-        self.c0[layout.spring_ports], self.elastic = np.where(self.bends, lines.T, 0.0)
+        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2).T
+        self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
+        self.taken: Floats = np.where(parted, lines, 0.0)
+        """What dampers take of the torques of springs that part: at a twist of 0, and by it."""
         self.all_elastic = np.zeros(layout.ports)
         """The same of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
@@ -153,9 +161,11 @@ class Ports:
         for index, spring in enumerate(system.springs):
             port, state = layout.springs + index, states.springs[index]
             if state == "stick":
-                self.by_rate[port] = spring.viscous
-                self.senses_rate[port] = spring.viscous != 0
-            elif state != "open":
+                piece = states.pieces[layout.curves + index]
+                if not spring.can_part or spring.side(piece):
+                    self.by_rate[port] = spring.viscous
+                    self.senses_rate[port] = spring.viscous != 0
+            elif state not in ("open", "parted"):
                 self._limited(index, SIGNS[state], states, time)
 
     def torques(

@@ -253,18 +253,18 @@ def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = 
         On which springs are, where it holds there alone.
     """
     [index] = (n for n, one in enumerate(system.springs) if one.name == limit.of)
-    curve, viscous = system.springs[index].curve, system.springs[index].viscous
+    spring = system.springs[index]
     rate, twist = system.layout.springs + index, system.layout.ports + index
-    if pieces and isinstance(curve, TwistCurve):
-        curve = curve.alone(pieces[index])
+    if pieces and isinstance(spring.curve, TwistCurve) and not spring.can_part:
+        spring = spring._replace(curve=spring.curve.alone(pieces[index]))
 
     def value(_time: float, seen: Sequence[float]) -> float:
-        torque = curve.at(seen[twist]) + viscous * seen[rate]
+        torque = spring.carried(seen[twist], seen[rate])
         return float(limit.base + limit.times * torque)
 
     def values(_times: Floats, seen: Floats) -> Floats:
-        torques = np.array([curve.at(one) for one in seen[twist].tolist()]) + viscous * seen[rate]
-        return np.asarray(limit.base + limit.times * torques)
+        carried = map(spring.carried, seen[twist].tolist(), seen[rate].tolist())
+        return np.asarray(limit.base + limit.times * np.array([*carried]))
 
     return Look(value, values)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -17,6 +18,8 @@ PARTS = (0.05, 0.5, 0.95)
 
 _ROUNDED_DEVIATION = 1e-14
 """A deviation below so much of the numbers is that of their last digits."""
+_LARGE = 2.0**500
+"""Size above which numbers are divided by a power of 2, so exactly, before they are squared."""
 
 
 @told("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
@@ -64,12 +67,17 @@ def statistics(numbers: Floats) -> Statistics:
     if not len(known):
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
-    deviation = float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
-    if deviation <= _ROUNDED_DEVIATION * np.abs(known).max(initial=0.0):
+    least, largest, most = float(known.min()), float(known.max()), float(np.abs(known).max())
+    is_large = _LARGE < most < math.inf  # sums and squares would overflow
+    scale = math.ldexp(0.5, math.frexp(most)[1]) if is_large else 1.0
+    with np.errstate(invalid="ignore"):  # of infinite numbers
+        known = known / scale
+        deviation = float(np.std(known, ddof=1)) * scale if len(known) > 1 else float("nan")
+        mean = float(known.mean()) * scale
+        quantiles = tuple(part * scale for part in np.quantile(known, PARTS).tolist())
+    if deviation <= _ROUNDED_DEVIATION * most:
         deviation = 0.0
-    quantiles = tuple(np.quantile(known, PARTS).tolist())
-    least, largest = float(known.min()), float(known.max())
-    return Statistics(len(known), float(known.mean()), deviation, least, quantiles, largest)
+    return Statistics(len(known), mean, deviation, least, quantiles, largest)
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:

@@ -237,8 +237,9 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
         energy = device.rate * form_values(device.twist, natural.shapes) ** 2
         stored += energy
         resisted += energy * bool(device.damping)
-    for link in np.flatnonzero(system.slip_resistance.any(axis=0)):
-        size = np.abs(system.slip_resistance[:, link]).max()
+    resisted += natural.omegas * ((system.damper_rows @ natural.shapes) ** 2).sum(axis=0)
+    for link in np.flatnonzero(system.converter_resistance.any(axis=0)):
+        size = np.abs(system.converter_resistance[:, link]).max()
         resisted += size * natural.omegas * natural.shapes[link] ** 2
     return resisted <= NO_POWER * stored
 
@@ -337,6 +338,10 @@ def _torques(
         elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
     slipping = 1j * excited * (system.slip_resistance @ amplitudes)
     found = with_rigid(system, balance(system), acting - slipping, elastic)
+    found |= {
+        one.name: 1j * excited * one.damping.viscous * form_values(one.twist, amplitudes)
+        for one in system.dampers
+    }
     return found | {
         one.name: _pump_torque(one, 1j * excited * amplitudes) for one in system.converters
     }

@@ -62,6 +62,8 @@ class TorsionalSystem(NamedTuple):
         Name of a set, and what its planets add to `link_inertias`.
     converters : sequence of WorkingConverter
         About their working points; without these they are open.
+    dampers : sequence of TorsionalDevice
+        Springs without a stiffness: they resist rates of twist only.
     """
 
     names: tuple[str, ...]
@@ -72,6 +74,12 @@ class TorsionalSystem(NamedTuple):
     ends: tuple[int, int] = (0, 0)
     planet_shares: tuple[tuple[str, Shares], ...] = ()
     converters: tuple[WorkingConverter, ...] = ()
+    dampers: tuple[TorsionalDevice, ...] = ()
+
+    @property
+    def resists(self) -> bool:
+        """Whether converters or dampers alone resist motions, rigid ones too."""
+        return bool(self.converters or self.dampers)
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
@@ -108,7 +116,22 @@ class TorsionalSystem(NamedTuple):
         return values_of(forms, len(self.names))
 
     @property
+    def damper_rows(self) -> Floats:
+        """Twists of dampers alone, each by the root of its damping, shape (dampers, links)."""
+        sizes = np.sqrt([one.damping.viscous for one in self.dampers])
+        return sizes[:, None] * self.rows([one.twist for one in self.dampers])
+
+    @property
     def slip_resistance(self) -> Floats:
+        """What dampers alone and converters add to ``D``, shape (links, links) [N*m*s/rad].
+
+        The part of converters is not symmetric.
+        """
+        made: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
+        return made
+
+    @property
+    def converter_resistance(self) -> Floats:
         """What converters add to ``D``, shape (links, links); not symmetric [N*m*s/rad]."""
         made = np.zeros((len(self.names), len(self.names)))
         for one in self.converters:
@@ -160,14 +183,16 @@ def torsional_system(
     for _, shares in planets:
         for index, share in shares.items():
             inertias[index] += share
+    devices = list(_devices(case, gear, slopes))
     return TorsionalSystem(
         tuple(case.link_names),
         case.own_links,
         (*links, *(body for body, _ in planets)),
-        tuple(_devices(case, gear, slopes)),
+        tuple(one for one in devices if one.stiffness != 0),
         tuple(inertias),
         (case.gear_input(gear) - 1, case.gear_output(gear) - 1),
         tuple((body.name.rpartition(".")[0], shares) for body, shares in planets),
+        dampers=tuple(one for one in devices if one.stiffness == 0),
     )
 
 
@@ -182,6 +207,7 @@ def _devices(
         stiffness = slopes.get(one.name, stiffness)
         is_open = isinstance(one, ShiftElement) and number not in gear.engaged
         is_open |= isinstance(one, Mechanism) and one.kind == "converter"
-        if not (is_open or stiffness == 0):
+        is_open |= stiffness == 0 and not (isinstance(one, Spring) and one.is_damper)
+        if not is_open:
             twist = {link - 1: float(value(part)) for link, part in column.items()}
             yield TorsionalDevice(one.name, twist, stiffness, damping(one.damping))

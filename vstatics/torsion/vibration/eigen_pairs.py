@@ -80,7 +80,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     stiff = weighted_twists(system)
     slipping = system.slip_resistance
     damped = resisting_rows(system)
-    rigid = rigid_basis(system, split) if system.converters else split.rigid[:, :0]
+    rigid = rigid_basis(system, split) if system.resists else split.rigid[:, :0]
     basis = np.hstack([modes.shapes, rigid, massless_parts(split, damped, stiff)[0]])
     twists, count = system.twists @ basis, len(modes.omegas)
     stiffness = (stiff @ basis).T @ (stiff @ basis)
@@ -89,7 +89,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     stiffness[count:massive] = stiffness[:, count:massive] = 0.0
     resisted, hysteresis = (twists.T @ (sizes[:, None] * twists) for sizes in (viscous, lost))
     resisted += basis.T @ slipping @ basis
-    return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not slipping.any())
+    return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not system.converters)
 
 
 def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
@@ -106,10 +106,10 @@ def resisting_rows(system: TorsionalSystem) -> Floats:
     dampings = [device.damping for device in system.elastic]
     lost = system.rates * np.array([one.loss_factor for one in dampings])
     sizes = np.array([one.viscous for one in dampings]) + lost
-    slipping = np.abs(system.slip_resistance)
+    slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]
-    rows: Floats = np.vstack([np.sqrt(sizes)[:, None] * system.twists, slips])
+    rows: Floats = np.vstack([np.sqrt(sizes)[:, None] * system.twists, system.damper_rows, slips])
     return rows
 
 

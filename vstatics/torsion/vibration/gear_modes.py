@@ -225,7 +225,7 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
     else:
         natural = natural_modes(system, split)
     damped = None
-    if converters or any(device.damping for device in system.elastic):
+    if system.resists or any(device.damping for device in system.elastic):
         damped = damped_modes(system, split, natural)
     warnings = [*doubts, *_warnings(system, split, held)]
     if damped and len(natural.omegas) < split.modes:
@@ -298,7 +298,7 @@ def _of_mode(by_name: Mapping[str, Floats], mode: int) -> dict[str, float]:
 
 
 def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
-    if not system.elastic and not system.converters:
+    if not system.elastic and not system.resists:
         yield "nothing is elastic; expected `springs`, or a `stiffness` of a device that takes part"
     names = [name for name, loose in zip(system.names, split.undetermined, strict=True) if loose]
     if names:

@@ -1,0 +1,396 @@
+"""Dampers of springs with play, dampers alone, twists and angles at the start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import simulated, written
+from tests.simulation.test_closed_forms import links
+from vstatics.errors import CaseError
+from vstatics.model.springs import Spring, between
+from vstatics.numerics.arrays import Floats
+from vstatics.simulation import simulate
+from vstatics.simulation.scenario.laws import Points
+from vstatics.simulation.scenario.parts import Scenario, Start
+
+BACKLASH = """links: [a]
+inertias: {a: 5}
+springs: {s: {links: [a], points: [[0, 0], [0.39269908169872414, 0], [1.3926990816987241, 20000]],
+  damping: 50}}
+"""
+"""Modelica.Mechanics.Rotational.Examples.Backlash: 20 kN*m/rad, 50 N*m*s/rad, 45 degrees of play."""
+
+
+@pytest.mark.parametrize("start", ["angles: {a: 90 deg}", "twists: {s: 90 deg}"])
+def test_the_backlash_of_the_modelica_library_with_a_damper_that_never_pulls(start: str) -> None:
+    """By DOP853 with events at both ends of a contact, where spring and damper together are 0."""
+    text = f"duration: 1\nstart: {{speeds: {{a: 0}}, {start}}}\n"
+    motion = simulate_at(text, BACKLASH, (0.05, 0.1, 0.2, 0.5, 1.0))
+    assert motion == pytest.approx([-42.02, 52.25, 10.28, -16.01, -6.21], abs=0.006)
+
+
+def simulate_at(text: str, case: str, times: tuple[float, ...]) -> list[float]:
+    """Speeds of the first link at multiples of 0.05 s."""
+    motion = simulate(written(text, case), step=0.05)
+    assert motion.stopped is None
+    assert not motion.events
+    return [float(motion.speeds[np.abs(motion.time - at).argmin(), 0]) for at in times]
+
+
+class Gap(NamedTuple):
+    """A spring with play between two links of a chain, the second one turned by a ratio."""
+
+    ratio: float
+    corners: tuple[float, float]
+    """Twists at the ends of the play."""
+    stiffness: float
+    damping: float
+    twist: float
+    """At the start."""
+
+    def mode(self, twist: float, rate: float) -> tuple[int, bool]:
+        """The side of the play, and whether the contact has parted."""
+        side = int(twist > self.corners[1]) - int(twist < self.corners[0])
+        return side, side * (self.elastic(twist, side) + self.damping * rate) < 0
+
+    def elastic(self, twist: float, side: int) -> float:
+        """Return the torque without the damper [N*m]."""
+        return self.stiffness * (twist - self.corners[(side + 1) // 2]) if side else 0.0
+
+    def torque(self, twist: float, rate: float, mode: tuple[int, bool]) -> float:
+        """Return the torque in a mode [N*m]."""
+        side, parted = mode
+        return 0.0 if parted or not side else self.elastic(twist, side) + self.damping * rate
+
+    @property
+    def spring(self) -> Spring:
+        """The same as a spring of a case, without its twist."""
+        low, high = self.corners
+        line = [(low - 1, -self.stiffness), (low, 0), (high, 0), (high + 1, self.stiffness)]
+        return Spring((), points=line, damping=self.damping)
+
+
+def random_gap(rng: Random) -> Gap:
+    corners = sorted(rng.uniform(-0.1, 0.1) for _ in range(2))
+    return Gap(
+        rng.choice((-1, 1)) * rng.uniform(0.5, 3),
+        (corners[0], corners[1]),
+        10 ** rng.uniform(2.5, 4.5),
+        10 ** rng.uniform(0, 1.8),
+        rng.uniform(-0.12, 0.12),
+    )
+
+
+class Chain(NamedTuple):
+    """Inertias with gaps between them, a torque on the first that falls straight over time."""
+
+    inertias: list[float]
+    gaps: list[Gap]
+    speeds: list[float]
+    torques: tuple[float, float]
+    duration: float
+
+    def rates(self, speeds: Floats) -> list[float]:
+        """Return the rate of each twist [rad/s]."""
+        pairs = zip(speeds, speeds[1:], self.gaps, strict=False)
+        return [float(one - gap.ratio * other) for one, other, gap in pairs]
+
+    def change(self, time: float, state: Floats, modes: list[tuple[int, bool]]) -> Floats:
+        """Of speeds, twists, and what dampers take."""
+        count = len(self.inertias)
+        rates, loads, lost = self.rates(state[:count]), np.zeros(count), 0.0
+        loads[0] = self.torques[0] + (self.torques[1] - self.torques[0]) * time / self.duration
+        twists = state[count:-1].tolist()
+        for n, (gap, mode, at, rate) in enumerate(
+            zip(self.gaps, modes, twists, rates, strict=True)
+        ):
+            torque = gap.torque(at, rate, mode)
+            loads[n] -= torque
+            loads[n + 1] += gap.ratio * torque
+            lost += (torque - gap.elastic(at, mode[0])) * rate
+        return np.array([*(loads / self.inertias), *rates, lost])
+
+    def modes(self, state: Floats) -> list[tuple[int, bool]]:
+        """Return the mode of each gap."""
+        count = len(self.inertias)
+        rates = self.rates(state[:count])
+        parts = zip(self.gaps, state[count:-1].tolist(), rates, strict=True)
+        return [gap.mode(twist, rate) for gap, twist, rate in parts]
+
+    def switches(self, modes: list[tuple[int, bool]]) -> list[Callable[[float, Floats], float]]:
+        """What is 0 where a mode ends."""
+        count, found = len(self.inertias), []
+
+        def corner(_: float, state: Floats, n: int, end: int) -> float:
+            return float(state[count + n]) - self.gaps[n].corners[end]
+
+        def carried(_: float, state: Floats, n: int) -> float:
+            elastic = self.gaps[n].elastic(float(state[count + n]), modes[n][0])
+            return elastic + self.gaps[n].damping * self.rates(state[:count])[n]
+
+        for n, (side, _) in enumerate(modes):
+            found += [lambda t, y, n=n, end=end: corner(t, y, n, end) for end in (0, 1)]
+            if side:
+                found.append(lambda t, y, n=n: carried(t, y, n))
+        for one in found:
+            one.terminal = True
+        return found
+
+    def solved(self) -> Floats:
+        """The state at the end, by events of SciPy: each piece is smooth."""
+        time = 0.0
+        state = np.array([*self.speeds, *(gap.twist for gap in self.gaps), 0.0])
+        while time < self.duration:
+            slope = self.change(time, state, self.modes(state))
+            modes = self.modes(state + 1e-10 * slope)
+            piece = solve_ivp(
+                lambda t, y, modes=modes: self.change(t, y, modes),
+                (time, self.duration),
+                state,
+                "DOP853",
+                events=self.switches(modes),
+                rtol=1e-11,
+                atol=1e-12,
+                max_step=1e-3,  # else it passes over two switches at once
+            )
+            if piece.t[-1] == time:  # it starts on a switch
+                break
+            time, state = float(piece.t[-1]), piece.y[:, -1]
+            state = state + 1e-12 * self.change(time, state, modes)
+        return np.asarray(state)
+
+    @property
+    def scenario(self) -> Scenario:
+        """The same for the program."""
+        springs = tuple(
+            gap.spring._replace(twist={n: 1.0, n + 1: -gap.ratio}, name=f"S{n}")
+            for n, gap in enumerate(self.gaps, 1)
+        )
+        twists = {f"S{n}": gap.twist for n, gap in enumerate(self.gaps, 1)}
+        start = Start(speeds=dict(enumerate(self.speeds, 1)), twists=twists)
+        ramp = Points((0.0, self.duration), self.torques, "time")
+        return Scenario(
+            links(*self.inertias, springs=springs), self.duration, start, torques=((1, ramp),)
+        )
+
+
+def random_chain(rng: Random) -> Chain:
+    number = rng.randint(1, 3)
+    return Chain(
+        [rng.uniform(0.2, 3) for _ in range(number + 1)],
+        [random_gap(rng) for _ in range(number)],
+        [rng.uniform(-5, 5) for _ in range(number + 1)],
+        (rng.uniform(-60, 60), rng.uniform(-60, 60)),
+        0.4,
+    )
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, count(60, 600)))],
+)
+def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
+    chain = random_chain(seeded(seed))
+    motion = simulate(chain.scenario)
+    assert motion.stopped is None, motion.stopped
+    wanted = chain.solved()
+    number = len(chain.inertias)
+    assert motion.speeds[-1] == pytest.approx(wanted[:number], rel=1e-6, abs=1e-6)
+    assert sum(motion.energy.losses.values()) == pytest.approx(wanted[-1], rel=1e-6, abs=1e-6)
+    sizes = abs(motion.energy.work) + abs(motion.energy.kinetic) + abs(motion.energy.elastic)
+    assert abs(motion.energy.balance) <= 1e-8 * max(1.0, sizes)
+
+
+def test_a_link_without_inertia_between_a_shaft_and_a_play_leaps_where_contact_begins() -> None:
+    """Kelvin-Voigt behind a shaft: the link turns with the rate at which both torques are equal."""
+    shaft, stop, damping, inertia, speed, gap = 3e3, 2e4, 40.0, 2.0, 3.0, 0.05
+    case = links(
+        inertia,
+        0.0,
+        springs=(
+            Spring(between(1, 2), shaft, name="shaft"),
+            Spring(
+                between(2), points=[(0, 0), (gap, 0), (1 + gap, stop)], damping=damping, name="S"
+            ),
+        ),
+    )
+    begin = gap / speed
+    motion = simulate(Scenario(case, begin + 0.05, Start(speeds={1: speed})))
+
+    def change(_: float, state: Floats) -> list[float]:
+        rate, turned, pressed = state.tolist()
+        carried = shaft * (turned - pressed)
+        return [-carried / inertia, rate, (carried - stop * pressed) / damping]
+
+    def parts(_: float, state: Floats) -> float:
+        return float(state[1] - state[2]) + 1e-15
+
+    parts.terminal, parts.direction = True, -1  # type: ignore[attr-defined]
+    contact = solve_ivp(
+        change, (0, 0.05), [speed, 1e-12, 0], "DOP853", events=parts, rtol=1e-11, atol=1e-13
+    )
+    assert motion.stopped is None
+    assert motion.speeds[-1, 0] == pytest.approx(contact.y[0, -1], rel=1e-7)
+    assert motion.speeds[motion.time < 0.99 * begin][-1, 1] == pytest.approx(speed)
+    assert np.abs(motion.speeds[motion.time > begin][1, 1]) < 1  # it has leapt
+
+
+def test_a_limit_follows_a_spring_that_never_pulls() -> None:
+    """A block falls on a pad; its grip is 0.5 of the force of the pad with its damper, by DOP853."""
+    case = """links: [block, belt]
+masses: {block: 3}
+inertias: {belt: 0.2}
+springs:
+  pad: {links: [block], points: [[-1, -4000], [0, 0], [1, 0]], damping: 30}
+  grip: {links: [belt], stiffness: 5e4, limit: {base: 0, of: pad, times: -0.5}}
+"""
+    motion = simulated(
+        """duration: 0.25
+start: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}
+torques: {block: -29.43}
+""",
+        case,
+    )
+
+    def change(_: float, state: Floats) -> list[float]:
+        rate, place, turning = state.tolist()
+        force = max(0.0, -4000 * place - 30 * rate) if place < 0 else 0.0
+        return [force / 3 - 9.81, rate, -0.5 * force / 0.2 * (turning > 0)]
+
+    exact = solve_ivp(change, (0, 0.25), [-1, 0.02, 60], rtol=1e-10, atol=1e-10, max_step=1e-4)
+    assert motion.speeds[-1] == pytest.approx(exact.y[[0, 2], -1], abs=2e-2)
+    pad = motion.torques[:, motion.devices.index("pad")]
+    assert pad.min() < -60
+    assert pad.max() <= 1e-9
+
+
+DAMPER = "links: [a, b]\ninertias: {a: %r, b: %r}\nsprings: {visc: {links: [a, b], %s}}\n"
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+@pytest.mark.parametrize("written_as", ["damping: %r", "stiffness: 0, damping: {viscous: %r}"])
+def test_a_damper_alone_slows_what_turns_otherwise(seed: int, written_as: str) -> None:
+    """The difference of speeds falls by exp(-d (1/J1 + 1/J2) t), towards T/(J1 d (1/J1 + 1/J2))."""
+    rng = seeded(seed)
+    first, second, damping, torque = (10 ** rng.uniform(-1, 1) for _ in range(4))
+    speeds = [rng.uniform(-50, 50) for _ in range(2)]
+    case = DAMPER % (first, second, written_as % damping)
+    motion = simulated(
+        f"duration: 0.7\nstart: {{speeds: {{a: {speeds[0]!r}, b: {speeds[1]!r}}}}}\n"
+        f"torques: {{a: {torque!r}}}\n",
+        case,
+    )
+    rate = damping * (1 / first + 1 / second)
+    steady = torque / first / rate
+    slip = steady + (speeds[0] - speeds[1] - steady) * math.exp(-0.7 * rate)
+    momentum = first * speeds[0] + second * speeds[1] + 0.7 * torque
+    second_speed = (momentum - first * slip) / (first + second)
+    assert motion.speeds[-1] == pytest.approx([second_speed + slip, second_speed], abs=1e-7)
+    assert motion.energy.losses["visc"] == pytest.approx(
+        motion.energy.work - motion.energy.kinetic, abs=1e-7
+    )
+    assert motion.energy.elastic == 0
+
+
+def test_a_settled_start_lets_a_damper_alone_slip() -> None:
+    """5 N*m through 20 N*m*s/rad slip by 0.25 rad/s: so the shaft carries 5 N*m from the start."""
+    case = """links: [a, b, c]
+inertias: {a: 1, b: 1e6, c: 1}
+springs: {shaft: {links: [a, c], stiffness: 100}, visc: {links: [c, b], damping: 20}}
+"""
+    start = "{speeds: {a: 0.25, b: 0, c: 0.25}, settled: true}"
+    motion = simulated(f"duration: 1\nstart: {start}\ntorques: {{a: 5}}\n", case)
+    shaft = motion.torques[:, motion.devices.index("shaft")]
+    assert shaft.tolist() == pytest.approx([5.0] * len(shaft), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("spring", "fault"),
+    [
+        ("", "no `damping`"),
+        ("stiffness: 0", "expected a stiffness above 0"),
+        ("damping: {ratio: 0.1}", "without `stiffness`"),
+        ("damping: -1", "expected a damping of 0 or more"),
+        ("compliance: 0, damping: 1", "expected a compliance above 0"),
+    ],
+)
+def test_what_is_neither_spring_nor_damper_is_refused(spring: str, fault: str) -> None:
+    with pytest.raises(CaseError, match=fault):
+        written("duration: 1\nstart: {speeds: {a: 1, b: 1}}\n", DAMPER % (1, 1, spring))
+
+
+LOOP = """links: [a, b, c]
+inertias: {a: 1, b: 1, c: 1}
+mechanisms: {pair: {first: b, second: c, ratio: 2}}
+springs:
+  left: {links: [a, b], stiffness: 300}
+  right: {twist: {a: 1, c: -2}, stiffness: 200}
+  tyre: {links: [c], stiffness: 100, limit: 1}
+"""
+"""The first pair of springs has one twist, as `b` turns twice as fast as `c`."""
+
+
+@pytest.mark.parametrize("given", ["{left: 0.1}", "{right: 0.1}", "{left: 0.1, right: 0.1}"])
+def test_springs_in_a_loop_have_the_twist_that_one_of_them_is_given(given: str) -> None:
+    start = f"{{speeds: {{a: 0, b: 0}}, twists: {given}}}"
+    motion = simulated(f"duration: 0.1\nstart: {start}\n", LOOP)
+    carried = [motion.torques[0, motion.devices.index(name)] for name in ("left", "right", "tyre")]
+    assert carried == pytest.approx([30.0, 20.0, 0.0])
+    assert motion.energy.balance == pytest.approx(0.0, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("start", "fault"),
+    [
+        ("twists: {left: 0.1, right: 0.2}", "make it 0.1 rad"),
+        ("angles: {a: 0.3, c: 0.1}, twists: {left: 0.2}", "make it 0.1 rad"),
+        ("angles: {b: 0.3, c: 0.1}", "make it 0.15 rad"),
+        ("twists: {lift: 0.1}", "elastic device; did you mean `left`"),
+        ("twists: {left: 0.1 m}", "expected one in rad"),
+        ("twists: {left: 0.1}, settled: true", "`twists` beside `settled`"),
+        ("angles: {d: 0.1}", "expected the name of a link"),
+    ],
+)
+def test_twists_and_angles_that_cannot_be_are_refused(start: str, fault: str) -> None:
+    with pytest.raises(CaseError, match=fault):
+        simulate(written(f"duration: 1\nstart: {{speeds: {{a: 0, b: 0}}, {start}}}\n", LOOP))
+
+
+def test_three_springs_in_a_ring_need_two_twists() -> None:
+    case = """links: [a, b, c]
+inertias: {a: 1, b: 1, c: 1}
+springs:
+  x: {links: [a, b], stiffness: 1}
+  y: {links: [b, c], stiffness: 1}
+  z: {links: [c, a], stiffness: 1}
+"""
+    text = "duration: 1\nstart: {speeds: {a: 0, b: 0, c: 0}, twists: %s}\n"
+    with pytest.raises(CaseError, match="how y and z share"):
+        simulate(written(text % "{x: 0.1}", case))
+    motion = simulated(text % "{x: 0.1, y: 0.2}", case)
+    assert motion.torques[0].tolist() == pytest.approx([0.1, 0.2, -0.3])
+
+
+def test_a_torque_over_the_angle_begins_at_the_angle_that_is_given() -> None:
+    """2 sin(angle) at 90 degrees is 2 N*m; the shaft behind the crank is not twisted."""
+    case = """links: [crank, mass]
+inertias: {crank: 1, mass: 1}
+springs: {shaft: {links: [crank, mass], stiffness: 100}}
+"""
+    motion = simulated(
+        """duration: 1e-4
+start: {speeds: {crank: 0, mass: 0}, angles: {crank: 90 deg}}
+torques: {crank: "2*sin(angle)"}
+""",
+        case,
+    )
+    assert motion.speeds[-1, 0] == pytest.approx(2e-4, rel=1e-6)
+    assert motion.energy.elastic == pytest.approx(0.0, abs=1e-9)

@@ -1,0 +1,76 @@
+"""Dampers without a stiffness in damped vibration and response, by dense matrices."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import linalg
+
+from tests.chance import count, seeded
+from vstatics.model.parts import damping
+from vstatics.model.springs import Spring
+from vstatics.model.transmission import Transmission
+from vstatics.torsion import Harmonic, modes, response
+
+
+def random_case(seed: int) -> tuple[Transmission, dict[str, np.ndarray]]:
+    """Three to six inertias with springs and dampers alone between any two, or to the housing."""
+    rng = seeded(seed)
+    links = rng.randint(3, 6)
+    inertias = {n: 10 ** rng.uniform(-1, 1) for n in range(1, links + 1)}
+    springs, stiffness, resistance = [], np.zeros((links, links)), np.zeros((links, links))
+    for number in range(rng.randint(2, 2 * links)):
+        first, second = rng.sample(range(links + 1), 2)
+        twist = {link: part for link, part in ((first, 1.0), (second, -1.0)) if link}
+        size = 10 ** rng.uniform(0, 2)
+        row = np.zeros(links)
+        for link, part in twist.items():
+            row[link - 1] = part
+        if number and rng.random() < 0.5:
+            springs.append(Spring(twist, stiffness=100 * size, name=f"s{number}"))
+            stiffness += 100 * size * np.outer(row, row)
+        else:
+            springs.append(Spring(twist, damping=size, name=f"d{number}"))
+            resistance += size * np.outer(row, row)
+    mass = np.diag([*inertias.values()])
+    case = Transmission(links, [], [], [], inertias=inertias, springs=springs)
+    return case, {"mass": mass, "stiffness": stiffness, "resistance": resistance}
+
+
+@pytest.mark.parametrize("seed", range(count(40, 1000)))
+def test_eigenvalues_are_those_of_the_dense_pencil(seed: int) -> None:
+    """Zeros are left out: the program tells rigid motions apart."""
+    case, dense = random_case(seed)
+    mass, stiffness, resistance = (dense[one] for one in ("mass", "stiffness", "resistance"))
+    count, identity = len(mass), np.eye(len(mass))
+    companion = np.block([[0 * mass, identity], [-stiffness, -resistance]])
+    wanted = linalg.eigvals(companion, linalg.block_diag(identity, mass))
+    size = np.abs(wanted).max()
+    wanted = wanted[(np.abs(wanted) > 1e-5 * size) & (wanted.imag >= -1e-6 * size)]
+    [found] = modes(case)
+    values = np.array([one for one in found.damped if abs(one) > 1e-5 * size])
+    assert len(values) == len(wanted), (count, values, wanted)
+    for one in wanted:
+        assert np.abs(values - one).min() <= 1e-5 * max(abs(one), 1e-3 * size)
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
+    """(K - w^2 M + i w D) x = F, by NumPy; the torque of a damper is i w d times its twist."""
+    case, dense = random_case(seed)
+    mass, stiffness, resistance = (dense[one] for one in ("mass", "stiffness", "resistance"))
+    speed = 300.0  # rpm, first order
+    omega = speed * np.pi / 30
+    dynamic = stiffness - omega**2 * mass + 1j * omega * resistance
+    force = np.zeros(len(mass))
+    force[0] = 1.0
+    amplitudes = np.linalg.solve(dynamic, force)
+    [made] = response(case, 1, [Harmonic(1.0)], [speed])
+    [order] = made.orders
+    found = [abs(complex(order.amplitudes[name][0])) for name in case.link_names]
+    assert found == pytest.approx(np.abs(amplitudes).tolist(), rel=1e-8, abs=1e-14)
+    for one in case.springs:
+        twist = sum(part * amplitudes[link - 1] for link, part in one.form.items())
+        factor = 1j * omega * damping(one.damping).viscous if one.is_damper else one.rate
+        carried = abs(complex(order.torques[one.name][0]))
+        assert carried == pytest.approx(abs(factor * twist), rel=1e-8, abs=1e-12)
