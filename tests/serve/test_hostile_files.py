@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -102,7 +103,7 @@ def test_a_file_that_is_back_while_it_is_calculated_is_shown(
 ) -> None:
     file = write(tmp_path)
     read = serve._read
-    answers = iter([({}, [str(file)])])
+    answers: Iterator[Any] = iter([({}, [str(file)])])
     monkeypatch.setattr(serve, "_read", lambda *given: next(answers, None) or read(*given))
     made = serve.calculated(str(file), CaseOptions(), {})
     assert made.results is not None

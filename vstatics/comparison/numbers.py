@@ -37,7 +37,8 @@ class Difference(NamedTuple):
         """By the expected number without its sign; NaN where that is nothing or none."""
         if isinstance(self.actual, str) or isinstance(self.expected, str) or not self.expected:
             return math.nan
-        return (self.actual - self.expected) / abs(self.expected)
+        deviation = (self.actual - self.expected) / abs(self.expected)
+        return deviation if math.isfinite(deviation) else math.nan
 
     @property
     def told_deviation(self) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
@@ -48,6 +49,8 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
 
 
 def _step(one: Figure, other: Figure) -> Figure:
+    if not (one.value and other.value):
+        return Figure(math.nan)
     step = one.value / other.value
     return Figure(step, abs(step) * (one.slack / abs(one.value) + other.slack / abs(other.value)))
 

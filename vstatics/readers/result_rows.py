@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from vstatics.errors import ReadError, of_file
 from vstatics.extras import missing
 from vstatics.readers.reading import Source
+from vstatics.readers.sweep_tables import expect_parquet_size
 from vstatics.tables.csv import unguarded
 from vstatics.tables.quantities import BY_NAME
 from vstatics.tables.written_results import Figure, WrittenResult
@@ -52,11 +53,24 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
             raise no_result(message, file, number)
         table, name, gear, value = cells
         try:
-            figure = Figure(float(value) if value else math.nan)
+            figure = Figure(_finite(value) if value else math.nan)
         except ValueError:
-            raise no_result(f"read {value!r}, expected a number", file, number) from None
+            raise no_result(f"read {value!r}, expected a finite number", file, number) from None
         _put(results, case, (table, name, gear), figure)
     return _made(results, file)
+
+
+def _finite(value: str | float) -> float:
+    """A number, or NaN.
+
+    Raises
+    ------
+    ValueError
+    """
+    number = float(value)
+    if math.isinf(number):
+        raise ValueError("expected a finite number")
+    return number
 
 
 def is_parquet(data: bytes) -> bool:
@@ -80,12 +94,16 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
 
     results: dict[str, _Cells] = {}
     try:
-        for batch in pq.ParquetFile(pa.BufferReader(data)).iter_batches(columns=["case", *COLUMNS]):
+        opened = pq.ParquetFile(pa.BufferReader(data))
+        expect_parquet_size(opened)
+        for batch in opened.iter_batches(columns=["case", *COLUMNS], use_threads=False):
             for case, table, name, gear, value in zip(
                 *(column.to_pylist() for column in batch.columns), strict=True
             ):
-                figure = Figure(math.nan if value is None else float(value))
-                _put(results, case, (table, name, gear or ""), figure)
+                figure = Figure(math.nan if value is None else _finite(value))
+                _put(
+                    results, str(case or ""), (str(table), str(name or ""), str(gear or "")), figure
+                )
     except Exception as error:  # noqa: BLE001 - of a library with errors of its own
         text = " ".join(str(error).split())
         raise no_result(f"no results in Parquet: {text[:200]}", file) from None
@@ -104,7 +122,20 @@ def _put(
 def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
     if not results:
         raise no_result("no result in it", file)
-    return [_result(case, cells) for case, cells in results.items()]
+    return [checked(_result(case, cells), file) for case, cells in results.items()]
+
+
+def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
+    """The same result, unless a list over gears has several rows.
+
+    Raises
+    ------
+    ReadError
+    """
+    for key, rows in result.tables.items():
+        if BY_NAME[key].rows == "one" and len(rows) != 1:
+            raise no_result(f"{key} has {len(rows)} rows, expected one", file, line)
+    return result
 
 
 def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:

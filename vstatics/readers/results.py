@@ -14,7 +14,14 @@ from vstatics.model.transmission import Transmission
 from vstatics.readers import Format, read
 from vstatics.readers.deck.text import SPRING, decode, head, scan
 from vstatics.readers.reading import Source
-from vstatics.readers.result_rows import is_csv, is_parquet, no_result, read_csv, read_parquet
+from vstatics.readers.result_rows import (
+    checked,
+    is_csv,
+    is_parquet,
+    no_result,
+    read_csv,
+    read_parquet,
+)
 from vstatics.tables.names import BEFORE_NAME
 from vstatics.tables.quantities import PRINTED, QUANTITIES
 from vstatics.tables.written_results import Figure, Figures, WrittenResult
@@ -155,7 +162,10 @@ def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]
 def _from_json(value: Any) -> Figure:
     if isinstance(value, str):
         raise TypeError(value)
-    return Figure(math.nan if value is None else float(value))
+    number = math.nan if value is None else float(value)
+    if math.isinf(number):
+        raise ValueError(value)
+    return Figure(number)
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
@@ -179,7 +189,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
             if tables:
                 named = _row_names(names, tables)
                 made = WrittenResult(tables, None, printed=True, rows=named, file=of_case)
-                reports.append(_with_case(made, lines[first:number]))
+                reports.append(_with_case(checked(made, file, number), lines[first:number]))
                 tables, names, first, table, of_case = {}, {}, number, "", ""
             of_case, coming = coming or of_case, ""
         elif named_file := NAMED_FILE.match(line):
@@ -231,6 +241,8 @@ def _figures(words: Sequence[str]) -> list[Figure] | None:
             scale = int(exponent or 0) - len(decimals)
             slack = 0.5 * 10.0**scale if point else 0.0
         except (ValueError, OverflowError):
+            return None
+        if math.isinf(value):
             return None
         figures.append(Figure(value, slack))
     return figures

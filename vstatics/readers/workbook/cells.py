@@ -1,25 +1,23 @@
-"""Opens a workbook and gives the cells of its sheets, bounded in size whatever the file holds."""
+"""Gives the cells of the sheets of a workbook, bounded in number whatever the file holds."""
 
 from __future__ import annotations
 
-import io
 import re
-import zipfile
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from vstatics.errors import CellPlace, Place, Problem, ReadError, of_file, quoted
-from vstatics.extras import missing
+from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.readers.workbook.parts import PackedParts
 
-if TYPE_CHECKING:
-    from openpyxl import Workbook
-
-MOST_BYTES = 50_000_000
-"""Of all that is packed in a workbook."""
 MOST_ROWS, MOST_COLUMNS = 10_000, 500
 """Of a sheet."""
+MOST_CELLS = 200_000
+"""Bound of the cells of a sheet, also of those without a value."""
 MOST_CHARACTERS = 32_767
 """Of a cell."""
+_PLACE = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})")
+_DATE = "d"
 
 
 class ReadCell(NamedTuple):
@@ -46,42 +44,24 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
     ReadError
         If it is no workbook, is larger than any case, or has cells that say nothing.
     """
-    needs = missing("xlsx", "a case in XLSX")
-    if needs:
-        raise ReadError([of_file("E014", file, needs)])
-    values, formulas = (_opened(data, file, data_only=only) for only in (True, False))
+    try:
+        parts = PackedParts(data)
+    except Exception as error:  # noqa: BLE001 - whatever a file that is none holds
+        raise _no_workbook(file, error) from None
     wanted, read, problems = {*wanted}, [], list[Problem]()
-    for name in values.sheetnames:
-        rows = []
-        if name in wanted:
+    for name, path in parts.sheets.items():
+        sheet = _Sheet(CellPlace.of(Place(file, 1, 1), name), parts, problems)
+        if name in wanted and path:
             try:
-                pairs = zip(_rows(values[name]), _rows(formulas[name]), strict=True)
-                rows = [
-                    _cells(CellPlace.of(Place(file, number, 0), name), *pair, problems)
-                    for number, pair in enumerate(pairs, 1)
-                ]
-                problems += _merged(data, values[name], file)
-            except Exception as error:  # noqa: BLE001 - whatever openpyxl meets in a file that is none
+                parts.parse(path, sheet.start, sheet.end, sheet.text)
+            except ReadError:
+                raise
+            except Exception as error:  # noqa: BLE001 - likewise
                 raise _no_workbook(file, error, name) from None
-        read.append(ReadSheet(name, [row for row in rows if row]))
+        read.append(ReadSheet(name, [row for row in sheet.rows if row]))
     if problems:
         raise ReadError(problems)
     return read
-
-
-def _opened(data: bytes, file: str, *, data_only: bool) -> Workbook:
-    """A workbook, or an error that it is none."""
-    from openpyxl import load_workbook
-
-    try:
-        with zipfile.ZipFile(io.BytesIO(data)) as packed:
-            size = sum(one.file_size for one in packed.infolist())
-        if size > MOST_BYTES:
-            message = f"{size / 1e6:.0f} MB when unpacked, expected at most {MOST_BYTES / 1e6:.0f}"
-            raise ValueError(message)  # noqa: TRY301 - told as all others
-        return load_workbook(io.BytesIO(data), read_only=True, data_only=data_only)
-    except Exception as error:  # noqa: BLE001 - whatever openpyxl meets in a file that is none
-        raise _no_workbook(file, error) from None
 
 
 def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
@@ -90,82 +70,152 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
     return ReadError([of_file("E117", file, f"can't be read as a workbook: {of}{told}")])
 
 
-def _rows(sheet: Any) -> Iterator[tuple[Any, ...]]:
-    """Rows of cells.
+class _Sheet:
+    """The cells of a sheet, as its elements come."""
 
-    Raises
-    ------
-    ValueError
-        If there are more than a case has.
-    """
-    if not hasattr(sheet, "reset_dimensions"):
-        return  # a chart
-    sheet.reset_dimensions()  # what a file says of its size need not be so
-    for number, row in enumerate(sheet.iter_rows(), 1):
-        if number > MOST_ROWS or len(row) > MOST_COLUMNS:
+    def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
+        self.rows: list[list[ReadCell]] = []
+        self._place, self._parts, self._problems = place, parts, problems
+        self._row = self._column = self._cells = 0
+        self._about: Mapping[str, str] = {}
+        """Of the cell that is being read."""
+        self._said: dict[str, list[str]] = {}
+        """Value, formula and text of it."""
+        self._inside: list[str] = []
+
+    def start(self, name: str, given: Mapping[str, str]) -> None:
+        """Begin an element."""
+        self._inside.append(name)
+        if name == "row":
+            self._begin_row(int(given.get("r", self._row + 1)))
+        elif name == "c":
+            self._begin_cell(given)
+        elif name in ("v", "f", "t"):
+            self._said.setdefault(name, [])
+        elif name == "mergeCell":
+            self._merged(given.get("ref", ""))
+
+    def text(self, read: str) -> None:
+        """Keep a text of the cell."""
+        if self._inside[-1] in ("v", "f", "t") and "rPh" not in self._inside:
+            self._said[self._inside[-1]].append(read)
+
+    def end(self, name: str) -> None:
+        """End an element."""
+        self._inside.pop()
+        if name == "c":
+            try:
+                text = self._value()
+            except ValueError as error:
+                self._tell(str(error), self._row, self._column)
+                return
+            if text:
+                self.rows[-1].append(ReadCell(text, self._row, self._column))
+
+    def _begin_row(self, number: int) -> None:
+        if number <= self._row:
+            raise ValueError(f"row {number} is not in order")
+        self._row, self._column = number, 0
+        self._check()
+        self.rows.append([])
+
+    def _begin_cell(self, given: Mapping[str, str]) -> None:
+        place = _PLACE.fullmatch(given.get("r", ""))
+        column = _column_of(place[1]) if place else self._column + 1
+        if column <= self._column or not self.rows:
+            raise ValueError(f"cell {given.get('r', '')} is not in order")
+        self._about, self._said = given, {}
+        self._column = column
+        self._cells += 1
+        self._check()
+
+    def _check(self) -> None:
+        if self._row > MOST_ROWS or self._column > MOST_COLUMNS:
             raise ValueError(f"expected at most {MOST_ROWS} rows and {MOST_COLUMNS} columns")
-        yield row
+        if self._cells > MOST_CELLS:
+            raise ValueError(f"expected at most {MOST_CELLS} cells")
+
+    def _value(self) -> str:
+        """What the cell says, nothing where it is empty.
+
+        Raises
+        ------
+        ValueError
+            If it says nothing to a case.
+        """
+        kind = self._about.get("t", "n")
+        value = "".join(self._said.get("t" if kind == "inlineStr" else "v", ()))
+        if not value:
+            if "f" in self._said:
+                message = "a formula without its value: save the file in a spreadsheet program"
+                raise ValueError(message)
+            return ""
+        if kind == "e":
+            raise ValueError(f"read {value}, expected a number or a text")
+        if kind == "s":
+            return self._parts.texts[_index(value)].strip()
+        if kind == "b":
+            return "true" if value.strip() == "1" else "false"
+        if kind in ("str", "inlineStr"):
+            return value.strip()
+        number = _number(value) if kind == "n" else value
+        style = self._about.get("s", "0")
+        if kind == _DATE or (style != "0" and _index(style) in self._parts.dates):
+            read = f"read a date or time, {self._parts.date(value)}"
+            hint = "a fraction is a text, '78/30, or a formula, =78/30"
+            raise ValueError(f"{read}, expected a number or a text; {hint}")
+        return number
+
+    def _merged(self, ref: str) -> None:
+        """Cells that are one: only the first of them has a value, the others would be empty."""
+        first, _, last = ref.partition(":")
+        place = _PLACE.fullmatch(first)
+        if place and last:
+            message = (
+                f"{ref} are merged into one cell, expected a value in each: unmerge and fill them"
+            )
+            self._tell(message, int(place[2]), _column_of(place[1]))
+
+    def _tell(self, message: str, row: int, column: int) -> None:
+        at = CellPlace.of(self._place._replace(line=row, column=column), self._place.sheet)
+        self._problems.append(Problem("E118", message, (), at))
+        if len(self._problems) >= MOST_PROBLEMS:
+            raise ReadError(self._problems)
 
 
-_MERGED = re.compile(rb'<mergeCell [^>]*ref="([A-Z]{1,3})(\d{1,7}):([A-Z]{1,3}\d{1,7})"')
+def _column_of(letters: str) -> int:
+    """The number of a column from 1.
+
+    >>> _column_of("A"), _column_of("XFD")
+    (1, 16384)
+    """
+    number = 0
+    for letter in letters.upper():
+        number = 26 * number + ord(letter) - ord("A") + 1
+    return number
 
 
-def _merged(data: bytes, sheet: Any, file: str) -> Iterator[Problem]:
-    """Cells that are one: only the first of them has a value, the others would be empty."""
-    from openpyxl.utils import column_index_from_string
+def _number(text: str) -> str:
+    """A number as Python writes it.
 
-    with zipfile.ZipFile(io.BytesIO(data)) as packed:
-        written = packed.read(sheet._worksheet_path)  # noqa: SLF001 - cells that are streamed lack it
-    for column, row, last in _MERGED.findall(written):
-        first = column.decode()
-        place = Place(file, int(row), column_index_from_string(first))
-        message = (
-            f"{first}{int(row)}:{last.decode()} are merged into one cell, expected a value in "
-        )
-        yield Problem(
-            "E118", f"{message}each: unmerge and fill them", (), CellPlace.of(place, sheet.title)
-        )
+    >>> _number("-3.5"), _number("1E3"), _number("97")
+    ('-3.5', '1000.0', '97')
+    """
+    is_whole = text.strip("-+ ").isdecimal()
+    try:
+        return repr(int(text) if is_whole and len(text) < 400 else float(text))
+    except ValueError:
+        raise ValueError(f"read {quoted(text[:40])}, expected a number") from None
 
 
-def _cells(
-    place: CellPlace, values: Sequence[Any], formulas: Sequence[Any], problems: list[Problem]
-) -> list[ReadCell]:
-    """The cells of a row, what is wrong with them put to the problems."""
-    read = []
-    pairs = zip(values, formulas, strict=True)
-    for column, (value, formula) in enumerate(pairs, 1):
-        try:
-            text = _text(value.value, value.data_type, formula.value)
-        except ValueError as error:
-            at = CellPlace.of(place._replace(column=column), place.sheet)
-            problems.append(Problem("E118", str(error), (), at))
-            continue
-        if text:
-            read.append(ReadCell(text, place.line, column))
-    return read
-
-
-def _text(value: Any, kind: str, formula: Any) -> str:
-    """What a cell says, nothing where it is empty.
+def _index(text: str) -> int:
+    """A number of a shared text or a format, from 0.
 
     Raises
     ------
-    ValueError
-        If it says nothing to a case.
+    LookupError
+        If it is something else: the workbook is damaged.
     """
-    if kind == "e":
-        raise ValueError(f"read {value}, expected a number or a text")
-    if value is None:
-        if formula is not None:
-            message = "a formula without its value: save the file in a spreadsheet program"
-            raise ValueError(message)
-        return ""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return value.strip()
-    if isinstance(value, int | float):
-        return repr(value)
-    read = f"read a date or time, {value}"
-    hint = "a fraction is a text, '78/30, or a formula, =78/30"
-    raise ValueError(f"{read}, expected a number or a text; {hint}")
+    if not (text.isascii() and text.isdecimal() and len(text) < 10):
+        raise LookupError(f"there is no text or format {quoted(text[:40])}")
+    return int(text)

@@ -40,6 +40,8 @@ _NO_OTHERS = (
     "a name, and what a sweep wrote from `status` on are passed over"
 )
 
+LONGEST_HEADING = 500
+"""Bound of the characters of a heading; a number of a case has fewer."""
 _PIECE = 4 * 2**20
 _LONGEST = 16 * 2**20
 _IN_MEMORY = 2**17
@@ -195,6 +197,10 @@ def targets_of(
         if len(problems) >= MOST_PROBLEMS:
             break
         if name in (NUMBER, _OF_PANDAS) or (not name and not index):
+            continue
+        if len(name) > LONGEST_HEADING:
+            message = f"a heading has {len(name)} characters, expected the name of a number"
+            problems.append(Problem("E715", message, place=place))
             continue
         try:
             varied = target_of(name, subject, place)

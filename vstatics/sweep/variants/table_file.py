@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from itertools import islice
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -43,6 +43,9 @@ def load_table(path: str, subject: Subject) -> VariantTable:
     except OSError as error:
         raise ReadError([unreadable(path, error)]) from None
     place = Place(path, 1, 1)
+    if not columns:
+        message = "it is empty, expected names and numbers below them"
+        raise ReadError([of_file("E713", path, message)])
     targets, chosen = targets_of([(name, place) for name in columns], subject)
     names = list(columns)
     rows = np.column_stack([_numbers(names[n], columns[names[n]], place) for n in chosen])
@@ -77,8 +80,14 @@ def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
     return read_stream(stream, TABLE_BYTES, path)
 
 
-def _numbers(name: str, column: Sequence[Any], place: Place) -> Floats:
+def _numbers(name: str, column: Sequence[Any] | Floats, place: Place) -> Floats:
     """A column; a text is calculated as in CSV."""
+    is_numeric = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
+    if is_numeric or {*map(type, column)} <= {int, float}:
+        with suppress(OverflowError):  # a whole number that is too large is refused below
+            numbers = np.array(column, dtype=np.float64)
+            if np.isfinite(numbers).all():
+                return numbers
     read, problems = np.empty(len(column)), []
     for row, cell in enumerate(column):
         try:
@@ -86,6 +95,8 @@ def _numbers(name: str, column: Sequence[Any], place: Place) -> Floats:
         except ValueError as error:
             message = f"{name}: read {shown('' if cell is None else str(cell))} in row {row + 1}"
             problems.append(Problem("E718", f"{message}, {error}", place=place))
+            if len(problems) >= MOST_PROBLEMS:
+                break
     if problems:
-        raise ReadError(islice(problems, MOST_PROBLEMS))
+        raise ReadError(problems)
     return read

@@ -1,0 +1,339 @@
+"""Damaged results for the commands that read them: `python -m tests.mutated_results 100000`.
+
+Trees, cells, arrays and bytes of each format are changed at random. A command ends in an answer or
+in a message that names the file, without a warning of Python or NumPy.
+"""
+
+from __future__ import annotations
+
+import argparse
+import copy
+import io
+import json
+import sys
+import tempfile
+import traceback
+import warnings
+from collections import Counter
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+from random import Random
+from typing import Any, NamedTuple
+
+import numpy as np
+import pyarrow as pa  # type: ignore[import-untyped]
+import pyarrow.parquet as pq  # type: ignore[import-untyped]
+
+from tests.commands import CASES, vstatics
+from tests.synthesis.boxes.listed_boxes import simpson
+
+VALUES: tuple[Any, ...] = (
+    *(0, -1, 1, 2.5, 1e300, -1e300, 5e-324, 1e-9, 10**400, float("nan"), float("inf")),
+    *(
+        "",
+        "x",
+        "1e999",
+        "-",
+        "*",
+        "ratio",
+        "\u2028",
+        "0",
+        True,
+        None,
+        [],
+        {},
+        [[]],
+        [1, 2],
+        {"a": 1},
+    ),
+)
+CELLS = ("", "0", "-1", "1e300", "1e999", "nan", "inf", "x", "ratio", "1,5", '"', "\0", "9" * 400)
+OUTPUTS = ("compare", "reversed", "map", "curves", "histogram", "variants")
+
+
+class GoodFile(NamedTuple):
+    """A result as a command has written it, and what reads it."""
+
+    name: str
+    data: bytes
+    commands: Sequence[str]
+
+
+@cache
+def folder() -> Path:
+    """A folder of this process, with the case and its sweep."""
+    made = Path(tempfile.mkdtemp(prefix="vstatics-mutated-"))
+    (made / "case.yaml").write_bytes((CASES / "simpson.yaml").read_bytes())
+    (made / "other.yaml").write_bytes((CASES / "wheel-hub.yaml").read_bytes())
+    return made
+
+
+@cache
+def good() -> list[GoodFile]:
+    """Results and sweeps in all formats."""
+    here, files = folder(), []
+    for suffix in ("json", "csv", "jsonl", "parquet", "lst"):
+        cases = [here / "case.yaml", *[here / "other.yaml"] * (suffix in ("jsonl", "parquet"))]
+        form = {"lst": "listing"}.get(suffix, suffix)
+        said = vstatics("run", *cases, "-o", here / f"run.{suffix}", "-f", form, "-q")
+        assert said.status == 0, said
+        files.append(GoodFile(f"run.{suffix}", _written(f"run.{suffix}"), ("compare", "reversed")))
+    varied = ["--vary", "P1.ratio=-3:-2:4", "--vary", "P2.ratio=-3:-2:3", "--out", "ratio,ETA"]
+    for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx"):
+        words = ["--by", "gear"] if suffix == "npz" else []
+        for name, more in {f"sweep.{suffix}": [], f"gears.{suffix}": words}.items():
+            if name.startswith("sweep") or more:
+                said = vstatics(
+                    "sweep", here / "case.yaml", *varied, *more, "-q", "-o", here / name
+                )
+                assert said.status == 0, said
+                files.append(GoodFile(name, _written(name), OUTPUTS))
+    files.append(GoodFile("boxes.json", json.dumps(simpson()).encode(), ("summary", "boxes")))
+    return files
+
+
+def _written(name: str) -> bytes:
+    return (folder() / name).read_bytes()
+
+
+def command(file: GoodFile, name: str, mutated: Path) -> list[object]:
+    """The words of a command on a mutated file."""
+    here = folder()
+    first = here / file.name
+    return {
+        "compare": ["compare", mutated, first, "-f", "json"],
+        "reversed": ["compare", first, mutated],
+        "map": ["plot", "-k", "map", mutated, "-o", here / "out.svg"],
+        "curves": ["plot", "-k", "curves", mutated, "-o", here / "out.svg"],
+        "histogram": ["plot", "-k", "histogram", mutated, "-o", here / "out.svg"],
+        "variants": ["sweep", here / "case.yaml", "--variants", mutated, "--out", "ratio", "-q"],
+        "summary": ["summary", mutated, "-f", "json"],
+        "boxes": ["plot", "-k", "boxes", mutated, "-o", here / "out.svg"],
+    }[name]
+
+
+def mutated(rng: Random, file: GoodFile) -> bytes:
+    """A good file with some changes: of its structure, or of its bytes."""
+    suffix = file.name.rpartition(".")[2]
+    structural: dict[str, Callable[[Random, bytes], bytes]] = {
+        "json": _json,
+        "jsonl": _lines,
+        "csv": _cells,
+        "npz": _arrays,
+        "parquet": _columns,
+    }
+    data = file.data
+    if suffix in structural and rng.random() < 0.75:
+        return structural[suffix](rng, data)
+    for _ in range(rng.choice((1, 1, 2, 8))):
+        place, size = rng.randrange(len(data)), rng.choice((1, 1, 2, 40))
+        match rng.randrange(4):
+            case 0:
+                data = (
+                    data[:place]
+                    + bytes([data[place] ^ (1 << rng.randrange(8))])
+                    + data[place + 1 :]
+                )
+            case 1:
+                data = data[:place] + data[place + size :]
+            case 2:
+                data = data[:place] + data[place : place + size] * 2 + data[place + size :]
+            case _:
+                data = data[:place] if rng.random() < 0.3 else data[:place] + rng.randbytes(size)
+        data = data or b"\n"
+    return data
+
+
+def _tree(rng: Random, tree: Any) -> Any:
+    """A tree with values, keys or items changed somewhere."""
+    tree = copy.deepcopy(tree)
+    for _ in range(rng.choice((1, 1, 2, 3))):
+        places: list[tuple[Any, Any]] = []
+        _places(tree, places)
+        if not places:
+            break
+        inner, key = rng.choice(places)
+        match rng.randrange(5):
+            case 0 | 1:
+                inner[key] = copy.deepcopy(rng.choice(VALUES))
+            case 2:
+                del inner[key]
+            case 3:
+                if isinstance(inner, list):
+                    inner.insert(key, copy.deepcopy(inner[key]))
+                else:
+                    inner[rng.choice(("x", "ratio", "status", "1", ""))] = inner.pop(key)
+            case _:
+                other, place = rng.choice(places)
+                if place in other if isinstance(other, dict) else place < len(other):
+                    inner[key] = copy.deepcopy(other[place])
+    return tree
+
+
+def _places(tree: Any, places: list[tuple[Any, Any]]) -> None:
+    for key, value in tree.items() if isinstance(tree, dict) else enumerate(tree):
+        places.append((tree, key))
+        if isinstance(value, dict | list):
+            _places(value, places)
+
+
+def _json(rng: Random, data: bytes) -> bytes:
+    return json.dumps(_tree(rng, json.loads(data))).encode()
+
+
+def _lines(rng: Random, data: bytes) -> bytes:
+    lines = data.decode().splitlines()
+    for _ in range(rng.choice((1, 1, 2))):
+        place = rng.randrange(len(lines))
+        match rng.randrange(4):
+            case 0 | 1:
+                lines[place] = json.dumps(_tree(rng, json.loads(lines[place])))
+            case 2:
+                key = rng.choice([*json.loads(lines[place])])
+                lines[place] = lines[place].replace("{", f'{{"{key}": 1, ', 1)
+            case _:
+                lines.insert(place, rng.choice(("[]", "1", "null", "{}", "[" * 3000, lines[place])))
+        if not all(line.startswith("{") for line in lines) or lines[place].startswith('{"" '):
+            break
+    return "\n".join(lines).encode()
+
+
+def _cells(rng: Random, data: bytes) -> bytes:
+    rows = [line.split(",") for line in data.decode().splitlines()]
+    for _ in range(rng.choice((1, 1, 2, 4))):
+        row = rng.choice((rows[0], rng.choice(rows))) if rows else [""]
+        place = rng.randrange(len(row)) if row else 0
+        match rng.randrange(6):
+            case 0 | 1:
+                row[place : place + 1] = [rng.choice(CELLS)]
+            case 2:
+                del row[place : place + 1]
+            case 3:
+                row.insert(place, rng.choice(CELLS))
+            case 4:
+                rows.insert(rng.randrange(len(rows) + 1), list(row))
+            case _:
+                other = rng.choice(rows)
+                row[place : place + 1] = other[:1]
+    return "\n".join(",".join(row) for row in rows).encode()
+
+
+def _column(rng: Random, array: Any) -> Any:
+    """An array with other numbers, another length, shape or type."""
+    made = np.array(array)
+    match rng.randrange(7):
+        case 0 if made.ndim:
+            made = made[: rng.randrange(len(made) + 1)]
+        case 1 if made.ndim:
+            made = np.append(made, made[:1])
+        case 2 if made.dtype.kind in "fiu":
+            with np.errstate(all="ignore"):
+                made = made.astype(
+                    rng.choice(("f4", "f2", "i8", "u1", "U5", "S3", "?", "c16", "g"))
+                )
+        case 3:
+            made = made.reshape(rng.choice(((-1, 1), (1, -1))))
+        case 4:
+            made = np.array(rng.choice((0, 1.5, "x", np.nan)))
+        case _ if made.size and made.dtype.kind in "fiu":
+            made = made.astype(float)
+            made.flat[rng.randrange(made.size)] = rng.choice((0, -1, np.nan, np.inf, 1e300, 99))
+    return made
+
+
+def _arrays(rng: Random, data: bytes) -> bytes:
+    with np.load(io.BytesIO(data)) as archive:
+        arrays = {name: archive[name] for name in archive.files}
+    for _ in range(rng.choice((1, 1, 2))):
+        name = rng.choice([*arrays])
+        match rng.randrange(6):
+            case 0:
+                del arrays[name]
+            case 1:
+                arrays[rng.choice(("x", "status", "gear", "statuses", "ratio[1]"))] = arrays[name]
+            case _:
+                arrays[name] = _column(rng, arrays[name])
+        if not arrays:
+            break
+    made = io.BytesIO()
+    np.savez(made, **arrays)
+    return made.getvalue()
+
+
+def _columns(rng: Random, data: bytes) -> bytes:
+    table = pq.read_table(pa.BufferReader(data))
+    columns = dict(zip(table.column_names, table.columns, strict=True))
+    for _ in range(rng.choice((1, 1, 2))):
+        name = rng.choice([*columns])
+        values = columns[name].to_pylist()
+        match rng.randrange(5):
+            case 0:
+                del columns[name]
+            case 1:
+                columns[rng.choice(("x", "status", "table", "case"))] = columns[name]
+            case 2:
+                values[rng.randrange(len(values))] = None
+                columns[name] = pa.array(values)
+            case 3:
+                columns[name] = pa.array([rng.choice((str(one), None, "ratio")) for one in values])
+            case _:
+                columns[name] = pa.array(
+                    [rng.choice((0.0, 1e300, float("inf"), -1.0))] * len(values)
+                )
+        if not columns:
+            break
+    made = io.BytesIO()
+    pq.write_table(pa.table(columns), made)
+    return made.getvalue()
+
+
+def tried(number: int) -> tuple[str, str]:
+    """The command of a number and its fault; that is empty if all is well."""
+    rng = Random(number)  # noqa: S311
+    file = rng.choice(good())
+    name = rng.choice(file.commands)
+    path = folder() / f"mutated.{file.name.rpartition('.')[2]}"
+    with warnings.catch_warnings(action="ignore"):
+        path.write_bytes(mutated(rng, file))
+    words = command(file, name, path)
+    about = f"{number}: {' '.join(map(str, words))}"
+    try:
+        with warnings.catch_warnings(), np.errstate(all="warn", under="ignore"):
+            warnings.simplefilter("error")
+            said = vstatics(*words)
+    except Exception:  # noqa: BLE001 - that is what is looked for
+        return name, f"{about}\n{traceback.format_exc()}"
+    if "an error of vstatics" in said.err or "Warning" in said.err:
+        return name, f"{about}\n{said.err}"
+    if said.status not in (0, 1, 2) or (said.status == 2 and "Usage" in said.err and not said.all):
+        return name, f"{about}\nstatus {said.status}"
+    if said.status and not said.all:
+        return name, f"{about}\nfailed without a word"
+    if "json" in words and said.out:
+        try:
+            json.loads(said.out, parse_constant=lambda text: int("no constant " + text))
+        except ValueError as error:
+            return name, f"{about}\n{error}"
+    return f"{name} {said.status}", ""
+
+
+def main() -> int:
+    """Try as many as asked; the exit status is 1 if one failed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--from", dest="first", type=int, default=0)
+    asked = parser.parse_args()
+    counts, failed = Counter[str](), 0
+    for number in range(asked.first, asked.first + asked.count):
+        outcome, fault = tried(number)
+        counts[outcome] += 1
+        failed += bool(fault)
+        if fault:
+            print(fault, flush=True)  # noqa: T201
+    print(dict(counts), f"{failed} faults")  # noqa: T201
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,209 @@
+"""Parts of a workbook file, bounded in size: its sheets, shared texts and formats of dates."""
+
+from __future__ import annotations
+
+import datetime as dt
+import io
+import posixpath
+import re
+import zipfile
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import Any
+
+MOST_BYTES = 10_000_000
+"""Bound of all parts that are read, unpacked."""
+MOST_STYLE_BYTES = 20_000_000
+"""Bound of the part of formats, of which only numbers of dates are kept."""
+MOST_DEEP = 100
+MOST_SHEETS = 1000
+_PIECE = 2**16
+_BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
+"""Numbers of formats that are dates or times without being described."""
+_NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
+"""What stands in a format as it is: texts, colours, single letters."""
+
+Start = Callable[[str, Mapping[str, str]], object]
+End = Callable[[str], object]
+
+
+def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = None) -> None:
+    """Go through the elements of a part; names are without their namespace.
+
+    Raises
+    ------
+    ValueError
+        If it has a document type, whose entities may be anything, or is nested too deeply.
+    ExpatError
+    """
+    from xml.parsers import expat  # costs start-up time
+
+    depth = 0
+
+    def started(name: str, given: Mapping[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > MOST_DEEP:
+            raise ValueError(f"nested deeper than {MOST_DEEP} levels")
+        start(name.rpartition(":")[2], given)
+
+    def ended(name: str) -> None:
+        nonlocal depth
+        depth -= 1
+        end(name.rpartition(":")[2])
+
+    def refused(*_: object) -> None:
+        raise ValueError("a document type, expected none")
+
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    parser.StartElementHandler, parser.EndElementHandler = started, ended
+    parser.StartDoctypeDeclHandler = refused
+    if text:
+        parser.CharacterDataHandler = text
+    while piece := stream.read(_PIECE):
+        parser.Parse(piece)
+    parser.Parse(b"", True)  # noqa: FBT003 - of expat
+
+
+class PackedParts:
+    """The parts of a workbook.
+
+    Raises
+    ------
+    Exception
+        Of some kind each, if it is damaged; a ValueError if it is larger than any case.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        """Find the sheets."""
+        self._packed = zipfile.ZipFile(io.BytesIO(data))
+        self._left = MOST_BYTES
+        roots = self._relations("")
+        self._book = next((path for kind, path in roots.values() if kind == "officeDocument"), "")
+        self._book = self._book or "xl/workbook.xml"
+        self.sheets: dict[str, str] = {}
+        """Names, with the parts of those that are sheets of cells; empty of a chart."""
+        self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 - days have no zone
+        self._named: list[tuple[str, str]] = []
+        with self._open(self._book) as part:
+            parse(part, self._sheet, lambda _: None)
+        self._related = self._relations(self._book)
+        for name, key in self._named:
+            kind, path = self._related.get(key, ("", ""))
+            self.sheets[name] = path if kind == "worksheet" else ""
+
+    def parse(self, path: str, start: Start, end: End, text: Any = None) -> None:
+        """Go through the elements of a part."""
+        with self._open(path) as part:
+            parse(part, start, end, text)
+
+    def _sheet(self, name: str, given: Mapping[str, str]) -> None:
+        if name == "workbookPr" and given.get("date1904") in ("1", "true"):
+            self._first_day = dt.datetime(1904, 1, 1)  # noqa: DTZ001
+        if name == "sheet":
+            key = next((value for one, value in given.items() if one.endswith(":id")), "")
+            self._named.append((given.get("name", ""), key))
+            if len(self._named) > MOST_SHEETS:
+                raise ValueError(f"expected at most {MOST_SHEETS} sheets")
+
+    def _open(self, path: str) -> Any:
+        """Open a part, if there is room for it."""
+        about = self._packed.getinfo(path)
+        self._left -= about.file_size
+        if self._left < 0:
+            size = (MOST_BYTES - self._left) / 1e6
+            raise ValueError(
+                f"{size:.0f} MB when unpacked, expected at most {MOST_BYTES / 1e6:.0f}"
+            )
+        return self._packed.open(about)
+
+    def _relations(self, of: str) -> dict[str, tuple[str, str]]:
+        """Kind and part of what a part refers to, by its keys."""
+        folder, name = posixpath.split(of)
+        found: dict[str, tuple[str, str]] = {}
+
+        def start(name: str, given: Mapping[str, str]) -> None:
+            if name == "Relationship" and given.get("TargetMode") != "External":
+                path = posixpath.normpath(posixpath.join("/", folder, given["Target"]))
+                kind = given.get("Type", "").rpartition("/")[2]
+                found[given.get("Id", "")] = kind, path.lstrip("/")
+
+        path = posixpath.join(folder, "_rels", f"{name}.rels")
+        if path in self._packed.NameToInfo:
+            self.parse(path, start, lambda _: None)
+        return found
+
+    def date(self, value: str) -> str:
+        """The date and time that a number of days stands for, or the value as it is."""
+        try:
+            return str(self._first_day + dt.timedelta(days=float(value)))
+        except (OverflowError, ValueError):
+            return value
+
+    def _part(self, kind: str) -> str:
+        """The part of a kind that the workbook refers to; empty if there is none."""
+        paths = [path for of, path in self._related.values() if of == kind]
+        return next((path for path in paths if path in self._packed.NameToInfo), "")
+
+    @cached_property
+    def texts(self) -> list[str]:
+        """Texts that cells share, without what says how they are spoken."""
+        texts: list[str] = []
+        parts: list[str] = []
+        inside: list[str] = []
+
+        def start(name: str, _: Mapping[str, str]) -> None:
+            inside.append(name)
+            if name == "si":
+                parts.clear()
+
+        def end(name: str) -> None:
+            inside.pop()
+            if name == "si":
+                texts.append("".join(parts).replace("x005F_", ""))
+
+        def text(read: str) -> None:
+            if inside[-1] == "t" and "rPh" not in inside:
+                parts.append(read)
+
+        if path := self._part("sharedStrings"):
+            self.parse(path, start, end, text)
+        return texts
+
+    @cached_property
+    def dates(self) -> frozenset[int]:
+        """Numbers of the cell formats that are dates or times."""
+        codes: dict[str, str] = {}
+        formats: list[str] = []
+        section = ""
+
+        def start(name: str, given: Mapping[str, str]) -> None:
+            nonlocal section
+            if name == "xf":
+                formats.extend([given.get("numFmtId", "0")] * (section == "cellXfs"))
+            elif name == "numFmt":
+                codes[given.get("numFmtId", "")] = given.get("formatCode", "")
+            elif name in ("cellXfs", "cellStyleXfs", "dxfs"):
+                section = name
+
+        if path := self._part("styles"):
+            about = self._packed.getinfo(path)
+            if about.file_size > MOST_STYLE_BYTES:
+                most = MOST_STYLE_BYTES / 1e6
+                message = f"formats of {about.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
+                raise ValueError(message)
+            with self._packed.open(about) as part:
+                parse(part, start, lambda _: None)
+        return frozenset(n for n, one in enumerate(formats) if _is_date(one, codes.get(one)))
+
+
+def _is_date(number: str, code: str | None) -> bool:
+    """Whether a format is of dates or times.
+
+    >>> _is_date("14", None), _is_date("165", "[h]:mm"), _is_date("165", '0.0 "days"')
+    (True, True, False)
+    """
+    if code is None:
+        return number.isdecimal() and len(number) < 4 and int(number) in _BUILT_IN_DATES
+    return bool(re.search("[dmhysDMHYS]", _NO_DATE.sub("", code.partition(";")[0])))
