@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy
 
 import numpy as np
 
 from vstatics.errors import CaseError, Path, Problem, listed, quoted
+from vstatics.model.parts import ShiftElement
+from vstatics.model.springs import Spring
 from vstatics.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.commands import StepCommands, value_of, with_states
@@ -38,7 +40,7 @@ from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
-from vstatics.simulation.system.sight import corners
+from vstatics.simulation.system.sight import control_path, corners
 from vstatics.simulation.tolerances import (
     AHEAD,
     AHEAD_OF_STOP,
@@ -273,12 +275,22 @@ class EventRun:
             stays = found.time - self.mark < NO_PROGRESS * self.duration
             self.mark = found.time
         if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
-            name = self._name(found.watches[0])
-            message = (
-                f"at {found.time:.9g} s {name} changes without end between sticking and slipping: "
-                "there is no state in which the run can go on"
+            watch = found.watches[0]
+            raise CaseError("E601", self._endless(found.time, watch), self._path(watch))
+
+    def _endless(self, time: float, watch: Watch) -> str:
+        """What is said of something that changes without end."""
+        name = self._name(watch)
+        if watch.kind in FOLLOWING:
+            return (
+                f"at {time:.9g} s {name} is met without end, so the run comes no further; replace "
+                "what jumps there with a ramp, or switch with a hysteresis in a sequence"
             )
-            raise CaseError("E601", message, self._path(found.watches[0]))
+        return (
+            f"at {time:.9g} s {name} changes without end between sticking and slipping: there is "
+            "no state in which the run can go on; let its torque change steadily with the speed, "
+            "or give its links an inertia or a damper"
+        )
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
@@ -471,9 +483,25 @@ class EventRun:
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """The law of a torque at whose jump there is no way on."""
-        if KIND_OF.get(watch.kind) == "contacts" and self.system.contacts[watch.of].switch:
+        """The key of the scenario to which a watch belongs, as far as it has one."""
+        scenario, system = self.system.scenario, self.system
+        kind = KIND_OF.get(watch.kind)
+        if watch.kind == "corner":
+            return self.corners[self.watched[watch.of][0].corner].path
+        if watch.kind == "state":
+            return "states", scenario.states[watch.of].name
+        if watch.kind == "awaited":
+            return self.sequences.going[watch.of].path
+        if kind == "contacts" and system.contacts[watch.of].switch:
             return "torques", self._name(watch)
+        if kind in ("contacts", "springs"):
+            device = system.contacts[watch.of] if kind == "contacts" else system.springs[watch.of]
+            key, name = path = control_path(device)
+            given: Collection[int] = scenario.controls or ()
+            parts: Sequence[ShiftElement | Spring] = system.case.shift_elements
+            if key == "limits":
+                given, parts = scenario.limits, system.case.springs
+            return path if name in (parts[number - 1].name for number in given) else ()
         return ()
 
     def _name_of(self, kind: Kind, index: int) -> str:
@@ -496,7 +524,7 @@ class EventRun:
 
     def _name_of_value(self, watch: Watch) -> str:
         if watch.kind == "corner":
-            return "what a formula compares"
+            return quoted(self.corners[self.watched[watch.of][0].corner].text)
         if watch.kind == "state":
             return f"the state {self.system.scenario.states[watch.of].name}"
         return f"the sequence {self.sequences.going[watch.of].name}"

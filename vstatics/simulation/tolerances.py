@@ -57,6 +57,8 @@ LEAST_VALUE = 1e-30
 """Of a state, beside which others are accurate."""
 SMALL_VALUE = 1e-3
 """Part of the largest value of a state up to which it is as accurate."""
+BETWEEN_INSTANTS = 1e-9
+"""States between the instants of a step are as accurate, by the largest number in it."""
 EQUAL_SIDES = 1e-10
 """What is compared is equal if it differs by less than this part."""
 SOON = 1e2

@@ -14,6 +14,7 @@ from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.tolerances import (
     AHEAD,
+    BETWEEN_INSTANTS,
     LARGEST_NUMBER,
     NO_MARGIN,
     ROOT_PART,
@@ -77,7 +78,7 @@ class Finder:
 
     def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
-        self.noise = NO_MARGIN * margins.units(scales)
+        self.least = self.noise = NO_MARGIN * margins.units(scales)
         self.following = np.array([one.kind in FOLLOWING for one in margins.watches], dtype=bool)
         """Of margins: it may end, and rise again, before one that ends behind it."""
         system = self.equations.system
@@ -100,6 +101,7 @@ class Finder:
         if not self.margins.watches:
             return None
         margins = self.margins.along(times, states)
+        self.noise = self._noise_of(margins)
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
         begin = step.start, self.margins.at(step.start, step.first)
         first = int(ends[0]) if len(ends) else len(times) - 1
@@ -112,6 +114,12 @@ class Finder:
             return None
         above = (float(times[first - 1]), margins[:, first - 1]) if first else begin
         return self._located(step, above, under)
+
+    def _noise_of(self, margins: Floats) -> Floats:
+        """Noise of margins in a step: what follows is as accurate as its largest value in it."""
+        sizes = np.abs(margins).max(axis=1, initial=0.0)
+        following = self.following & np.isfinite(sizes)
+        return np.where(following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least)
 
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
@@ -211,8 +219,9 @@ class Finder:
         """Where a margin falls below 0 by more than rounding, to the next time, by halves."""
         first, last = ends
         while first < (middle := first + (last - first) / 2) < last:
-            margin = self.margins.along(np.array([middle]), step.between(np.array([middle])))
-            first, last = (first, middle) if margin[index, 0] < -self.noise[index] else (middle, last)
+            margins = self.margins.along(np.array([middle]), step.between(np.array([middle])))
+            is_below = margins[index, 0] < -self.noise[index]
+            first, last = (first, middle) if is_below else (middle, last)
         return last
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:

@@ -297,6 +297,8 @@ class ModeSelection:
         """
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
+        if margins.sees or equations.ports.looks:  # torques follow what they see
+            ahead = state + self.within * equations.derivative(later, ahead)
         then = _finite(margins.at(later, ahead)[:count])
         structure, motions = equations.structure, np.abs(state[: equations.motions])
         acting = np.abs(equations.acting(later, ahead)[1])

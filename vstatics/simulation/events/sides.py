@@ -13,28 +13,23 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.events.margins import Awaited, LargeSizes
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.known import DISTANCES
 from vstatics.simulation.system.sight import Compared, compared
 from vstatics.simulation.tolerances import (
     EQUAL_SIDES,
     EXACT_SIDES,
     MET,
-    NO_MARGIN,
     ROUNDED_INPUT,
     SOON,
 )
 
-_DISTANCES = (1.0, 16.0, 256.0)
-"""Times after which comparisons are looked at, in multiples of the look-ahead of the equations."""
 
-
-class Seen(NamedTuple):
+class SeenInstant(NamedTuple):
     """Everything that formulas see at an instant."""
 
     time: float
@@ -60,26 +55,26 @@ class Judge:
         self, equations: Equations, time: float, state: Floats, scales: LargeSizes, values: Floats
     ) -> None:
         self.equations = equations
-        self.now = Seen(time, equations.changes.seen_at(time, state))
+        self.now = SeenInstant(time, equations.changes.seen_at(time, state))
         self._scales, self._values = scales, values
         self._reached = time, state
-        self._later: list[Seen] = []
+        self._later: list[SeenInstant] = []
         self._sizes: dict[Look, float] = {}
         self._known: dict[Formula, Awaited] = {}
 
     @property
-    def ahead(self) -> Seen:
+    def ahead(self) -> SeenInstant:
         """Everything that formulas see a little later."""
         return self._after(0)
 
-    def _after(self, number: int) -> Seen:
+    def _after(self, number: int) -> SeenInstant:
         """Everything that formulas see after one of the distances."""
         while len(self._later) <= number:
             equations = self.equations
-            end = self.now.time + equations.within * _DISTANCES[len(self._later)]
+            end = self.now.time + equations.within * DISTANCES[len(self._later)]
             time, state = self._reached
-            self._reached = end, _moved(equations, time, state, end - time)
-            self._later.append(Seen(end, equations.changes.seen_at(*self._reached)))
+            self._reached = end, equations.moved(time, state, end - time)
+            self._later.append(SeenInstant(end, equations.changes.seen_at(*self._reached)))
         return self._later[number]
 
     def awaited(self, comparison: Formula) -> Awaited:
@@ -99,12 +94,13 @@ class Judge:
         change = abs(then - apart)
         size = max(abs(first), abs(second), SOON * change, self._size(pair))
         is_equal = abs(apart) <= max(EQUAL_SIDES * size, MET * change)
-        side = self._next_side(pair, then, size) if abs(apart) <= EQUAL_SIDES * size else _side(apart)
+        moves = abs(apart) <= EQUAL_SIDES * size
+        side = self._next_side(pair, then, size) if moves else _side(apart)
         return Awaited(pair, side, size, is_equal, change)
 
     def _next_side(self, pair: Compared, then: float, size: float) -> str:
         """Return the side to which equal numbers move."""
-        for number in range(len(_DISTANCES)):
+        for number in range(len(DISTANCES)):
             if number:
                 first, second = pair.at(*self._after(number))
                 then, size = first - second, max(abs(first), abs(second), self._size(pair))
@@ -173,13 +169,3 @@ def _side(apart: float) -> str:
     if math.isnan(apart):
         return "?"
     return "-+"[apart > 0] if apart else "0"
-
-
-def _moved(equations: Equations, time: float, state: Floats, length: float) -> Floats:
-    """Return the state after a step of the classical method of Runge and Kutta."""
-    half, whole = time + length / 2, time + length
-    first = equations.derivative(time, state)
-    second = equations.derivative(half, state + length / 2 * first)
-    third = equations.derivative(half, state + length / 2 * second)
-    fourth = equations.derivative(whole, state + length * third)
-    return np.asarray(state + length / 6 * (first + 2 * (second + third) + fourth))

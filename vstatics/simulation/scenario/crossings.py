@@ -22,7 +22,8 @@ from vstatics.simulation.scenario.formula_code import compiled_along
 from vstatics.simulation.scenario.table_call import TableCall
 from vstatics.simulation.tolerances import EXACT_SIDES, SAME_INSTANT
 
-class Pair(NamedTuple):
+
+class MeetingParts(NamedTuple):
     """Two parts of a formula that are compared with each other."""
 
     first: Tree
@@ -31,7 +32,7 @@ class Pair(NamedTuple):
     """Whether the formula may jump where both are equal; else it bends there."""
 
 
-Pairs: TypeAlias = list[Pair]
+Pairs: TypeAlias = list[MeetingParts]
 """One part of a formula, compared with several others in ascending order."""
 
 
@@ -41,7 +42,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
             jumps = part.name in JUMPS
-            yield from ([Pair(*pair, jumps)] for pair in combinations(operands, 2))
+            yield from ([MeetingParts(*pair, jumps)] for pair in combinations(operands, 2))
     yield from asked(tree)
 
 
@@ -51,7 +52,7 @@ def asked(tree: Tree) -> Iterator[Pairs]:
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table
             for operand, steps in zip(part.operands, (table.x, table.columns), strict=False):
-                yield [Pair(operand, Constant(x), n > 1) for x, n in Counter(steps).items()]
+                yield [MeetingParts(operand, Constant(x), n > 1) for x, n in Counter(steps).items()]
 
 
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:

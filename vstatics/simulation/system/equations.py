@@ -395,6 +395,16 @@ class Equations:
             self.variators.fill(time, rates, torques)
         return torques
 
+    def moved(self, time: float, state: Floats, length: float) -> Floats:
+        """State after a step of the classical method of Runge and Kutta, which is of order 4."""
+        half, end = time + length / 2, time + length
+        first = self.derivative(time, state)
+        second = self.derivative(half, state + length / 2 * first)
+        third = self.derivative(half, state + length / 2 * second)
+        fourth = self.derivative(end, state + length * third)
+        made: Floats = state + length / 6 * (first + 2 * (second + third) + fourth)
+        return made
+
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
         """Change of the state with time; the slopes of limits of springs may be known."""
         return self._change(time, state, self.rates(time, state), slopes)

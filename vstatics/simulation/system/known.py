@@ -9,6 +9,9 @@ from vstatics.simulation.system.matrices import MotionSystem, PortLayout
 from vstatics.simulation.system.ports import Ports
 from vstatics.simulation.system.structure import MotionStructure
 
+DISTANCES = (1.0, 16.0, 256.0)
+"""Times after which a motion is looked at to see what leaves 0, by the look-ahead of equations."""
+
 
 class KnownMotion(Protocol):
     """What holds between two events, as far as its parts ask."""
@@ -33,3 +36,6 @@ class KnownMotion(Protocol):
 
     def derivative(self, time: float, state: Floats) -> Floats:
         """Change of a state with time."""
+
+    def moved(self, time: float, state: Floats, length: float) -> Floats:
+        """State after a short time [s]."""

@@ -20,7 +20,7 @@ from vstatics.readers.expressions.grammar import Applied
 from vstatics.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import variables
 from vstatics.simulation.scenario.conditions import StepCondition
-from vstatics.simulation.scenario.crossings import Pair, Pairs, asked, met
+from vstatics.simulation.scenario.crossings import MeetingParts, Pairs, asked, met
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import Look, Programme
@@ -135,8 +135,9 @@ def corners(system: MotionSystem) -> list[Corner]:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
             most = () if programme.largest is None else (programme.largest,)
-            whole, path = programme.curve.whole, control_path(device)
-            bounds: list[Pairs] = [[Pair(whole, Constant(one))] for one in (0.0, *most)]
+            path: Path = control_path(device)
+            whole = programme.curve.whole
+            bounds: list[Pairs] = [[MeetingParts(whole, Constant(one))] for one in (0.0, *most)]
             found += [(path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
     for port, one in enumerate(system.outside):
         if isinstance(one.law, Formula):  # jumps by its own motion are switches
@@ -149,9 +150,7 @@ def corners(system: MotionSystem) -> list[Corner]:
             path = ("states", state.name, "rate")
             found += [(path, state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
     for path, when in _conditions(system):
-        found += [
-            (path, one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)
-        ]
+        found += [(path, one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
     made = [*_rubbing_corners(system), *_vanishing_limits(system)]
     for path, formula, pairs, rate, angle in found:
         first = pairs[0].first
@@ -164,7 +163,7 @@ def corners(system: MotionSystem) -> list[Corner]:
     return made
 
 
-def control_path(device: Contact | Elastic) -> Path:
+def control_path(device: Contact | Elastic) -> tuple[str, str]:
     """The key of a scenario that says what a device can carry."""
     return "limits" if device.element is None else "controls", device.name
 

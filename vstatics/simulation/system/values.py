@@ -11,7 +11,7 @@ from vstatics.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
-from vstatics.simulation.system.known import KnownMotion
+from vstatics.simulation.system.known import DISTANCES, KnownMotion
 from vstatics.simulation.system.sight import fixed, looking
 from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
 
@@ -82,7 +82,7 @@ class ValueChanges:
         if not states:
             return
         equations, values = self.equations, state[self.equations.values]
-        within, later = equations.within, time + equations.within
+        within = equations.within
         self.held[:] = 0
         changes = self.unheld(time, state, *equations.acting(time, state))
         sides = [
@@ -95,13 +95,27 @@ class ValueChanges:
             if side:
                 values[index] = states[index].most if side > 0 else states[index].least
         self.held[:] = sides
+        while self.held.any():
+            inward = self.held * self._next_changes(time, state)[: len(sides)] < 0
+            if not inward.any():
+                return
+            self.held[inward] = 0  # which may move others
+
+    def _next_changes(self, time: float, state: Floats) -> Floats:
+        """Changes of states as if they had no limits; where they are 0 or turn, a little later."""
+        equations = self.equations
         changes = self.unheld(time, state, *equations.acting(time, state))
-        ahead = state + within * equations.derivative(time, state)
-        then = self.unheld(later, ahead, *equations.acting(later, ahead))
-        for index, side in enumerate(sides):
-            turns = abs(changes[index]) <= abs(then[index] - changes[index])
-            if side and side * (then if turns else changes)[index] < 0:
-                self.held[index] = 0
+        reached, within = 0.0, equations.within
+        for distance in DISTANCES:
+            length = within * distance
+            state = equations.moved(time + reached, state, length - reached)
+            later, reached = time + length, length
+            then = self.unheld(later, state, *equations.acting(later, state))
+            undecided = changes == 0 if reached > within else abs(changes) <= abs(then - changes)
+            changes = np.where(undecided, then, changes)
+            if changes.all():
+                break
+        return changes
 
 
 def _side(state: ControlState, value: float, near: float) -> int:

@@ -1,0 +1,280 @@
+"""What rests on a corner of a formula, a table, a state or a control, and leaves it smoothly.
+
+Expected numbers are closed forms, or come from solvers of scipy with equations of their own.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import yaml
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
+
+from tests.chance import count, seeded, some
+from tests.commands import CASES
+from tests.simulation.control.smooth import integrated, smooth
+from tests.simulation.control.written import TWO_WHEELS, simulated, written
+from vstatics.simulation import load_scenario
+from vstatics.simulation.run import simulate
+
+ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
+EQUAL = "links: [a, b]\ninertias: {a: 1, b: 1}\nshift_elements: {L: {links: [a, b]}}\n"
+
+
+def test_a_pressure_that_is_ramped_through_a_lag_lets_a_clutch_in() -> None:
+    """P = 300 (t - tau (1 - exp(-t/tau))), so the slip is 100 + 50 t - 1.2 times its integral."""
+    motion = simulated(
+        """duration: 2
+start: {speeds: {a: 100, b: 0}}
+states: {p: {rate: "(300*min(t, 1) - p)/.06"}}
+controls: {C: p}
+torques: {a: 50}
+""",
+        ONE_TO_FIVE,
+    )
+
+    def slip(t: float) -> float:
+        impulse = t**2 / 2 - 0.06 * t + 0.06**2 * (1 - math.exp(-t / 0.06))
+        return 100 + 50 * t - 1.2 * 300 * impulse
+
+    [locks] = motion.events
+    assert locks.time == pytest.approx(brentq(slip, 0.1, 1, xtol=1e-15), abs=1e-10)
+
+
+def test_a_viscous_coupling_takes_up_a_torque_that_rises_from_zero() -> None:
+    """The slip follows s' = T - 40 s, so it is 10/40 in the end; both have the impulse 9."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 0, b: 0}}
+torques: {a: [[0, 0], [0.2, 10]]}
+controls: {L: "20*abs(slip('L'))"}
+""",
+        EQUAL,
+    )
+    assert motion.speeds[-1] == pytest.approx([4.5 + 0.125, 4.5 - 0.125], abs=1e-9)
+
+
+def test_a_friction_that_falls_with_slip_breaks_away() -> None:
+    """It sticks until 40 t/2 = 13; then s' = 40 t - 2 (10 + 3 exp(-s/5)), by DOP853."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 0, b: 0}}
+torques: {a: [[0, 0], [1, 40]]}
+controls: {L: "10 + 3*exp(-abs(slip('L'))/5)"}
+""",
+        EQUAL,
+    )
+    found = solve_ivp(
+        lambda t, s: 40 * t - 2 * (10 + 3 * np.exp(-s / 5)), (0.65, 1), [0.0], "DOP853",
+        rtol=1e-12, atol=1e-14,
+    )  # fmt: skip
+    slip = float(found.y[0, -1])
+    [slips] = motion.events
+    assert slips.time == pytest.approx(0.65, abs=1e-9)
+    assert motion.speeds[-1] == pytest.approx([10 + slip / 2, 10 - slip / 2], rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    "control",
+    ["max(e, 0)", *some(["e*(e >= 0)", "(e > 0)*e", "min(max(e, 0), 600)", "e", "kiss(e)"])],
+)
+@pytest.mark.parametrize(("start", "rate"), [(-1, 10), *some([(-0.1, 5), (-0.01, 1), (-9, 90)])])
+def test_a_control_begins_when_its_state_passes_the_kiss_point(
+    control: str, start: float, rate: float
+) -> None:
+    """From -start/rate on it is a ramp."""
+    motion = simulated(
+        f"""duration: 1
+start: {{speeds: {{a: 50, b: 10}}}}
+tables: {{kiss: [[-1, 0], [0, 0], [100, 100]]}}
+states: {{e: {{start: {start}, rate: "{rate}"}}}}
+controls: {{C: "{control}"}}
+""",
+        ONE_TO_FIVE,
+    )
+    impulse = rate * (1 + start / rate) ** 2 / 2
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-10)
+
+
+FORMS = ["{}", "max({}, 0)", "abs({})", "line({})", "map({}, t)", "min({}, 0.5 + {})"]
+POWERS = [*product(FORMS, ["", ", min: 0"], range(1, 7), [0.0, 0.3])]
+
+
+@pytest.mark.parametrize(
+    ("form", "least", "order", "begin"),
+    [pytest.param(*one, marks=[pytest.mark.slow] * (n % 29 > 0)) for n, one in enumerate(POWERS)],
+)
+def test_a_control_leaves_zero_as_any_power_of_time(
+    form: str, least: str, order: int, begin: float
+) -> None:
+    """States one behind the other are powers of the time, divided by factorials."""
+    states = [f"x1: {{rate: 't >= {begin}', start: 0{least}}}"]
+    states += [f"x{n}: {{rate: 'x{n - 1}', start: 0{least}}}" for n in range(2, order + 1)]
+    control = form.replace("{}", f"x{order}")
+    motion = simulated(
+        f"""duration: 1
+start: {{speeds: {{a: 50, b: 10}}}}
+tables:
+  line: [[0, 0], [2, 2]]
+  map: {{columns: [0, 9], rows: [[0, 0, 0], [2, 2, 2]]}}
+states: {{{", ".join(states)}}}
+controls: {{C: "7*{control}"}}
+""",
+        ONE_TO_FIVE,
+    )
+    impulse = 7 * (1 - begin) ** (order + 1) / math.factorial(order + 1)
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
+
+
+@pytest.mark.parametrize(("power", "sign"), [(2, 1), (2, -1), (3, 1), (4, 1), (4, -1)])
+def test_a_corner_that_is_touched_or_passed_with_zero_slope(power: int, sign: int) -> None:
+    """The state is sign (t - 0.4)^power, so the control is its positive part."""
+    motion = simulated(
+        f"""duration: 1
+start: {{speeds: {{a: 50, b: 10}}}}
+states: {{x: {{start: {sign * (-0.4) ** power}, rate: "{sign * power}*(t - 0.4)^{power - 1}"}}}}
+controls: {{C: "30*max(x, 0) + 20*abs(x)"}}
+""",
+        ONE_TO_FIVE,
+    )
+
+    def capacity(t: float) -> float:
+        x = sign * (t - 0.4) ** power
+        return 30 * max(x, 0) + 20 * abs(x)
+
+    impulse = quad(capacity, 0, 0.4, epsabs=1e-13)[0] + quad(capacity, 0.4, 1, epsabs=1e-13)[0]
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
+
+
+TABLES = [
+    [[0, 200], [400, 100]],
+    [[0, 0], [50, 40], [200, 300]],
+    [[0, 100], [2, 0], [50, -20]],
+    [[-10, 0], [0, 0], [10, 90]],
+]
+
+
+@pytest.mark.parametrize(("points", "start"), some([*product(TABLES, [0, 2, 50])]))
+def test_a_table_over_a_speed_is_the_same_as_points_over_it(points: Any, start: float) -> None:
+    """A clutch begins to drive a link that rests on a point, or is on one at the start."""
+    scenario = """duration: 1
+start: {{speeds: {{a: 100, b: {start}}}}}
+tables: {{m: {points}}}
+controls: {{C: [[0, 0], [1, 300]]}}
+torques: {{b: {law}}}
+"""
+    laws = ('"m(speed)"', f"{{over: speed, points: {points}}}")
+    first, second = (
+        simulated(scenario.format(start=start, points=points, law=law), ONE_TO_FIVE) for law in laws
+    )
+    assert first.speeds[-1] == pytest.approx(second.speeds[-1], rel=1e-8)
+    events = [[(one.event, one.time) for one in motion.events] for motion in (first, second)]
+    assert [one for one, _ in events[0]] == [one for one, _ in events[1]]
+    assert [at for _, at in events[0]] == pytest.approx([at for _, at in events[1]], abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("scenario", "case", "text", "path"),
+    [
+        (
+            "controls: {C: \"300*(slip('C') > 20)\"}\ntorques: {a: 50}\n",
+            ONE_TO_FIVE,
+            "300*(slip('C') > 20)",
+            ("controls", "C"),
+        ),
+        (
+            "states: {p: {rate: \"(400*(slip('C') > 20) - p)/0.02\"}}\ncontrols: {C: p}\n"
+            "torques: {a: 50}\n",
+            ONE_TO_FIVE,
+            "(400*(slip('C') > 20) - p)/0.02",
+            ("states", "p", "rate"),
+        ),
+    ],
+)
+def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
+    scenario: str, case: str, text: str, path: tuple[str, ...]
+) -> None:
+    """The slip falls to 20 above the jump, and rises to it below."""
+    motion = simulate(
+        written(f"duration: 2\nstart: {{speeds: {{a: 100, b: 0}}}}\n{scenario}", case)
+    )
+    if motion.stopped is None:  # a lag leaves time between two passages
+        assert path[0] == "states"
+        return
+    assert (motion.stopped.id, motion.stopped.path) == ("E601", path)
+    assert f"`{text}` switches to and fro without end" in motion.stopped.message
+
+
+@pytest.mark.parametrize(
+    "seed", [pytest.param(n, marks=[pytest.mark.slow] * (n > 3)) for n in range(count(300, 3000))]
+)
+def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(seed: int) -> None:
+    given = smooth(seeded(seed))
+    motion = simulated(given.scenario, given.case)
+    speeds = integrated(given)
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-4 * max(1, np.abs(speeds).max()))
+
+
+CLOSED_LOOPS = ["8hp70-downshift", "8hp70-upshift"]
+
+
+def ramped(document: dict[str, Any]) -> dict[str, Any]:
+    """The scenario with each number of `set` behind a ramp and a lag."""
+    numbers = document["set"]
+    document["set"] = {f"wanted_{name}": value for name, value in numbers.items()}
+    for name, value in numbers.items():
+        size = max(abs(value), 1.0)
+        ramp = f"{20 * size}*min(max((wanted_{name} - ramp_{name})/{0.02 * size}, -1), 1)"
+        document["states"][f"ramp_{name}"] = {"start": value, "rate": ramp}
+        document["states"][name] = {"start": value, "rate": f"(ramp_{name} - {name})/0.03"}
+    for steps in document["sequences"].values():
+        for step in steps if isinstance(steps, list) else steps["steps"]:
+            given = step.get("set", {})
+            step["set"] = {f"wanted_{n}" if n in numbers else n: x for n, x in given.items()}
+    return document
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CLOSED_LOOPS)
+def test_a_shipped_closed_loop_runs_with_ramps_through_lags(name: str, tmp_path: Path) -> None:
+    """Its energy closes, and other numbers of the last digits lead to the same motion."""
+    folder = CASES / "scenarios"
+    speeds = []
+    for change in (0.0, 1e-9):
+        document = ramped(yaml.safe_load((folder / f"{name}.yaml").read_text()))
+        document["case"] = str((folder / document["case"]).resolve())
+        for state in document["states"].values():
+            state["start"] = state.get("start", 0) + change
+        path = tmp_path / "ramped.yaml"
+        path.write_text(yaml.safe_dump(document))
+        motion = simulate(load_scenario(path))
+        assert motion.stopped is None, motion.stopped
+        speeds.append(motion.speeds[-1])
+    assert speeds[0] == pytest.approx(speeds[1], rel=1e-6, abs=1e-6)
+
+
+def test_a_state_at_its_limit_is_left_by_another_one_that_leaves_its_own() -> None:
+    """X = t^2/2 from 0.2 on, y its integral, z that of y: each is held at 0 before."""
+    motion = simulate(
+        written(
+            """duration: 1
+start: {speeds: {e: 0, o: 0}}
+states:
+  x: {rate: "t - 0.2", min: 0}
+  y: {rate: x, min: 0}
+  z: {rate: "y - max(-x, 0)", min: 0}
+controls: {C: 0}
+torques: {e: z}
+""",
+            TWO_WHEELS,
+        )
+    )
+    # x = u^2/2 with u = t - 0.2, y = u^3/6, z = u^4/24, and the momentum of 2 kg*m^2 is u^5/120
+    assert motion.stopped is None
+    assert motion.speeds[-1, 0] == pytest.approx(0.8**5 / 120 / 2, rel=1e-8)
