@@ -211,7 +211,7 @@ elements:
      teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}
 shift_elements: {B: [4, 0]}
 gears:
-  1: {engaged: [B], speeds: {2: 0}, drag: {2: 0.1}}
+  1: {engaged: [B], speeds: {2: 0}, drag: {2: 0.01}}
 """
 """The planets are links 5 and 6 of the mechanisms, but no links of the case."""
 
@@ -223,7 +223,7 @@ gears:
         ("carrier: 4", "carrier: 5", "6:70: error: elements.R.carrier"),
         ("B: [4, 0]", "B: [5, 0]", "8:22: error: shift_elements.B[1]"),
         ("speeds: {2: 0}", "speeds: {5: 0}", "10:30: error: gears.1.speeds"),
-        ("drag: {2: 0.1}", "drag: {5: 0.1}", "10:44: error: gears.1.drag"),
+        ("drag: {2: 0.01}", "drag: {5: 0.01}", "10:44: error: gears.1.drag"),
         ("speeds: {2: 0}", "torques: {6: 1}", "10:31: error: gears.1.torques"),
         ("speeds: {2: 0}", "output: 6", "10:29: error: gears.1.output"),
     ],
