@@ -189,6 +189,7 @@ HIGHER.update(
     flow_grids="vstatics.flow.rows",
     from_dict="vstatics.readers",
     modes_grids="vstatics.torsion.vibration.grids",
+    motion_dataframe="vstatics.simulation.record.columns",
     motion_grids="vstatics.simulation.record.grids",
     overview_grids="vstatics.torsion.vibration.grids",
     part_numbers="vstatics.sweep.variants.part_numbers",

@@ -192,6 +192,7 @@ DOUBTS = {
     "N607": "a run or vibration leaves the mass of `vehicle` out",
     "N610": "energies of the published method close",
     "N611": "a formula sets a state beyond its limits",
+    "N613": "a link turns in the direction opposite to its target",
     "N630": "a response has no bound near resonances that nothing damps",
     "N801": "elements that no wanted ratio needs stay as they are",
 }

@@ -18,7 +18,7 @@ from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.found_boxes import plot_boxes
 from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
-from vstatics.cli.frame.scenario_run import run_of
+from vstatics.cli.frame.scenario_run import named_by_run, run_of
 from vstatics.cli.frame.texts import Job
 from vstatics.cli.frame.values import numbers, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
@@ -326,8 +326,9 @@ def _plot_two(
             style = _excited(outcome, outcome.results, style)
             chosen = [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
             motion = run_of(outcome, out) if kind in OF_RUNS else None
+            results = outcome.results if motion is None else named_by_run(outcome.results, outcome)
             name = os.path.basename(outcome.file)  # noqa: PTH119
-            both.append(PairedCase(name, outcome.results, chosen, motion))
+            both.append(PairedCase(name, results, chosen, motion))
     if len(both) == 2:
         drawn = pair_pages(both, kind, cast("Format", to.form), style)
         files.write_pages(drawn, to.output)
@@ -354,6 +355,7 @@ def _shown(
     """A picture of a case."""
     chosen = [arguments.gear_number(results.case, gear) for gear in dict.fromkeys(gears)]
     motion = run_of(outcome, out) if kind in OF_RUNS else None
+    results = results if motion is None else named_by_run(results, outcome)
     if kind in OF_ORDERS:
         style = _excited(outcome, results, style)
     try:

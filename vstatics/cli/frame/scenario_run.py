@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vstatics.report.material import Naming
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
+    from vstatics.statics.results import Results
 
 LIMIT_OPTION = click.option(
     "--limit",
@@ -30,6 +31,13 @@ LIMIT_OPTION = click.option(
 """Of the commands that run scenarios."""
 INSTANTS = 400
 """Of a run that is drawn, at least."""
+
+
+def named_by_run(results: Results, outcome: CalculatedCase) -> Results:
+    """The results of the case with the name of the scenario, if it has one, for its pictures."""
+    if outcome.scenario is None or not outcome.scenario.name:
+        return results
+    return results._replace(case=results.case.replace(name=outcome.scenario.name))
 
 
 def needs(extra: str, purpose: str) -> None:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vstatics.extras import require
 from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.motion import Motion
 from vstatics.tables import csv
 from vstatics.tables.names import written
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 def columns(motion: Motion) -> dict[str, Floats]:
@@ -35,6 +40,15 @@ def columns(motion: Motion) -> dict[str, Floats]:
         made["stopped"] = np.zeros(len(motion.time))
         made["stopped"][-1] = 1.0
     return made
+
+
+def motion_dataframe(motion: Motion) -> pd.DataFrame:
+    """A row for each instant by its time, a column for each heading; see `Motion.to_dataframe`."""
+    require("pandas", "to_dataframe")
+    import pandas as pd
+
+    named = columns(motion)
+    return pd.DataFrame(named, index=pd.Index(named.pop("time"), name="time"))
 
 
 def as_csv(motion: Motion, *, raw: bool = False) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 from vstatics.damage.devices import DeviceDamage
 from vstatics.errors import Problem, plural
@@ -14,6 +14,9 @@ from vstatics.numerics.arrays import Floats
 from vstatics.statics.result_arrays import Message
 from vstatics.tables.answer import SOMETIMES
 from vstatics.tables.html import shown
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
@@ -155,6 +158,33 @@ class Motion(NamedTuple):
     def _repr_html_(self) -> str:
         """Events, energy, largest torques, speeds reached, for a notebook."""
         return shown(higher("motion_grids")(self))
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The course as a pandas table, with the columns of `vstatics simulate -o run.csv`.
+
+        Returns
+        -------
+        DataFrame
+            A row for each instant, with its time as index [s]; speeds and slips [rad/s], torques
+            [N*m], then what was asked for. An instant of a jump has two rows.
+
+        Raises
+        ------
+        CaseError
+            If pandas is missing.
+
+        Examples
+        --------
+        >>> from vstatics import ShiftElement, Transmission
+        >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
+        >>> case = Transmission(1, [ShiftElement(1, name="B")], [], [], inertias={1: 2.0})
+        >>> brake = {1: Capacity(constant(40.0))}
+        >>> frame = simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake)).to_dataframe()
+        >>> list(frame), float(frame["speeds[1]"].iloc[0])
+        (['speeds[1]', 'slips[B]', 'torques[B]'], 10.0)
+        """
+        table: pd.DataFrame = higher("motion_dataframe")(self)
+        return table
 
     def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
         """A picture of the run, which a notebook shows: `vstatics.plot` of its case with it.

@@ -234,6 +234,7 @@ class Record:
     def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
         """All of it; hurried where the clock, or somebody who waits, has stopped it."""
         self._draw(hurried=hurried)
+        self._tell_backward()
         system, [last], table = self.system, self.pieces, self.drawn.table
         times, columns = self.drawn.times, self.drawn.columns
         kept = _different(times, columns[: table.heat.start])
@@ -269,6 +270,21 @@ class Record:
             damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
             chosen(self.drawn.beside, kept),
         )
+
+    def _tell_backward(self) -> None:
+        """Note links that end in the direction opposite to a target, further away than at first."""
+        last = self.pieces[-1]
+        speeds = last.margins.equations.speeds(self.time, last.states[-1]).tolist()
+        for link, target in self.targets:
+            first, end = float(self.start.speeds[link]), speeds[link]
+            is_backward = end * target < 0 and abs(end - target) > abs(first - target)
+            if is_backward and (link, target) not in self.reached:
+                text = (
+                    f"{self.system.names[link]} ends at {end:.6g} rad/s, opposite to its target of "
+                    f"{target:.6g} rad/s: a single pair of gears reverses the direction, so check "
+                    "the signs of ratios, torques and targets"
+                )
+                self.messages.append(Message("N613", text))
 
     def _tell_shared(self, equations: Equations) -> None:
         """Tell what shares a torque that nothing determines, each set of elements once."""
