@@ -46,6 +46,10 @@ class SamplesAnswer(NamedTuple):
     results: Mapping[str, Statistics]
 
 
+_LARGE = 1e150
+"""Numbers above it are scaled, as their squares overflow."""
+
+
 def statistics(numbers: Floats) -> Statistics:
     """The statistics of numbers, of which NaN are none.
 
@@ -64,12 +68,17 @@ def statistics(numbers: Floats) -> Statistics:
     if not len(known):
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
-    deviation = float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
-    if deviation <= _ROUNDED_DEVIATION * np.abs(known).max(initial=0.0):
+    size = float(np.abs(known).max())
+    scale = size if size > _LARGE else 1.0
+    deviation = float("nan")
+    if len(known) > 1:
+        deviation = float(np.std(known / scale, ddof=1)) * scale
+    if deviation <= _ROUNDED_DEVIATION * size:
         deviation = 0.0
     quantiles = tuple(np.quantile(known, PARTS).tolist())
     least, largest = float(known.min()), float(known.max())
-    return Statistics(len(known), float(known.mean()), deviation, least, quantiles, largest)
+    mean = float((known / scale).mean()) * scale
+    return Statistics(len(known), mean, deviation, least, quantiles, largest)
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
