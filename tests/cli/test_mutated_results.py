@@ -20,10 +20,10 @@ from tests.mutated_results import tried
 CASE = CASES / "simpson.yaml"
 
 
-@pytest.mark.parametrize("part", [*range(3), *(pytest.param(3, marks=pytest.mark.slow),)])
+@pytest.mark.parametrize("part", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_mutated_results_end_in_an_answer_or_in_words(part: int) -> None:
     first = int(FRESH or 0) + 100_000 * part
-    for number in range(first, first + (count(2000, 20_000) if part == 3 else 40)):
+    for number in range(first, first + (count(2000, 20_000) if part else 60)):
         _, fault = tried(number)
         assert not fault
 
@@ -117,7 +117,8 @@ def test_arrays_that_are_no_table_are_told(
 
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
     large = tmp_path / "large.npz"
-    np.savez_compressed(large, **{"P1.ratio": np.zeros(30_000_000)})
+    arrays: Any = {"P1.ratio": np.zeros(30_000_000)}
+    np.savez_compressed(large, **arrays)
     lying = tmp_path / "lying.npz"
     _saved(lying, **{"P1.ratio": np.zeros(10)})
     header = io.BytesIO()
@@ -155,3 +156,13 @@ def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
     told = vstatics("compare", tmp_path / "a.parquet", tmp_path / "a.parquet")
     assert told.status == 1
     assert "the column `status` is missing" in told.err
+
+
+@pytest.mark.parametrize("size", [1e200, 1e299, 1e308])
+def test_a_histogram_of_large_numbers_has_no_warning(tmp_path: Path, size: float) -> None:
+    numbers = {"variant": [0, 1], "P1.ratio": [1.0, 2.0], "status": ["ok"] * 2, "x": [size, -size]}
+    pq.write_table(pa.table(numbers), tmp_path / "a.parquet")
+    for kind in ("histogram", "curves"):
+        told = vstatics("plot", "-k", kind, tmp_path / "a.parquet", "-o", tmp_path / "a.svg")
+        assert "Warning" not in told.err
+        assert (told.status == 0) == (size < 1e300), told.err

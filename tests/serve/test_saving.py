@@ -13,11 +13,12 @@ from typing import Any
 import pytest
 
 import vstatics
+from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.serve.served import BOX, TOKEN, serving
 from vstatics.cli.frame.cases import CaseOptions
 from vstatics.cli.serve import calculated
-from vstatics.serve.document_fields import Texts
+from vstatics.serve.document_fields import Texts, documents_of
 from vstatics.serve.states import MOST_KEPT, Calculated, ChangedMeanwhileError, ShownStates
 
 
@@ -244,3 +245,27 @@ def test_a_file_that_can_not_be_written_says_so(
 
 def _full(_file: str, **_: object) -> Any:
     raise OSError(28, "No space left on device")
+
+
+def test_numbers_on_one_anchor_say_so(tmp_path: Path) -> None:
+    """Each field names the paths of the others; a number of its own has no such line."""
+    rng = seeded(13)
+    for _ in range(count(4, 40)):
+        names = [f"P{number}" for number in range(1, rng.randint(2, 5) + 1)]
+        anchored = [name for name in names if rng.random() < 0.6] or names[:1]
+        parts = {name: "*u" if name in anchored[1:] else "-2.5" for name in names}
+        parts[anchored[0]] = "&u -2.5"
+        lines = [
+            f"  {name}: {{first: sun, second: ring, third: carrier, ratio: {ratio}}}"
+            for name, ratio in parts.items()
+        ]
+        text = BOX[: BOX.index("  P1:")] + "\n".join(lines) + "\ngears: {low: [B1]}\n"
+        made = vstatics.loads(text)
+        numbers = documents_of({"a.yaml": text.encode()}, made).numbers
+        for name in names:
+            others = [f"{one}.ratio" for one in anchored if one != name and name in anchored]
+            assert list(numbers[f"{name}.ratio"].field.same) == others
+        with serving(write(tmp_path, text)) as served:
+            page = served.ask("").body.decode()
+        lines_said = page.count("same number as")
+        assert lines_said == len(anchored) * (len(anchored) - 1)

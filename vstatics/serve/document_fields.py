@@ -43,6 +43,8 @@ class DocumentNumber(NamedTuple):
     field: PageField
     file: str
     keys: Keys
+    start: int
+    """Place of the number in the text of its file."""
 
 
 class CaseDocuments(NamedTuple):
@@ -100,7 +102,7 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -78/30}}\ngears: {1: []}"
     >>> made = documents_of({"a.yaml": text.encode()}, loads(text))
     >>> made.fields
-    [PageField(path='D.ratio', value=-2.6, unit='', whole=False)]
+    [PageField(path='D.ratio', value=-2.6, unit='', whole=False, same=())]
     >>> made.with_changes({"D.ratio": -3.0})["a.yaml"].decode()
     'links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -3}}\ngears: {1: []}'
     """
@@ -110,7 +112,19 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     numbers: dict[str, DocumentNumber] = {}
     for one in found:  # a name that both documents have is that of the scenario, as in a sweep
         numbers.setdefault(one.field.path, one)
-    return CaseDocuments(texts, numbers)
+    return CaseDocuments(texts, _with_same(numbers))
+
+
+def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
+    """The numbers, each with the paths of those that are the same one in the text."""
+    places: dict[tuple[str, int], list[str]] = {}
+    for path, one in numbers.items():
+        places.setdefault((one.file, one.start), []).append(path)
+    return {
+        path: one._replace(field=one.field._replace(same=tuple(p for p in paths if p != path)))
+        for path, one in numbers.items()
+        for paths in [places[one.file, one.start]]
+    }
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
@@ -131,7 +145,7 @@ def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[Documen
     for keys, spot in spots.items():
         if not any(key in _NO_NUMBERS for key in keys):
             unit = spot.unit or _unit(bare_unit(SCENARIO, keys) or _over(root, keys), keys, case)
-            yield DocumentNumber(PageField(written(keys), spot.value, unit), file, keys)
+            yield DocumentNumber(PageField(written(keys), spot.value, unit), file, keys, spot.start)
 
 
 def _over(root: Node, keys: Keys) -> str:
@@ -161,7 +175,7 @@ def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNum
             continue
         whole = bool(known and known.part and known.part.kind == "count")
         unit = spot.unit or _unit(bare_unit(shape, keys), keys, case)
-        yield DocumentNumber(PageField(path, spot.value, unit, whole), file, keys)
+        yield DocumentNumber(PageField(path, spot.value, unit, whole), file, keys, spot.start)
 
 
 def _path(keys: Keys) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import click
 
@@ -47,16 +47,39 @@ def expanded(names: Iterable[str]) -> list[str]:
 
 def _matching(pattern: str) -> Iterator[str]:
     """What a pattern finds; `glob` itself follows links, round a loop without end."""
-    from glob import escape, glob  # costs start-up time
+    from glob import escape  # costs start-up time
 
     parts = pattern.replace(os.sep, "/").split("/")
     if "**" not in parts:
-        yield from glob(pattern)  # noqa: PTH207
+        yield from _below([""], parts)
         return
     place = parts.index("**")
     above, below = "/".join([*parts[:place], ""]), "/".join(parts[place + 1 :]) or "*"
-    for top in glob(above) if above else [""]:  # noqa: PTH207
+    for top in _matching(above) if above else [""]:
         for folder, folders, _ in os.walk(top or os.curdir):
             folders[:] = [one for one in folders if not one.startswith(".")]
             path = os.path.join(folder if top else folder[2:], "")  # noqa: PTH118
             yield from _matching(escape(path) + below)
+
+
+def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
+    """Return what a pattern finds below some folders, but not by links to folders above these."""
+    from glob import escape, glob, has_magic  # likewise
+
+    for top in tops:
+        part, *others = parts
+        found = glob(escape(top) + part) if has_magic(part) else [top + part]  # noqa: PTH207
+        for path in found:
+            if not others:
+                yield from [path] * os.path.lexists(path)
+            elif os.path.isdir(path or "/") and not (has_magic(part) and _is_above(path)):  # noqa: PTH112
+                yield from _below([f"{path}/"], others)
+
+
+def _is_above(path: str) -> bool:
+    """Whether a path is a link to a folder above itself."""
+    if not os.path.islink(path):  # noqa: PTH114
+        return False
+    folder = os.path.realpath(os.path.dirname(path) or os.curdir)  # noqa: PTH120
+    target = os.path.realpath(path)
+    return os.path.commonpath([folder, target]) == target

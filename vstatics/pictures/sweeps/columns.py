@@ -29,18 +29,26 @@ class DrawnRows(NamedTuple):
     rows: Sequence[int]
 
 
+LARGEST = 1e300
+"""Bound of what is drawn: sums and differences of larger numbers overflow."""
+
+
 def numbers(sweep: WrittenSweep, name: str) -> Floats:
     """The numbers of a column, NaN where a row has none.
 
     Raises
     ------
     CaseError
-        If there is no such column.
+        If there is no such column, or a number of it is too large for an axis.
     """
     if name not in sweep.columns:
         hint = nearest(name, sweep.columns) or f"; columns are {listed(list(sweep.columns), 12)}"
         raise CaseError("E430", f"the sweep has no column {quoted(name)}{hint}")
-    return np.array(sweep.columns[name])
+    column = np.array(sweep.columns[name])
+    if np.nanmax(np.abs(column), initial=0.0) > LARGEST:
+        message = f"{quoted(name)} has a number above {LARGEST:g}, which cannot be drawn"
+        raise CaseError("E433", message)
+    return column
 
 
 def running(sweep: WrittenSweep, besides: Sequence[str] = ()) -> list[str]:

@@ -50,7 +50,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
         raise _no_workbook(file, error) from None
     wanted, read, problems = {*wanted}, [], list[Problem]()
     for name, path in parts.sheets.items():
-        sheet = _Sheet(CellPlace.of(Place(file, 1, 1), name), parts, problems)
+        sheet = _SheetElements(CellPlace.of(Place(file, 1, 1), name), parts, problems)
         if name in wanted and path:
             try:
                 parts.parse(path, sheet.start, sheet.end, sheet.text)
@@ -70,7 +70,7 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
     return ReadError([of_file("E117", file, f"can't be read as a workbook: {of}{told}")])
 
 
-class _Sheet:
+class _SheetElements:
     """The cells of a sheet, as its elements come."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:

@@ -51,6 +51,8 @@ class PageField(NamedTuple):
     """In which the value is; nothing for a bare number."""
     whole: bool = False
     """Whether it counts teeth or something else."""
+    same: tuple[str, ...] = ()
+    """Paths of other numbers that are the same one in the document, by an alias of YAML."""
 
     @property
     def owner(self) -> str:
@@ -204,5 +206,6 @@ def _row(field: PageField, *, fixed: bool) -> Markup:
         tag("label", f"{name}{unit}", for_=f"field-{field.path}"),
         tag("input", type="text", id=f"field-{field.path}", **typed, **common),
         tag("input", type="range", aria_label=label, **moved, **common),
+        *(tag("p", tr("same number as {path}", path=one), class_="same") for one in field.same),
         class_="changed-by-hand",
     )

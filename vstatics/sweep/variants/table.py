@@ -198,20 +198,10 @@ def targets_of(
             break
         if name in (NUMBER, _OF_PANDAS) or (not name and not index):
             continue
-        if len(name) > LONGEST_HEADING:
-            message = f"a heading has {len(name)} characters, expected the name of a number"
-            problems.append(Problem("E715", message, place=place))
-            continue
         try:
-            varied = target_of(name, subject, place)
-            if isinstance(varied, CasePath):
-                varied = _with_unit(varied, place)
+            varied = _varied(name, subject, place)
         except ReadError as error:
-            hint = nearest(name, [NUMBER])
-            hint += _NO_OTHERS if "." not in name and not hint else ""
-            problems += [
-                problem._replace(message=problem.message + hint) for problem in error.problems
-            ]
+            problems += _hinted(error.problems, name)
             continue
         if any(varied.numbers & one.numbers for one in targets):
             message = f"{varied.name} has a column already, expected each number once"
@@ -224,6 +214,27 @@ def targets_of(
     if problems:
         raise ReadError(problems)
     return targets, chosen
+
+
+def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
+    """Return problems of a heading with the name that may be meant."""
+    hint = nearest(name[:LONGEST_HEADING], [NUMBER])
+    hint += _NO_OTHERS if "." not in name and not hint else ""
+    return [problem._replace(message=problem.message + hint) for problem in problems]
+
+
+def _varied(name: str, subject: Subject, place: Place) -> Varied:
+    """The number that a heading names.
+
+    Raises
+    ------
+    ReadError
+    """
+    if len(name) > LONGEST_HEADING:
+        message = f"a heading has {len(name)} characters, expected the name of a number"
+        raise ReadError([Problem("E715", message, place=place)])
+    varied = target_of(name, subject, place)
+    return _with_unit(varied, place) if isinstance(varied, CasePath) else varied
 
 
 def _with_unit(varied: CasePath, place: Place) -> CasePath:
