@@ -108,6 +108,7 @@ def test_all_that_is_printed_goes_through_two_modules() -> None:
 
 
 OF_OTHER_FILES = {
+    "vstatics.jobs.input_files",  # inputs, with a bound
     "vstatics.jobs.files",  # outputs, and hashes of what is read
     "vstatics.jobs.page_files",  # outputs
     "vstatics.jobs.state_files",

@@ -49,10 +49,6 @@ class SamplesAnswer(NamedTuple):
     results: Mapping[str, Statistics]
 
 
-_LARGE = 1e150
-"""Numbers above it are scaled, as their squares overflow."""
-
-
 def statistics(numbers: Floats) -> Statistics:
     """The statistics of numbers, of which NaN are none.
 
