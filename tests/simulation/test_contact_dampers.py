@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from functools import partial
 from random import Random
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -125,9 +125,9 @@ class Chain(NamedTuple):
         parts = zip(self.gaps, state[count:-1].tolist(), rates, strict=True)
         return [gap.mode(twist, rate) for gap, twist, rate in parts]
 
-    def switches(self, modes: list[tuple[int, bool]]) -> list[Callable[[float, Floats], float]]:
+    def switches(self, modes: list[tuple[int, bool]]) -> list[Any]:
         """What is 0 where a mode ends."""
-        count, found = len(self.inertias), []
+        count, found = len(self.inertias), list[Any]()
 
         def corner(_: float, state: Floats, n: int, end: int) -> float:
             return float(state[count + n]) - self.gaps[n].corners[end]
@@ -137,9 +137,9 @@ class Chain(NamedTuple):
             return elastic + self.gaps[n].damping * self.rates(state[:count])[n]
 
         for n, (side, _) in enumerate(modes):
-            found += [lambda t, y, n=n, end=end: corner(t, y, n, end) for end in (0, 1)]
+            found += [partial(corner, n=n, end=end) for end in (0, 1)]
             if side:
-                found.append(lambda t, y, n=n: carried(t, y, n))
+                found.append(partial(carried, n=n))
         for one in found:
             one.terminal = True
         return found
@@ -152,7 +152,7 @@ class Chain(NamedTuple):
             slope = self.change(time, state, self.modes(state))
             modes = self.modes(state + 1e-10 * slope)
             piece = solve_ivp(
-                lambda t, y, modes=modes: self.change(t, y, modes),
+                partial(self.change, modes=modes),
                 (time, self.duration),
                 state,
                 "DOP853",
