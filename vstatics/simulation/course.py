@@ -45,7 +45,6 @@ from vstatics.simulation.tolerances import (
     AHEAD,
     AHEAD_OF_STOP,
     BEYOND_ALL,
-    LEAST_DURATION,
     LEAST_RTOL,
     NO_PROGRESS,
     SAME_INSTANT,
@@ -85,6 +84,7 @@ class EventRun:
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
         """Up to where it is known when something bends."""
+        self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
         self.at = record.start
@@ -98,7 +98,7 @@ class EventRun:
         """Indices of contacts that broke away there, all at one instant."""
         self.length: float | None = None
         """Of the last step. [s]"""
-        self.meetings = CornerMeetings(self.duration)
+        self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Corners next to which the motion is."""
         self.latest = self.mark = 0.0
@@ -256,7 +256,7 @@ class EventRun:
             place, judged = self.watched[watch.of]
             self.meetings.note(place, found.time)
             corner = self.corners[place.corner]
-            within = AHEAD * max(self.duration, LEAST_DURATION)
+            within = AHEAD * self.span
             if corner.jumps[place.number] and self.meetings.switches(place, judged, within):
                 message = (
                     f"at {found.time:.9g} s {quoted(corner.text)} switches to and fro without end: "
@@ -266,13 +266,13 @@ class EventRun:
                 raise CaseError("E601", message, corner.path)
 
     def _count(self, found: MarginEnd) -> None:
-        close = found.time - self.latest <= SAME_INSTANT * self.duration
+        close = found.time - self.latest <= SAME_INSTANT * self.span
         self.at_once = self.at_once + 1 if close else 0
         self.latest = found.time
         self.events += 1
         stays = False
         if self.events % _PATIENCE == 0:
-            stays = found.time - self.mark < NO_PROGRESS * self.duration
+            stays = found.time - self.mark < NO_PROGRESS * self.span
             self.mark = found.time
         if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             watch = found.watches[0]

@@ -35,6 +35,8 @@ AHEAD = 1e-7
 """Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
 SIGHT = 1e-6
 """The same where what changes follows from speeds, whose rounding is larger."""
+LONGEST_DURATION = 1e4
+"""Times in a run are judged by no longer duration: a motion is as fast in a long run. [s]"""
 LEAST_DURATION = 1e-9
 """Slopes are taken over a part of no shorter one. [s]"""
 NO_PROGRESS = 1e-5

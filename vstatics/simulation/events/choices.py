@@ -55,7 +55,7 @@ class ModeChoices:
             bool((np.abs(loose.light[one.link]) > STANDING).any()) for one in system.outside
         ]
         """Outside torques on links whose speeds can jump in the same way."""
-        self.within = AHEAD * system.scenario.duration
+        self.within = AHEAD * system.scenario.span
         """How far it is looked ahead. [s]"""
         self.carrying: dict[int, bool] = {}
         """Of elements by index, where it is known: whether they carry anything from now on."""

@@ -194,7 +194,7 @@ class Finder:
         there = self.margins.at(time, state)
         if above[0] < time < under[0] and (there < -self.noise)[self.following].any():
             return self._located(step, above, (time, there))
-        close = SAME_INSTANT * self.equations.system.scenario.duration
+        close = SAME_INSTANT * self.equations.system.scenario.span
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 

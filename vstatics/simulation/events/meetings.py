@@ -29,12 +29,12 @@ class CornerMeetings:
 
     Parameters
     ----------
-    duration : float
-        Of the run. [s]
+    span : float
+        Time by parts of which instants are near. [s]
     """
 
-    def __init__(self, duration: float) -> None:
-        self.duration = duration
+    def __init__(self, span: float) -> None:
+        self.span = span
         self.times: dict[CornerPlace, deque[float]] = {}
 
     def copy(self) -> CornerMeetings:
@@ -51,7 +51,7 @@ class CornerMeetings:
         Its formula has the same value on both sides, so the run may go on without a stop there.
         """
         times = [*self.times.get(place, ())][-_PASSED:]
-        return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.duration
+        return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
     def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
         """Return whether a jump is met without end: each side drives the motion to the other.
@@ -65,8 +65,8 @@ class CornerMeetings:
             Time of the look-ahead. [s]
         """
         times = self.times[place]
-        span = times[-1] - times[0]
-        if len(times) < _SWITCHES or span > NO_PROGRESS * self.duration:
+        length = times[-1] - times[0]
+        if len(times) < _SWITCHES or length > NO_PROGRESS * self.span:
             return False
-        swing = judged.change * span / (_SWITCHES - 1) / within
+        swing = judged.change * length / (_SWITCHES - 1) / within
         return swing <= SLIDING * judged.size

@@ -81,7 +81,7 @@ def steps(
         start = solver.t, solver.y
         number += 1
         if number % _PATIENCE == 0:
-            if solver.t - mark < NO_PROGRESS * equations.system.scenario.duration:
+            if solver.t - mark < NO_PROGRESS * equations.system.scenario.span:
                 raise TooSmall
             mark = solver.t
         solver.step()

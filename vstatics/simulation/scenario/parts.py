@@ -12,6 +12,7 @@ from vstatics.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, TorqueLaw
+from vstatics.simulation.tolerances import LEAST_DURATION, LONGEST_DURATION
 
 
 class Start(NamedTuple):
@@ -207,6 +208,11 @@ class Scenario(NamedTuple):
     speeds: Mapping[int, Curve] = MappingProxyType({})
     speed_ratios: Mapping[int, Curve] = MappingProxyType({})
     limits: Mapping[int, Curve] = MappingProxyType({})
+
+    @property
+    def span(self) -> float:
+        """Time by parts of which instants are the same, or near: the duration of no long run."""
+        return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
 def formulas(scenario: Scenario) -> Iterator[Formula]:

@@ -25,7 +25,6 @@ from vstatics.simulation.system.variators import VariatorTorques
 from vstatics.simulation.tolerances import (
     AHEAD,
     DIFFERENCE_STEP,
-    LEAST_DURATION,
     LEAST_SENSE,
     NEWTON_STEP,
     NO_SENSE,
@@ -90,7 +89,7 @@ class Equations:
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
         """Of a step where a torque is a formula of time, which may have a pulse. [s]"""
-        self.within = AHEAD * max(system.scenario.duration, LEAST_DURATION)
+        self.within = AHEAD * system.scenario.span
         if self.light:
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
@@ -484,7 +483,7 @@ class Equations:
 
         Ahead there may be a corner.
         """
-        step = SIGHT * max(self.system.scenario.duration, LEAST_DURATION)
+        step = SIGHT * self.system.scenario.span
         return -step if time - step > self.time else step
 
     def _damped(self, growing: Floats, twists: Floats) -> Floats:
