@@ -21,6 +21,7 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.cli.schemas import schemas
+from vstatics.cli.synth.box import command
 from vstatics.cli.synth.box import run as box_run
 from vstatics.cli.synth.box.output import RECORD
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
@@ -211,10 +212,17 @@ def test_a_dry_run_says_how_many() -> None:
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-f", "json")
     document = json.loads(said.out)
     assert 0 < document.pop("seconds") < 10
+    assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
     assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
     assert not Path("found").exists()
+
+
+def test_a_dry_run_says_what_it_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(command, "LOADING_SECONDS", -1.0)
+    said = vstatics("synth", "box", *ASKED, "--dry-run")
+    assert "compiled  now, in a second, and " in said.out
 
 
 def test_all_of_it_is_as_the_schema_says() -> None:

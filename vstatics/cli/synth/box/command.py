@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from typing import NamedTuple
 
 import click
@@ -18,6 +19,9 @@ from vstatics.cli.synth.box.options import BoxAsked, options
 from vstatics.errors import CaseError, ReadError
 from vstatics.extras import missing, require
 from vstatics.jobs.files import is_stream
+
+LOADING_SECONDS = 5.0
+"""More than loading machine code that is kept takes: a longer time is that of compiling. [s]"""
 
 
 @click.command()
@@ -111,12 +115,27 @@ class BoxSearchEstimate(NamedTuple):
     at_least: bool
     """Whether some of it was not tried to its end, so that it may take longer."""
     seconds: float
+    compile_seconds: float
+    """Time in which machine code was compiled or loaded. [s]"""
+
+
+def _compiled_text(seconds: float) -> str:
+    """Return how long the machine code of the search took to compile, and whether it is kept."""
+    from vstatics.numerics.compiled import CACHE
+
+    later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
+    return f"now, in {duration_text(seconds)}, {later}"
 
 
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take, to be written too."""
     from vstatics.synthesis.boxes.pieces.estimate import box_estimate
+    from vstatics.synthesis.boxes.pieces.found import prepare
 
+    began = time.process_time()
+    with progress(None, "compiled", quiet=quiet):
+        prepare(asked.search)
+    compiling = time.process_time() - began
     with progress(None, "pieces tried", quiet=quiet):
         found = box_estimate(asked.search)
     say = (lambda number: f"{number:.0f}") if found.exact else about
@@ -134,9 +153,11 @@ def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> No
         drawn = f"{say(count)} diagrams" if count or not counts[1] else missing("plot", "a diagram")
         said["files"] = f"{say(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
         seconds += writing
+    if compiling > LOADING_SECONDS:
+        said["compiled"] = _compiled_text(compiling)
     known = CommandEstimate(
         said,
-        BoxSearchEstimate(*counts, found.exact, found.at_least, seconds),
+        BoxSearchEstimate(*counts, found.exact, found.at_least, seconds, compiling),
         seconds,
         jobs,
         found.at_least,

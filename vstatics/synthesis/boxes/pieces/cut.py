@@ -15,15 +15,17 @@ from vstatics.synthesis.boxes.pieces.tried import Depth, drawn, scheme_cost, tri
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.boxes.schemes.stems import stems
 
-PIECE = 5.0
-"""About so long a piece takes, by the steps of a search. [s]"""
+PIECE, LONGEST_PIECE = 0.5, 5.0
+"""Time that a piece takes by the steps of a search; that of pieces in a long search. [s]"""
+MOST_SHORT_PIECES = 2000
+"""Number of pieces up to which they are short, so that an interrupted search has finished some."""
 TRIED = 24
 """So many choices of ports tell how long all take."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)
 
 
 def cut(search: BoxSearch) -> int:
-    """The number of pieces: about five seconds each, a choice of ports at least.
+    """Return the number of pieces, each at least a choice of ports.
 
     >>> cut(BoxSearch(1, 2, 1, (3.0, 1.0)))
     1
@@ -35,7 +37,8 @@ def cut(search: BoxSearch) -> int:
             own = sum(found.whole) + scheme_cost(search) / len(one.scheme.ports)
             cost += one.stands / TRIED * own
             choices += one.stands / TRIED
-    return max(int(min(cost / PIECE, choices)), 1)
+    pieces = max(min(cost / PIECE, MOST_SHORT_PIECES), cost / LONGEST_PIECE)
+    return max(int(min(pieces, choices)), 1)
 
 
 def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:

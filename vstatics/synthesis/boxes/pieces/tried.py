@@ -25,6 +25,8 @@ from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequen
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
 """What the steps of a search take: something joins a set, a cell is looked at. [s]"""
+SET = 2e-6
+"""Time to look at a set of elements, in addition to that for its cells. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6
 """What a choice of ports takes, and each combination of elements in it. [s]"""
 SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
@@ -96,7 +98,7 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
     times.append(time.process_time())
     of_sets = looked_at / count if count else 1.0
     own = PORT + PORT_GEAR * len(table.members)
-    spent = Work(own, JOIN * joins[0], cell * cells[0])
+    spent = Work(own, JOIN * joins[0], SET * looked_at + cell * cells[0])
     return Tried(
         ports.searched - before,
         found / share / of_sets,
