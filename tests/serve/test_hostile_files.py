@@ -78,9 +78,9 @@ def test_an_editor_that_writes_when_the_new_file_appears_loses_nothing(
     file, rng = write(tmp_path), seeded(26)
     texts: list[str] = []
 
-    def appears(path: str, mark: str) -> tuple[str, int]:
+    def appears(*given: Any) -> tuple[str, int]:
         """Create the new file, and let the editor write in some moment of its being written."""
-        made = beside(path, mark)
+        made = new_file(*given)
         texts.append(BOX + f"# by the editor: {rng.random()}\n")
         other = file.with_name("box.yaml~") if by_rename else file
         other.write_text(texts[-1], encoding="utf-8")
@@ -88,8 +88,8 @@ def test_an_editor_that_writes_when_the_new_file_appears_loses_nothing(
             other.replace(file)
         return made
 
-    beside = files._beside
-    monkeypatch.setattr(files, "_beside", appears)
+    new_file = files._new_file
+    monkeypatch.setattr(files, "_new_file", appears)
     with serving(file) as served:
         for number in range(1, count(8, 100)):
             status = served.save({"P1.ratio": -3 - number / 100}).status

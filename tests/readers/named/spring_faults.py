@@ -135,7 +135,7 @@ FAULTS = [
         "spring-neither.yaml",
         5,
         3,
-        "springs.axle: there is no `stiffness`, no `compliance` and no `points`, expected one of them",
+        "springs.axle: there is no `stiffness`, no `compliance`, no `points` and no `damping`, expected one of them",
     ),
     (
         "spring-equal-links.yaml",
