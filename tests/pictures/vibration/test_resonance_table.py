@@ -101,8 +101,8 @@ def test_rows_of_random_drivelines() -> None:
             for row in own_rows(one, sheet.fastest):
                 expected[row].append(str(gear + 1))
         found = {}
-        for row in table.rows:
-            mode, gears, *others = [cell.text for cell in row.told]
+        for line in table.rows:
+            mode, gears, *others = [cell.text for cell in line.told]
             found[mode, *others] = gears
         assert set(found) == set(expected)
         for key, names in expected.items():

@@ -273,10 +273,11 @@ def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
         whole = twists.T @ (resists[:, np.newaxis] * twists)
         dynamic = whole[:size, :size] - omega**2 * np.diag(masses)
         moved = np.linalg.solve(dynamic, -whole[:size, size])
-        return omega**4 * np.abs(moved) ** 2 * float(road.at(np.array([omega]))[0])
+        made: Array = omega**4 * np.abs(moved) ** 2 * float(road.at(np.array([omega]))[0])
+        return made
 
     kept = size - bool(tyre)
-    integral, *_ = quad_vec(lambda one: squared(one)[:kept], 0, np.inf, epsrel=1e-7)
+    integral, *_ = quad_vec(lambda one: squared(one)[:kept], 0, np.inf, epsrel=1e-7)  # type: ignore[misc, arg-type]
     assert found[:kept] == pytest.approx(np.sqrt(2 * integral), rel=1e-5)
     [device, *_] = gear.devices.values()
     assert found[0] == pytest.approx(device.torque_rms / masses[0], rel=1e-9)
