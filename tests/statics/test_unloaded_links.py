@@ -61,6 +61,16 @@ gears: {{{gear}}}
     assert ids(text) == found
 
 
+@pytest.mark.parametrize("drag", ["2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"])
+def test_a_single_drag_brings_a_free_race_to_rest(drag: str) -> None:
+    """It takes no power then; two drags may pull the race along, so their loss is unknown."""
+    load = "load: {speed: 1000 rpm, torque: 100 N*m}\n"
+    single = OVERDRIVE.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
+    assert ids(load + single) == ["N420"]
+    double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
+    assert sorted(ids(load + double)) == ["N420", "W412"]
+
+
 def test_a_set_that_hangs_on_the_input_lacks_a_shift_element() -> None:
     """Direct drive without the second clutch: nothing says how fast ring and carrier turn."""
     text = OVERDRIVE.replace("  E: [ring, input]\n", "  E: [sun, output]\n  K: [input, output]\n")

@@ -201,9 +201,7 @@ def test_an_error_writes_nothing(tmp_path: Path) -> None:
     for more in ([], ["-o", str(out)]):
         ran = run("sweep", str(file), "--vary", "a.ratio=-2", "--vary", "drag.mid=1 N*m", *more)
         assert (ran.status, ran.out, out.exists()) == (1, "", False)
-        assert ran.err.startswith(
-            "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load"
-        )
+        assert "--vary:1:1: error: gears.one.drag.mid varies in SI, expected a load" in ran.err
 
 
 @pytest.mark.parametrize("as_table", [False, True])

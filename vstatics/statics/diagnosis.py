@@ -64,7 +64,7 @@ def _messages(results: Results) -> Iterator[Message]:
     if case.heavy and (untold := torques.without_load(case)):
         text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
         yield Message("W401", text)
-    wheels, has_drag = case.freewheels, case.has_drag
+    wheels = case.freewheels
     above = list(carried.overloads(results))
     off = list(carried.out_of_balance(results))
     for number, (given, is_usual) in enumerate(
@@ -79,7 +79,7 @@ def _messages(results: Results) -> Iterator[Message]:
             *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
             *_idle_messages(results, number, gear),
             *(_shared(case, given, held) if held else ()),
-            *(_drag_messages(results, number, gear) if has_drag else ()),
+            *(() if is_usual else _drag_messages(results, number, gear)),
             *_outside_messages(results, number, gear),
             *(Said("W430", text) for index, text in above if index == number),
             *(Said("W431", text) for index, text in off if index == number),
@@ -153,10 +153,14 @@ def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Sai
 
 
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """What would drag, but with an unknown speed."""
+    """Warn of what would drag, but with an unknown speed.
+
+    A single drag on links that nothing else loads brings them to rest, so it takes no power.
+    """
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = torques.unknown_drag(results.case, gear, speeds, slips)
-    if unknown and results.calculable[number]:
+    is_at_rest = len(unknown) == 1 and results.gear_at(number).unloaded
+    if unknown and results.calculable[number] and not is_at_rest:
         yield Said(
             "W412",
             f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "

@@ -99,11 +99,21 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Names of links and open elements with drag whose speed is not determined; of one case."""
-    drags = case.gear_drag(gear).items()
-    links = [case.link_name(link) for link, drag in drags if drag and not _is(speeds, link)]
-    elements = [n for n in _open(case, gear) if not _is(slips, n)]
-    return [*links, *(case.shift_elements[number - 1].name for number in elements)]
+    """Return the names of links and open shift elements whose drag has no speed; of one case.
+
+    A law that is 0 at rest stands as an `OfLoad` of 0, so such a number counts as well.
+    """
+
+    def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:
+        dragging = (number for number, drag in drags.items() if drag or isinstance(drag, OfLoad))
+        return [number for number in dragging if not _is(values, number)]
+
+    links = unknown(case.gear_drag(gear), speeds)
+    elements = unknown(case.gear_open_drag(gear), slips)
+    return [
+        *map(case.link_name, links),
+        *(case.shift_elements[n - 1].name for n in elements if n not in gear.engaged),
+    ]
 
 
 def _is(values: Sequence[Number], number: int) -> bool:
