@@ -202,6 +202,55 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     assert f"`{text}` switches to and fro without end" in motion.stopped.message
 
 
+def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
+    """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
+    motion = simulate(
+        written(
+            """duration: 2
+start: {speeds: {a: 24, b: 0}}
+states: {p: {rate: "(400*(slip('C') > 20) - p)/0.02"}}
+controls: {C: p}
+torques: {a: 50}
+""",
+            ONE_TO_FIVE,
+        )
+    )
+    assert motion.stopped is not None
+    assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
+    assert "to and fro faster and faster" in motion.stopped.message
+
+
+@pytest.mark.slow
+def test_a_relay_of_constant_period_goes_on() -> None:
+    """A state with x'' = 60 - 120 (x > 0) moves along parabolas of equal length."""
+    motion = simulated(
+        """duration: 4
+start: {speeds: {a: 40, b: 10}}
+states: {v: {rate: "60 - 120*(x > 0)"}, x: {start: 0.012, rate: v}}
+controls: {C: "5 + 2*(x > 0)"}
+""",
+        ONE_TO_FIVE,
+    )
+    # from a crest to the zero 60 q^2/2 = 0.012, so q = 0.02; x > 0 in half of 50 periods 4 q
+    impulse = 4 * 6
+    assert motion.speeds[-1] == pytest.approx([40 - impulse, 10 + impulse / 5], rel=1e-7)
+
+
+def test_everything_sticks_while_a_torque_sees_a_table() -> None:
+    """Nothing moves: the brake takes 100 + 300 t, the torque is 60 at most."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 0, b: 0}}
+tables: {m: [[0, 0], [0.2, 0.93], [0.5, -0.02], [1, 0.43]]}
+controls: {C: "90 + abs(slip('C'))", B: "100 + 300*t + abs(slip('C'))"}
+torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
+""",
+        ONE_TO_FIVE.replace("{links: [a, b]}", "{links: [a, b]}, B: {links: [b, housing]}"),
+    )
+    assert not motion.events
+    assert motion.speeds == pytest.approx(0.0, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     "seed", [pytest.param(n, marks=[pytest.mark.slow] * (n > 3)) for n in range(count(300, 3000))]
 )
