@@ -257,13 +257,22 @@ class EventRun:
             self.meetings.note(place, found.time)
             corner = self.corners[place.corner]
             within = AHEAD * self.span
-            if corner.jumps[place.number] and self.meetings.switches(place, judged, within):
-                message = (
-                    f"at {found.time:.9g} s {quoted(corner.text)} switches to and fro without end: "
-                    "on each side of its jump the motion goes back to the other side; replace the "
-                    "jump with a ramp, or switch with a hysteresis in a sequence"
+            if not corner.jumps[place.number]:
+                continue
+            if self.meetings.switches(place, judged, within):
+                why = (
+                    "switches to and fro without end: on each side of its jump the motion goes "
+                    "back to the other side"
                 )
-                raise CaseError("E601", message, corner.path)
+            elif self.meetings.hastens(place, found.time, self.until):
+                why = "switches to and fro faster and faster, so the run does not reach its end"
+            else:
+                continue
+            message = (
+                f"at {found.time:.9g} s {quoted(corner.text)} {why}; replace the jump with a ramp, "
+                "or switch with a hysteresis in a sequence"
+            )
+            raise CaseError("E601", message, corner.path)
 
     def _count(self, found: MarginEnd) -> None:
         close = found.time - self.latest <= SAME_INSTANT * self.span

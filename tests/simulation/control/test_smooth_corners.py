@@ -6,8 +6,8 @@ Expected numbers are closed forms, or come from solvers of scipy with equations 
 from __future__ import annotations
 
 import math
+from copy import deepcopy
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,11 +17,12 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
 from tests.chance import count, seeded, some
-from tests.commands import CASES
+from tests.simulation.control.repository import closed_loops, ramped, tables
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.written import TWO_WHEELS, simulated, written
-from vstatics.simulation import load_scenario
+from vstatics import readers
 from vstatics.simulation.run import simulate
+from vstatics.simulation.scenario.file import read_scenario
 
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
 EQUAL = "links: [a, b]\ninertias: {a: 1, b: 1}\nshift_elements: {L: {links: [a, b]}}\n"
@@ -202,6 +203,55 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     assert f"`{text}` switches to and fro without end" in motion.stopped.message
 
 
+def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
+    """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
+    motion = simulate(
+        written(
+            """duration: 2
+start: {speeds: {a: 24, b: 0}}
+states: {p: {rate: "(400*(slip('C') > 20) - p)/0.02"}}
+controls: {C: p}
+torques: {a: 50}
+""",
+            ONE_TO_FIVE,
+        )
+    )
+    assert motion.stopped is not None
+    assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
+    assert "to and fro faster and faster" in motion.stopped.message
+
+
+@pytest.mark.slow
+def test_a_relay_of_constant_period_goes_on() -> None:
+    """A state with x'' = 60 - 120 (x > 0) moves along parabolas of equal length."""
+    motion = simulated(
+        """duration: 4
+start: {speeds: {a: 40, b: 10}}
+states: {v: {rate: "60 - 120*(x > 0)"}, x: {start: 0.012, rate: v}}
+controls: {C: "5 + 2*(x > 0)"}
+""",
+        ONE_TO_FIVE,
+    )
+    # from a crest to the zero 60 q^2/2 = 0.012, so q = 0.02; x > 0 in half of 50 periods 4 q
+    impulse = 4 * 6
+    assert motion.speeds[-1] == pytest.approx([40 - impulse, 10 + impulse / 5], rel=1e-7)
+
+
+def test_everything_sticks_while_a_torque_sees_a_table() -> None:
+    """Nothing moves: the brake takes 100 + 300 t, the torque is 60 at most."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 0, b: 0}}
+tables: {m: [[0, 0], [0.2, 0.93], [0.5, -0.02], [1, 0.43]]}
+controls: {C: "90 + abs(slip('C'))", B: "100 + 300*t + abs(slip('C'))"}
+torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
+""",
+        ONE_TO_FIVE.replace("{links: [a, b]}", "{links: [a, b]}, B: {links: [b, housing]}"),
+    )
+    assert not motion.events
+    assert motion.speeds == pytest.approx(0.0, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     "seed", [pytest.param(n, marks=[pytest.mark.slow] * (n > 3)) for n in range(count(300, 3000))]
 )
@@ -212,42 +262,62 @@ def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(se
     assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-4 * max(1, np.abs(speeds).max()))
 
 
-CLOSED_LOOPS = ["8hp70-downshift", "8hp70-upshift"]
+LOOPS = closed_loops()
+AT_ONCE = [
+    "test_a_controller_holds_the_slip_of_two_inertias-0",
+    "test_a_step_waits_for_its_condition_and_then_for_its_time-0",
+]
 
 
-def ramped(document: dict[str, Any]) -> dict[str, Any]:
-    """The scenario with each number of `set` behind a ramp and a lag."""
-    numbers = document["set"]
-    document["set"] = {f"wanted_{name}": value for name, value in numbers.items()}
-    for name, value in numbers.items():
-        size = max(abs(value), 1.0)
-        ramp = f"{20 * size}*min(max((wanted_{name} - ramp_{name})/{0.02 * size}, -1), 1)"
-        document["states"][f"ramp_{name}"] = {"start": value, "rate": ramp}
-        document["states"][name] = {"start": value, "rate": f"(ramp_{name} - {name})/0.03"}
-    for steps in document["sequences"].values():
-        for step in steps if isinstance(steps, list) else steps["steps"]:
-            given = step.get("set", {})
-            step["set"] = {f"wanted_{n}" if n in numbers else n: x for n, x in given.items()}
-    return document
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", CLOSED_LOOPS)
-def test_a_shipped_closed_loop_runs_with_ramps_through_lags(name: str, tmp_path: Path) -> None:
-    """Its energy closes, and other numbers of the last digits lead to the same motion."""
-    folder = CASES / "scenarios"
-    speeds = []
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n not in AT_ONCE)) for n in LOOPS]
+)
+def test_a_closed_loop_of_the_repository_runs_with_ramps_through_lags(name: str) -> None:
+    """Where other numbers of the last digits lead to its end, it gets there, to the same motion."""
+    motions = []
     for change in (0.0, 1e-9):
-        document = ramped(yaml.safe_load((folder / f"{name}.yaml").read_text()))
-        document["case"] = str((folder / document["case"]).resolve())
+        document = ramped({**deepcopy(LOOPS[name].document), "case": "box.yaml"})
         for state in document["states"].values():
             state["start"] = state.get("start", 0) + change
-        path = tmp_path / "ramped.yaml"
-        path.write_text(yaml.safe_dump(document))
-        motion = simulate(load_scenario(path))
-        assert motion.stopped is None, motion.stopped
-        speeds.append(motion.speeds[-1])
-    assert speeds[0] == pytest.approx(speeds[1], rel=1e-6, abs=1e-6)
+        scenario = read_scenario(yaml.safe_dump(document).encode(), "scenario.yaml")
+        case = readers.read(LOOPS[name].case.encode(), "box.yaml")
+        motions.append(simulate(scenario.with_case(case).scenario))
+    stops = [motion.stopped.id if motion.stopped else None for motion in motions]
+    assert stops[0] == stops[1]
+    assert stops[0] not in ("E601", "E602", "E608")
+    assert motions[0].speeds[-1] == pytest.approx(motions[1].speeds[-1], rel=1e-6, abs=1e-6)
+
+
+POINTS = tables()
+AS_POINTS = [*product(range(len(POINTS)), ["speed", "angle", "time"])]
+
+
+@pytest.mark.parametrize(
+    ("number", "over"),
+    [
+        pytest.param(*one, marks=[pytest.mark.slow] * (n % 24 > 0))
+        for n, one in enumerate(AS_POINTS)
+    ],
+)
+def test_a_table_of_the_repository_is_the_same_as_points(number: int, over: str) -> None:
+    """Its values are scaled to 50 N*m, and a link begins at rest or on its first point."""
+    factor = 50 / max(abs(value) for _, value in POINTS[number])
+    points = [[place, round(factor * value, 6)] for place, value in POINTS[number]]
+    word = "t" if over == "time" else over
+    for start in {0.0, points[0][0] if over == "speed" else 0.0}:
+        first, second = (
+            simulated(
+                f"""duration: 2
+start: {{speeds: {{a: {100 + start}, b: {start}}}}}
+tables: {{m: {points}}}
+controls: {{C: [[0, 0], [1, 300]]}}
+torques: {{b: {law}}}
+""",
+                ONE_TO_FIVE,
+            )
+            for law in (f'"m({word})"', f"{{over: {over}, points: {points}}}")
+        )
+        assert first.speeds[-1] == pytest.approx(second.speeds[-1], rel=1e-8, abs=1e-6)
 
 
 def test_a_state_at_its_limit_is_left_by_another_one_that_leaves_its_own() -> None:

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
-from collections import deque
+import math
+from collections import Counter, deque
 from copy import deepcopy
 from typing import NamedTuple
 
+import numpy as np
+
 from vstatics.simulation.events.margins import Awaited
-from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, SLIDING
+from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, NOT_ZERO, SLIDING
 
 _PASSED = 4
 """Times that a bend is met within a moment until it counts as passed."""
 _SWITCHES = 8
 """Times that a jump is met within a moment until it counts as switching without end."""
+_DOUBLINGS = 3
+"""Doublings of a number of meetings, none of which may take longer than the one before it."""
+_FIRST_DOUBLING = 3
+"""Power of 2 of the meetings from which on doublings are compared: the first ones settle."""
+_LONGER = 1.2
+"""Factor up to which a doubling takes no longer than the one before it."""
+_MOST_MEETINGS = 1e5
+"""Meetings of a jump that no run is able to follow."""
 
 
 class CornerPlace(NamedTuple):
@@ -36,6 +47,9 @@ class CornerMeetings:
     def __init__(self, span: float) -> None:
         self.span = span
         self.times: dict[CornerPlace, deque[float]] = {}
+        self.counts: Counter[CornerPlace] = Counter()
+        self.doublings: dict[CornerPlace, list[float]] = {}
+        """Times of the meetings with the numbers 1, 2, 4, 8, ... [s]"""
 
     def copy(self) -> CornerMeetings:
         """Return the same meetings, which go on by themselves."""
@@ -44,6 +58,24 @@ class CornerMeetings:
     def note(self, place: CornerPlace, time: float) -> None:
         """Note that a corner is met at a time [s]."""
         self.times.setdefault(place, deque(maxlen=_SWITCHES)).append(time)
+        self.counts[place] += 1
+        if self.counts[place].bit_count() == 1:
+            self.doublings.setdefault(place, []).append(time)
+
+    def hastens(self, place: CornerPlace, time: float, end: float) -> bool:
+        """Return whether a jump is met ever faster, so that no run reaches the end.
+
+        A cycle of constant period needs twice the time for each doubling of its meetings. Where no
+        doubling takes longer than the one before, their number grows exponentially, at least.
+        """
+        doublings = self.doublings[place]
+        if doublings[-1] < time or len(doublings) <= _FIRST_DOUBLING + _DOUBLINGS:
+            return False
+        spans = np.diff(doublings[-_DOUBLINGS - 2 :])
+        if (spans[1:] > _LONGER * spans[:-1]).any():
+            return False
+        more = (end - time) / max(spans[-1], NOT_ZERO)
+        return bool(len(doublings) - 1 + more > math.log2(_MOST_MEETINGS))
 
     def is_passed(self, place: CornerPlace, time: float) -> bool:
         """Return whether a bend needs no watch for a while, as it was met too often.

@@ -410,7 +410,7 @@ class Closed:
                 now = before = self.affine.given_at(times)[0][self.bending]
             else:
                 at = self._states(self._followed(parts, state, given, to_powers))
-                now = self._bent(times, at.reshape(len(at), -1), given, to_values)
+                now = self._bent(times, at.reshape(len(at), len(times)), given, to_values)
             if not np.isfinite(now).all():
                 return None
             given = now @ to_series

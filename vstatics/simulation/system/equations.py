@@ -8,6 +8,7 @@ along them balance.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -363,13 +364,16 @@ class Equations:
             return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
 
         rows = [*looks, *range(first, len(made))]
+        now = seen(state)
         for index in range(self.works.start):
-            near = [state.copy(), state.copy()]
             step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
-            near[0][index] -= step
-            near[1][index] += step
-            low, high = (seen(at) for at in near)
-            made[rows, index] = (high - low) / (2 * step)
+
+            def moved(length: float, index: int = index) -> Floats:
+                near = state.copy()
+                near[index] += length
+                return seen(near)
+
+            made[rows, index] = _slope_beside_jumps(moved, now, step)
         return np.where(np.isfinite(made), made, 0.0)
 
     def value_rates_at(
@@ -631,3 +635,23 @@ class Affine:
         more = np.zeros((len(equations.layout.values), len(times)))
         given, slopes = equations.ports.given_at(times, equations.within if count else None)
         return np.vstack([given, more]), np.vstack([slopes, more])
+
+
+def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
+    """Return the slopes of functions at 0, on one side where they jump on the other one.
+
+    A difference over a jump grows as its step shrinks; the slope it gives belongs to no motion.
+
+    >>> def function(x):
+    ...     return np.array([3 * x + (x > 0), abs(x)])
+    >>> _slope_beside_jumps(function, function(0.0), 1e-6).round(9)
+    array([3., 0.])
+    """
+    below, above = now - function(-step), function(step) - now
+    slopes = (below + above) / (2 * step)
+    bends = np.abs(below - above) > 0.5 * np.maximum(np.abs(below), np.abs(above))
+    if bends.any():
+        near = now - function(-step / 16), function(step / 16) - now
+        for other, far, close in ((above, below, near[0]), (below, above, near[1])):
+            slopes = np.where(bends & (np.abs(close) > 0.5 * np.abs(far)), other / step, slopes)
+    return slopes
