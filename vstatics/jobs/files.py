@@ -68,11 +68,11 @@ def opened(output: str) -> contextlib.AbstractContextManager[Write]:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
     else:
         handle = os.dup(int(own[2]) if own[2] else 1 if own[1] else 2)
-    return _writing(handle)
+    return descriptor_writing(handle)
 
 
 @contextlib.contextmanager
-def _writing(handle: int) -> Iterator[Write]:
+def descriptor_writing(handle: int) -> Iterator[Write]:
     """Write to a file that is open, and close it."""
     try:
         yield partial(write_all, handle)
@@ -152,7 +152,7 @@ def whole_file(  # noqa: PLR0913
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
     try:
-        with _writing(handle) as write:
+        with descriptor_writing(handle) as write:
             if mode is not None:
                 os.fchmod(handle, stat.S_IMODE(mode))
             yield write

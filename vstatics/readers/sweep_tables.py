@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     Column: TypeAlias = list[Any] | Floats
 
-MOST_CELLS = 20_000_000
+MOST_TABLE_CELLS = 20_000_000
 """Bound of the cells of a table: as Python's numbers they take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
@@ -99,8 +99,8 @@ def expect_size(cells: int, size: int = 0) -> None:
     Traceback (most recent call last):
     ValueError: it has 30,000,000 cells, expected at most 20,000,000
     """
-    if cells > MOST_CELLS:
-        raise ValueError(f"it has {cells:,} cells, expected at most {MOST_CELLS:,}")
+    if cells > MOST_TABLE_CELLS:
+        raise ValueError(f"it has {cells:,} cells, expected at most {MOST_TABLE_CELLS:,}")
     if size > TABLE_BYTES:
         most = f"{TABLE_BYTES / 1e6:g} MB"
         raise ValueError(f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {most}")
