@@ -297,7 +297,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     }
     return WrittenSweep(
         [int(number) for number in columns[NUMBER]],
-        [str(one) for one in columns[STATUS]],
+        list(map(str, columns[STATUS])),
         numbers,
         tuple(name for name in names[:place] if name != NUMBER),
         [str(one) for one in columns[GEAR]] if by_gear else (),

@@ -156,7 +156,7 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
-    """Return the path of a key that a gear takes from the case where it has no value of its own."""
+    """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
 
 

@@ -71,7 +71,7 @@ class StepCondition(NamedTuple):
         return true(self.formula.whole)
 
     def with_wheel_speeds(self, turning: Mapping[str, Callable[[float], float]]) -> StepCondition:
-        """Return the condition with speeds of wheels in place of those of their vehicles.
+        """Return the condition with speeds of wheels instead of those of their vehicles.
 
         Parameters
         ----------
