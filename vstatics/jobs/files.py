@@ -187,7 +187,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
         raise ChangedFileError
 
 
-def _swapped(one: str, other: str) -> bool:
+def _swapped(new: str, old: str) -> bool:
     """Exchange two files in one step; false where the system cannot."""
     import ctypes  # costs start-up time
 
@@ -195,7 +195,7 @@ def _swapped(one: str, other: str) -> bool:
     if rename is None:
         return False
     here, exchange = -100, 2  # AT_FDCWD, RENAME_EXCHANGE
-    return bool(rename(here, os.fsencode(one), here, os.fsencode(other), exchange) == 0)
+    return bool(rename(here, os.fsencode(new), here, os.fsencode(old), exchange) == 0)
 
 
 def _holds(path: str, expected: bytes) -> bool:

@@ -221,7 +221,6 @@ def _refuse(path: str, status: os.stat_result, kind: int) -> None:
 
 
 def _user(number: int) -> str:
-    """Return the name of a user, or the number of a user without a name."""
     try:
         import pwd
 

@@ -123,7 +123,6 @@ def _wanted(heading: str, wanted: Container[str]) -> str:
 
 
 def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
-    """Size in SI of the unit of a heading."""
     _, unit = with_unit(heading)
     if heading == name or measure is None:
         return 1.0

@@ -80,7 +80,6 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 
 
 def _none(file: str, error: Exception, line: int = 0) -> ReadError:
-    """The error that a file, or a line of it, is not a table of variants."""
     text = " ".join(str(error).split()) or type(error).__name__
     message = f"no table of variants: {text[:200]}"
     return ReadError([Problem("E111", message, (), Source(file, "").place(line))])

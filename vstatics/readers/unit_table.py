@@ -113,7 +113,6 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
 
 
 def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
-    """The lines with cells, with their numbers from a first one on."""
     return ((number, line) for number, line in enumerate(lines, first) if has_cells(line))
 
 

@@ -77,7 +77,6 @@ def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
 
 
 def _is_above(path: str) -> bool:
-    """Whether a path is a link to a folder above itself."""
     if not os.path.islink(path):  # noqa: PTH114
         return False
     folder = os.path.realpath(os.path.dirname(path) or os.curdir)  # noqa: PTH120

@@ -177,7 +177,6 @@ def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Proble
 
 
 def _friction_notes(reading: Reading) -> Iterator[Problem]:
-    """Springs whose dry friction a linear vibration cannot have."""
     for number, spring in enumerate(reading.case.springs, 1):
         if spring.friction:
             text = (

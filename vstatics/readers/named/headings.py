@@ -177,7 +177,6 @@ def read_headings(
 
 
 def _to_numbers(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
-    """The lines up to the first row of numbers, or a limit."""
     for count, (number, line) in enumerate(lines):
         yield number, line
         if count >= MOST_TITLE_LINES or (count and _is_row_of_numbers(line)):
@@ -348,7 +347,6 @@ def _split(line: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def _is_row_of_numbers(line: str) -> bool:
-    """Whether a line has numbers and nothing else in its cells."""
     return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
 
 
@@ -357,7 +355,6 @@ def _folded(name: str) -> str:
 
 
 def _quoted_lines(lines: Sequence[tuple[int, str]], at: int) -> str:
-    """The line of the headings and the first row of numbers, as the file has them."""
     below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
     head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
     first = "".join(f", the first row `{cells}`" for cells in row)

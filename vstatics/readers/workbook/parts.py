@@ -109,7 +109,6 @@ class PackedParts:
                 raise ValueError(f"expected at most {MOST_WORKBOOK_SHEETS} sheets")
 
     def _open(self, path: str) -> Any:
-        """Open a part, if there is room for it."""
         about = self._packed.getinfo(path)
         self._left -= about.file_size
         if self._left < 0:
@@ -120,7 +119,6 @@ class PackedParts:
         return self._packed.open(about)
 
     def _relations(self, of: str) -> dict[str, tuple[str, str]]:
-        """Kind and part of what a part refers to, by its keys."""
         folder, name = posixpath.split(of)
         relations: dict[str, tuple[str, str]] = {}
 

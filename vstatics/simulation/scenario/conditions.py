@@ -133,7 +133,6 @@ def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]
 
 
 def _signed(side: Tree) -> Tree:
-    """A side of a comparison without its sign."""
     is_negative = isinstance(side, Applied) and side.name == "-x"
     return side.operands[0] if isinstance(side, Applied) and is_negative else side
 

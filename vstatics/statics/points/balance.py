@@ -197,7 +197,6 @@ def _follow(case: Transmission, index: int, link: int, holding: tuple[int, ...])
 
 
 def _at_points(balance: OpenBalance, given: Columns, variants: int) -> OpenBalance:
-    """Return a balance with the power of the battery at each point."""
     battery = given.get(CaseNumber(balance.gear, "battery"), np.repeat(balance.battery, variants))
     return replace(balance, battery=battery)
 

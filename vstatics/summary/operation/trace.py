@@ -147,7 +147,6 @@ def read_trace(data: bytes, file: str) -> Trace:
 
 
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
-    """What cannot be in a trace, row by row."""
     if {"slope", "grade"} <= table.numbers.keys():
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)

@@ -209,7 +209,6 @@ class _WorkingPoints:
         return self._on_pump(converter, case).excess
 
     def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:
-        """The torques at a pump under the load of a case."""
         results, place = solve(case), case.devices.index(converter.name)
         ratio = case.mechanisms[place - len(case.shift_elements)].ratio
         speed = self._pump_speed(converter, results)

@@ -228,7 +228,6 @@ def _printed_alike(
 
 
 def _speed(mode: GearMode, order: Order, running: Sequence[float], fastest: float) -> TableCell:
-    """The speed at which an order meets a mode; nothing where it does not."""
     speed = order.speed(mode.frequency)
     if not mode.is_excited or speed > fastest * (1 + NO_POWER):
         return TableCell("")
