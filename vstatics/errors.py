@@ -391,7 +391,6 @@ def mixed_letters(word: str) -> str:
 
 
 def _letters(word: str, places: Sequence[int]) -> str:
-    """The letters at some places of a word, and the verb."""
     numbers = spoken(str(place + 1) for place in places)
     letters = ", ".join(f"`{word[place]}`" for place in places)
     return (

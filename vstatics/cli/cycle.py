@@ -170,7 +170,6 @@ def _shown(
 
 
 def _as_sweep(made: DriveCycle) -> Iterator[str]:
-    """The steps as a written sweep over time, in pieces."""
     from vstatics.summary.operation.trace import blocks
 
     time, *others = made.steps

@@ -196,7 +196,6 @@ def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iter
 
 
 def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Iterator[CaseVerdict]:
-    """Of two files of one name, of which one may be missing."""
     contents, problems = list[Content](), list[Problem]()
     for path in paths:
         try:

@@ -155,7 +155,7 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
         )
     gear = case.gears[case.gear_number(state.gear.name) - 1]  # that of the state has no laws
     by_part = case.gear_drag(gear), case.gear_open_drag(gear)
-    if any(isinstance(one, Law) for drags in by_part for one in drags.values()):
+    if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
         yield tr(
             "Drag over speed is over that of its link, of an open shift element over its slip, "
             "without sign: w in a formula, in rad/s; straight between points, constant outside."

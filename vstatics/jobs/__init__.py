@@ -10,5 +10,5 @@ worker that dies is replaced; what was finished before a run was stopped is trus
 
 Who does it: `workers` (choice), `alone`, `processes`, `cluster`. What lasts:
 `finished_cases`, `finished_parts`, `finished_pieces`, `piece_file`, `lock`, `state_files`, `files`,
-`page_files`, `spool`. How it ends: `stopping`.
+`page_files`, `spool`. What it reads: `input_files`. How it ends: `stopping`.
 """

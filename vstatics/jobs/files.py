@@ -68,11 +68,11 @@ def opened(output: str) -> contextlib.AbstractContextManager[Write]:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
     else:
         handle = os.dup(int(own[2]) if own[2] else 1 if own[1] else 2)
-    return _writing(handle)
+    return descriptor_writing(handle)
 
 
 @contextlib.contextmanager
-def _writing(handle: int) -> Iterator[Write]:
+def descriptor_writing(handle: int) -> Iterator[Write]:
     """Write to a file that is open, and close it."""
     try:
         yield partial(write_all, handle)
@@ -152,7 +152,7 @@ def whole_file(  # noqa: PLR0913
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
     try:
-        with _writing(handle) as write:
+        with descriptor_writing(handle) as write:
             if mode is not None:
                 os.fchmod(handle, stat.S_IMODE(mode))
             yield write
@@ -187,7 +187,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
         raise ChangedFileError
 
 
-def _swapped(one: str, other: str) -> bool:
+def _swapped(new: str, old: str) -> bool:
     """Exchange two files in one step; false where the system cannot."""
     import ctypes  # costs start-up time
 
@@ -195,7 +195,7 @@ def _swapped(one: str, other: str) -> bool:
     if rename is None:
         return False
     here, exchange = -100, 2  # AT_FDCWD, RENAME_EXCHANGE
-    return bool(rename(here, os.fsencode(one), here, os.fsencode(other), exchange) == 0)
+    return bool(rename(here, os.fsencode(new), here, os.fsencode(old), exchange) == 0)
 
 
 def _holds(path: str, expected: bytes) -> bool:

@@ -14,13 +14,20 @@ DOCUMENT_BYTES = 10_000_000
 TABLE_BYTES = 256_000_000
 """Bound of a file of numbers: results, variants, records."""
 
-_PIECE = 2**20
-_KINDS = {
+KINDS = {
+    stat.S_IFLNK: "a link",
+    stat.S_IFDIR: "a folder",
+    stat.S_IFREG: "a file",
     stat.S_IFIFO: "a named pipe (FIFO)",
     stat.S_IFSOCK: "a socket",
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
+"""Names of kinds of files in messages."""
+AT_ONCE = getattr(os, "O_NONBLOCK", 0)
+"""Flag that opens a FIFO without waiting for the process at its other end."""
+_STREAM_PIECE = 2**20
+"""Size of the parts in which a stream is read. [bytes]"""
 Data = TypeVar("Data", str, bytes)
 Data_co = TypeVar("Data_co", str, bytes, covariant=True)
 
@@ -46,7 +53,7 @@ class NotRegularError(OSError):
 
     def __init__(self, mode: int, file: str) -> None:
         """Say what the file is."""
-        kind = _KINDS.get(stat.S_IFMT(mode), "not a file")
+        kind = KINDS.get(stat.S_IFMT(mode), "not a file")
         super().__init__(errno.EINVAL, f"{kind}, expected a regular file", file)
 
 
@@ -74,7 +81,7 @@ def read_file(
         is_regular = stat.S_ISREG(about.st_mode)
         if is_regular and about.st_size > most:
             raise TooLargeError(most, os.fspath(file))
-        first = about.st_size + 1 if is_regular else _PIECE
+        first = about.st_size + 1 if is_regular else _STREAM_PIECE
         return read_stream(stream, most, os.fspath(file), first)
 
 
@@ -103,11 +110,11 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
 
 def _at_once(name: str, flags: int) -> int:
     """Open a file without waiting for another process to write to it."""
-    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+    return os.open(name, flags | AT_ONCE)
 
 
 def read_stream(
-    stream: Readable[Data], most: int, file: str | None = None, first: int = _PIECE
+    stream: Readable[Data], most: int, file: str | None = None, first: int = _STREAM_PIECE
 ) -> Data:
     r"""Return all that a stream gives, text or bytes.
 
@@ -138,7 +145,7 @@ def read_stream(
     length, size = 0, first
     while part := stream.read(min(size, most + 1 - length)):
         parts.append(part)
-        length, size = length + len(part), _PIECE
+        length, size = length + len(part), _STREAM_PIECE
         if length > most:
             raise TooLargeError(most, file)
     return part.join(parts)  # the last part is empty

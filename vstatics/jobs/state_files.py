@@ -14,25 +14,14 @@ import os
 import re
 import stat
 from collections.abc import Iterator
-from functools import partial
 from typing import IO, NamedTuple
 
 from vstatics.errors import ReadError, of_file
-from vstatics.jobs.files import Write, front, replacing, sync, whole_file, write_all
+from vstatics.jobs.files import Write, descriptor_writing, front, replacing, sync, whole_file
+from vstatics.jobs.input_files import AT_ONCE, KINDS
 
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
-_AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""Keeps the process from waiting for a FIFO that replaces a file after the check."""
 _FOLDER = getattr(os, "O_DIRECTORY", 0)
-_KINDS = {
-    stat.S_IFLNK: "a link",
-    stat.S_IFDIR: "a folder",
-    stat.S_IFREG: "a file",
-    stat.S_IFIFO: "a FIFO",
-    stat.S_IFSOCK: "a socket",
-    stat.S_IFCHR: "a device",
-    stat.S_IFBLK: "a device",
-}
 CURE = "remove it, or choose another output"
 
 
@@ -103,7 +92,7 @@ class StateFolder(NamedTuple):
         """
         with self._opened() as folder:
             self._look(folder, name)
-            handle = os.open(name, flags | _NO_LINK | _AT_ONCE, 0o666, dir_fd=folder)
+            handle = os.open(name, flags | _NO_LINK | AT_ONCE, 0o666, dir_fd=folder)
         try:
             _refuse(self.file(name), os.fstat(handle), stat.S_IFREG)
         except BaseException:
@@ -123,14 +112,9 @@ class StateFolder(NamedTuple):
         """Open a file to read it."""
         return open(self.open(name, os.O_RDONLY), "rb")  # noqa: PTH123
 
-    @contextlib.contextmanager
-    def appending(self, name: str) -> Iterator[Write]:
+    def appending(self, name: str) -> contextlib.AbstractContextManager[Write]:
         """Write at the end of a file, each time all at once; it need not be there."""
-        handle = self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
-        try:
-            yield partial(write_all, handle)
-        finally:
-            os.close(handle)
+        return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
         """Open a new file to write it; an earlier file of this name is removed."""
@@ -195,7 +179,7 @@ class StateFolder(NamedTuple):
         Raises
         ------
         ReadError
-            If the state's own folder is something else, or of another owner.
+            If a folder that holds nothing but a state is something else, or has another owner.
         OSError
         """
         if not self.has_results:
@@ -224,9 +208,9 @@ def _refuse(path: str, status: os.stat_result, kind: int) -> None:
     ------
     ReadError
     """
-    seen, expected = stat.S_IFMT(status.st_mode), _KINDS[kind]
+    seen, expected = stat.S_IFMT(status.st_mode), KINDS[kind]
     if seen != kind:
-        message = f"is {_KINDS.get(seen, 'something else')}, expected {expected}; {CURE}"
+        message = f"is {KINDS.get(seen, 'something else')}, expected {expected}; {CURE}"
         raise ReadError([of_file("E040", path, message)])
     if status.st_uid != os.geteuid():
         message = f"has another owner ({_user(status.st_uid)}), expected {expected} of your own"
@@ -237,7 +221,6 @@ def _refuse(path: str, status: os.stat_result, kind: int) -> None:
 
 
 def _user(number: int) -> str:
-    """Return the name of a user, or the number of a user without a name."""
     try:
         import pwd
 

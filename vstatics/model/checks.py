@@ -121,8 +121,8 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
-    """Drags without a unit that seem to be in N*m: beside such with a unit, or large ones."""
-    elements = {number: one.drag for number, one in enumerate(case.shift_elements, 1)}
+    """Drags without a unit that seem to be in N*m: next to drags with a unit, or large."""
+    elements = {number: element.drag for number, element in enumerate(case.shift_elements, 1)}
     paths = {number: ("shift_elements", number, "drag") for number in elements}
     torque = case.load.torque if case.load else None
     yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
@@ -130,8 +130,8 @@ def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
     for number, gear in enumerate(case.gears, 1):
         torque = case.gear_load(gear).torque if case.load or gear.load else None
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
-            own = {part: ("gears", number, key, part) for part in drags}
-            yield from _bare(case, own, drags, torque)
+            of_gear = {part: ("gears", number, key, part) for part in drags}
+            yield from _bare(case, of_gear, drags, torque)
 
 
 def _bare(
@@ -227,7 +227,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 def _first_gear(case: TransmissionFields) -> str:
     """A gear as a case has it, which engages as many of its shift elements as speeds need."""
     named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
-    names = [name for one, name in named if not one.is_freewheel]
+    names = [name for element, name in named if not element.is_freewheel]
     count = max(case.links - len(case.mechanisms) - 1, 1)
     words = (name if name.isidentifier() else f'"{name}"' for name in names[:count])
     return f'"1": [{", ".join(words)}]'

@@ -359,7 +359,7 @@ class TransmissionFields:
         """The drag of every shift element where it is open in a gear, by its number."""
         numbered = enumerate(self.shift_elements, 1)
         return {
-            **self._in_gear(gear, {number: one.drag for number, one in numbered}),
+            **self._in_gear(gear, {number: element.drag for number, element in numbered}),
             **gear.open_drag,
         }
 

@@ -111,7 +111,7 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
     ]
     elements = enumerate(case.shift_elements, 1)
     places += [("shift_elements", n, "drag") for n, one in elements if isinstance(one.drag, Law)]
-    places += [("drag", link) for link, one in case.drag.items() if isinstance(one, Law)]
+    places += [("drag", link) for link, drag in case.drag.items() if isinstance(drag, Law)]
     for number, gear in enumerate(case.gears, 1):
         load = case.gear_load(gear)
         if load.speed is not None and load.torque is not None:

@@ -614,7 +614,7 @@ class Gear(NamedTuple):
         The gear's number when not given.
     drag : mapping of int to float
         Torque of bearings and oil on links, against their rotation, relative to the
-        input torque, in place of the drag of these links in the case. [-]
+        input torque, instead of the drag of these links in the case. [-]
     open_drag : mapping of int to float
         Number of a shift element -> torque with which it drags in this gear when it is
         open, in place of its own `drag`. [-]

@@ -52,7 +52,7 @@ class TwistCurve(NamedTuple):
         return len(self.twists) > 2 or self.piece(0)[0] != 0
 
     def side(self, number: int) -> float:
-        """The sign of the torque on a piece beside a play; 0 in the play."""
+        """Return the sign of the torque on a piece next to a play; 0 in the play."""
         torque = sum(self.torques[number : number + 2])
         return math.copysign(1.0, torque) if torque else 0.0
 

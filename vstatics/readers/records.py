@@ -12,9 +12,8 @@ from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted
 from vstatics.model.shape import Measure
 from vstatics.numerics.arrays import Floats
 from vstatics.readers.named.csv_rows import decimal, numbered_rows
-from vstatics.readers.named.headings import with_unit, without_titles
+from vstatics.readers.named.headings import TableColumn, with_unit, without_titles
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
-from vstatics.readers.named.si_units import measured
 from vstatics.readers.reading import Source
 from vstatics.tables.csv import unguarded
 
@@ -124,12 +123,10 @@ def _wanted(heading: str, wanted: Container[str]) -> str:
 
 
 def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
-    """Size in SI of the unit of a heading."""
     _, unit = with_unit(heading)
-    if heading == name or measure is None or not unit:
+    if heading == name or measure is None:
         return 1.0
     try:
-        return measured(f"1 {unit}", measure)
+        return TableColumn(name, measure, may_be_bare=True).size(unit or None)
     except ValueError as error:
-        message = f"{name}: read the unit {unit[:40]!r}, {error}"
-        raise ReadError([Problem("E121", message, (), head)]) from None
+        raise ReadError([Problem("E121", str(error), (), head)]) from None

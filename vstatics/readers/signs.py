@@ -1,4 +1,4 @@
-"""Signs that word processors and print have in place of plain ones: blanks and dashes."""
+"""Signs that word processors and print have instead of plain ones: blanks and dashes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 
 
 def with_plain_blanks(text: str) -> str:
-    r"""Return a text with plain blanks in place of those of word processors, each at its place.
+    r"""Return a text with plain blanks instead of those of word processors, each at its place.
 
     >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW")
     '300 N*m, 1 kW'

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     Column: TypeAlias = list[Any] | Floats
 
-MOST_CELLS = 20_000_000
+MOST_TABLE_CELLS = 20_000_000
 """Bound of the cells of a table: as Python's numbers they take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
@@ -80,7 +80,6 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 
 
 def _none(file: str, error: Exception, line: int = 0) -> ReadError:
-    """The error that a file, or a line of it, is not a table of variants."""
     text = " ".join(str(error).split()) or type(error).__name__
     message = f"no table of variants: {text[:200]}"
     return ReadError([Problem("E111", message, (), Source(file, "").place(line))])
@@ -99,8 +98,8 @@ def expect_size(cells: int, size: int = 0) -> None:
     Traceback (most recent call last):
     ValueError: it has 30,000,000 cells, expected at most 20,000,000
     """
-    if cells > MOST_CELLS:
-        raise ValueError(f"it has {cells:,} cells, expected at most {MOST_CELLS:,}")
+    if cells > MOST_TABLE_CELLS:
+        raise ValueError(f"it has {cells:,} cells, expected at most {MOST_TABLE_CELLS:,}")
     if size > TABLE_BYTES:
         most = f"{TABLE_BYTES / 1e6:g} MB"
         raise ValueError(f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {most}")
@@ -297,7 +296,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     }
     return WrittenSweep(
         [int(number) for number in columns[NUMBER]],
-        [str(one) for one in columns[STATUS]],
+        list(map(str, columns[STATUS])),
         numbers,
         tuple(name for name in names[:place] if name != NUMBER),
         [str(one) for one in columns[GEAR]] if by_gear else (),

@@ -22,10 +22,8 @@ from vstatics.readers.named.headings import (
 from vstatics.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.readers.reading import Source
 
-__all__ = ["TableColumn", "UnitTable", "read_unit_table"]
-
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
-_MOST_AT_ONCE = 5000
+_BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
 """Rows of a table; a day in tenths of a second has 864,000."""
 
@@ -115,7 +113,6 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
 
 
 def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
-    """The lines with cells, with their numbers from a first one on."""
     return ((number, line) for number, line in enumerate(lines, first) if has_cells(line))
 
 
@@ -149,8 +146,8 @@ class _ColumnsRead:
     def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
         """Add all rows; yield the faults with their lines, and end where these are many."""
         faults = 0
-        for start in range(first, len(lines) + 1, _MOST_AT_ONCE):
-            block = lines[start - 1 : start - 1 + _MOST_AT_ONCE]
+        for start in range(first, len(lines) + 1, _BLOCK_LINES):
+            block = lines[start - 1 : start - 1 + _BLOCK_LINES]
             for number, line in _filled(block, start) if not self.add_plain(start, block) else ():
                 try:
                     self.add(number, line)

@@ -116,14 +116,16 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
 
 
 def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
-    """The numbers, each with the paths of those that are the same one in the text."""
+    """Return the numbers, each with the paths of all others at its place in the text."""
     places: dict[tuple[str, int], list[str]] = {}
-    for path, one in numbers.items():
-        places.setdefault((one.file, one.start), []).append(path)
+    for path, number in numbers.items():
+        places.setdefault((number.file, number.start), []).append(path)
     return {
-        path: one._replace(field=one.field._replace(same=tuple(p for p in paths if p != path)))
-        for path, one in numbers.items()
-        for paths in [places[one.file, one.start]]
+        path: number._replace(
+            field=number.field._replace(same=tuple(p for p in paths if p != path))
+        )
+        for path, number in numbers.items()
+        for paths in [places[number.file, number.start]]
     }
 
 

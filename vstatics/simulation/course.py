@@ -195,8 +195,8 @@ class EventRun:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
                 self.watched = [*self._near_corners(judge)]
-                bends = (one for _, one in self.watched)
-                selected.margins.follow("corner", enumerate(bends))
+                awaited = (margin for _, margin in self.watched)
+                selected.margins.follow("corner", enumerate(awaited))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))
             self.left = []
@@ -211,10 +211,10 @@ class EventRun:
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
         """Corners next to which the motion is, but for bends that it passes."""
         for index, corner in enumerate(self.corners):
-            for number, one in judge.nearest(corner.compared):
+            for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
                 if corner.jumps[number] or not self.meetings.is_passed(place, self.at.time):
-                    yield place, one
+                    yield place, awaited
 
     def _drags_otherwise(self, judge: Judge) -> bool:
         """Whether an element that drags while it is open opens or closes here by what it sees.
@@ -288,7 +288,6 @@ class EventRun:
             raise CaseError("E601", self._endless(found.time, watch), self._path(watch))
 
     def _endless(self, time: float, watch: Watch) -> str:
-        """What is said of something that changes without end."""
         name = self._name(watch)
         if watch.kind in FOLLOWING:
             return (

@@ -342,7 +342,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
-        loaded = always - sum(not one.is_damper for one in case.springs)
+        loaded = always - sum(not spring.is_damper for spring in case.springs)
         springs = [names[i] for i in involved if loaded <= i < always]
         free = [names[i] for i in involved if i < always and names[i] in at_ratios]
         every = [names[i] for i in involved]
@@ -538,12 +538,12 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
     """Whether idle mechanisms turn as one with differentials among them, as straight ahead."""
     speeds = [0.0, *results.speeds[number].tolist()]
-    parts = [one for one in results.case.mechanisms if one.name in idle]
-    of_differentials = [speeds[one.third] for one in parts if one.ratio == -1]
+    parts = [part for part in results.case.mechanisms if part.name in idle]
+    of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
     return all(
         any(math.isclose(speeds[link], speed, rel_tol=TIE) for speed in of_differentials)
-        for one in parts
-        for link in (one.first, one.third)
+        for part in parts
+        for link in (part.first, part.third)
     )
 
 

@@ -167,8 +167,8 @@ def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
             for number, element in enumerate(case.shift_elements, 1)
         ]
         exchanged = case.replace(shift_elements=elements)
-        found = find_state(exchanged, state.gear, variant.ratios, variant.efficiencies)
-        if found.calculable and not is_nan(found.output_speed):
+        tried = find_state(exchanged, state.gear, variant.ratios, variant.efficiencies)
+        if tried.calculable and not is_nan(tried.output_speed):
             return [*numbers]
     return []
 

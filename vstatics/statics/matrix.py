@@ -297,7 +297,7 @@ def always_loaded(case: Transmission, gear: Gear) -> list[int]:
     """Those of mechanisms and springs, without bypassed converters and dampers alone."""
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     left_out = case.bypassed(gear)
-    left_out |= {n for n, one in enumerate(case.springs, mechanisms) if one.is_damper}
+    left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
     number = elements + mechanisms + len(case.springs)
     return [device for device in range(elements, number) if device - elements not in left_out]
 

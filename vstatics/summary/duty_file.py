@@ -6,9 +6,10 @@ from typing import NamedTuple, get_args
 
 from vstatics.errors import CaseError, Problem, ReadError
 from vstatics.model.shape import ByKey, KeyShape, Shares
+from vstatics.readers.named.headings import TableColumn
 from vstatics.readers.named.nodes import Spots
 from vstatics.readers.named.reader import read_document
-from vstatics.readers.unit_table import TableColumn, UnitTable, read_unit_table
+from vstatics.readers.unit_table import UnitTable, read_unit_table
 from vstatics.statics.results import Results
 from vstatics.summary.duty import Cycle, Duty, Kind, cycle
 from vstatics.summary.operation.load_spectrum import EXPONENT, Spectrum, points_of, spectrum

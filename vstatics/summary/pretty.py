@@ -12,6 +12,7 @@ from html import escape
 from rich.console import Group
 from rich.text import Text
 
+from vstatics.numerics.tolerances import SAME_RATIO
 from vstatics.statics.result_arrays import OUTPUT
 from vstatics.statics.results import Results
 from vstatics.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
@@ -30,8 +31,6 @@ from vstatics.texts import tr
 POOR, BAD = 0.95, 0.9
 """An efficiency below is yellow, or red."""
 
-SAME_RATIO = 1e-9
-"""A ratio that is as near to 1 is not below it. [-]"""
 NEEDS_DECIMALS = 10
 """A speed in rpm or a torque in N*m below has a digit after the point."""
 

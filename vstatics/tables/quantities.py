@@ -155,7 +155,6 @@ def _has_given_speeds(results: Results) -> bool:
 
 
 def _has_drag(results: Results) -> bool:
-    """Whether anything drags in the case or, where numbers vary, in one of the variants."""
     return results.case.has_drag or bool(np.nan_to_num(results.drag_losses).any())
 
 

@@ -140,13 +140,11 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
 def _mechanisms(
     case: Transmission, key: str, applies: Callable[[Mechanism], bool]
 ) -> dict[str, Path]:
-    """Return the paths of a key of the mechanisms that a condition applies to, by name."""
     numbered = enumerate(case.mechanisms, 1)
     return {part.name: ("mechanisms", n, key) for n, part in numbered if applies(part)}
 
 
 def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dict[str, Path]:
-    """Return the paths of a key of the gears that a condition applies to, by name."""
     return {gear.name: ("gears", n, key) for n, gear in enumerate(case.gears, 1) if applies(gear)}
 
 
@@ -156,7 +154,7 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
-    """Return the path of a key that a gear takes from the case where it has no value of its own."""
+    """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
 
 
@@ -169,5 +167,4 @@ def _has_second(part: Mechanism) -> bool:
 
 
 def _acts(drag: float) -> bool:
-    """Return whether a drag is above 0 at some speed."""
     return isinstance(drag, Law) or drag != 0

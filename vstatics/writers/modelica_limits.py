@@ -55,7 +55,7 @@ def _of_parts(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     yield "the friction of", [one.name for one in case.springs if one.friction]
     elastic: list[Spring | Mechanism] = [*case.springs, *mechanisms]
     yield "the loss factor of", [one.name for one in elastic if damping(one.damping).loss_factor]
-    yield "the drag of link", [case.link_name(link) for link, one in case.drag.items() if one]
+    yield "the drag of link", [case.link_name(link) for link, drag in case.drag.items() if drag]
     yield "drag in gear", [one.name for one in case.gears if one.drag or one.open_drag]
     given = [one.name for one in case.gears if one.speeds or one.torques]
     yield "given speeds and torques in gear", given

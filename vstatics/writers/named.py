@@ -133,12 +133,12 @@ def _wholes(case: Transmission) -> set[float]:
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
-    """Gears with all drags as parts of their own loads, which may differ from that of the case."""
+    """Gears with all drags relative to their loads, which may differ from the load of the case."""
     gears = []
     for gear in case.gears:
         of_elements = case.gear_open_drag(gear).items()
-        own = {n: drag for n, drag in of_elements if drag or n in gear.open_drag}
-        gears.append(gear._replace(drag=case.gear_drag(gear), open_drag=own))
+        open_drag = {n: drag for n, drag in of_elements if drag or n in gear.open_drag}
+        gears.append(gear._replace(drag=case.gear_drag(gear), open_drag=open_drag))
     elements = [element._replace(drag=0.0) for element in case.shift_elements]
     return {"drag": {}, "shift_elements": elements, "gears": gears}
 

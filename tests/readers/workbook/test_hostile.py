@@ -20,7 +20,7 @@ from tests.commands import CASES, vstatics
 from tests.readers.workbook.test_reader import faults, read, typed
 from vstatics import load
 from vstatics.errors import ReadError
-from vstatics.readers.workbook.cells import MOST_CELLS, read_sheets
+from vstatics.readers.workbook.cells import MOST_SHEET_CELLS, read_sheets
 
 SECONDS, MEMORY = 5, 400 * 2**20
 
@@ -171,9 +171,9 @@ def test_names_without_end_are_passed_over() -> None:
 
 @pytest.mark.slow
 def test_a_full_sheet_is_read() -> None:
-    rows = ("<row>" + "<c><v>1</v></c>" * 400 + "</row>") * (MOST_CELLS // 400)
+    rows = ("<row>" + "<c><v>1</v></c>" * 400 + "</row>") * (MOST_SHEET_CELLS // 400)
     [sheet, *_] = read_sheets(_with_part("SHEET", SHEET.format(rows, "")), "a.xlsx", ["case"])
-    assert sum(map(len, sheet.rows)) == MOST_CELLS
+    assert sum(map(len, sheet.rows)) == MOST_SHEET_CELLS
 
 
 def test_a_workbook_is_read_without_the_package_that_writes_it(

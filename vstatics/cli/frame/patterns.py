@@ -64,12 +64,12 @@ def _matching(pattern: str) -> Iterator[str]:
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
     """Return what a pattern finds below some folders, but not by links to folders above these."""
-    from glob import escape, glob, has_magic  # likewise
+    from glob import escape, glob, has_magic  # costs start-up time
 
     for top in tops:
         part, *others = parts
-        found = glob(escape(top) + part) if has_magic(part) else [top + part]  # noqa: PTH207
-        for path in found:
+        paths = glob(escape(top) + part) if has_magic(part) else [top + part]  # noqa: PTH207
+        for path in paths:
             if not others:
                 yield from [path] * os.path.lexists(path)
             elif os.path.isdir(path or "/") and not (has_magic(part) and _is_above(path)):  # noqa: PTH112
@@ -77,7 +77,6 @@ def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
 
 
 def _is_above(path: str) -> bool:
-    """Whether a path is a link to a folder above itself."""
     if not os.path.islink(path):  # noqa: PTH114
         return False
     folder = os.path.realpath(os.path.dirname(path) or os.curdir)  # noqa: PTH120

@@ -155,7 +155,6 @@ def _ports(search: CombinationSearch) -> tuple[str, str]:
 
 
 def _block(search: CombinationSearch, batches: Iterable[Batch], *, as_line: bool) -> str:
-    """The combinations of a pair of ports in JSON."""
     first, last = (line(name).rstrip() for name in _ports(search))
     before, between = ("", ", ") if as_line else ("\n  ", ",\n  ")
     body = before + between.join(text for batch in batches for text in _lines(batch))
@@ -163,7 +162,6 @@ def _block(search: CombinationSearch, batches: Iterable[Batch], *, as_line: bool
 
 
 def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator[Grid]:
-    """The tables of a pair of ports, which their titles name."""
     first, last = _ports(search)
     for grid in combination_grids(chain.from_iterable(batches)):
         yield grid._replace(title=f"{grid.title}, {first} to {last}", key="")
@@ -191,7 +189,6 @@ def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
 
 
 def _lines(batch: Batch) -> Iterator[str]:
-    """Combinations as JSON, an object each."""
     engaged = {name for each in batch for name in each.engaged}
     names = {name: line(name).rstrip() for name in engaged}
     for each in batch:

@@ -168,16 +168,15 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
     from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
-    return _slope_notes(reading, [mean_gear(reading.case, by_name[one]) for one in gears])
+    return _slope_notes(reading, [mean_gear(reading.case, by_name[name]) for name in gears])
 
 
 def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
-    """The same of gears at their working points, and the friction that is left out there."""
+    """Slopes of springs in gears at their working points, and friction that is left out there."""
     return [*_slope_notes(reading, list(gears)), *_friction_notes(reading)]
 
 
 def _friction_notes(reading: Reading) -> Iterator[Problem]:
-    """Springs whose dry friction a linear vibration cannot have."""
     for number, spring in enumerate(reading.case.springs, 1):
         if spring.friction:
             text = (
@@ -190,7 +189,7 @@ def _friction_notes(reading: Reading) -> Iterator[Problem]:
 def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem]:
     from vstatics.torsion.system.slopes import spring_slopes
 
-    doubts = ((one.gear.name, text) for one in gears for text in one.doubts)
+    doubts = ((working.gear.name, text) for working in gears for text in working.doubts)
     notes = [
         reading.locate(
             Problem("N506", f"gear {gear.name}: {one}", ("springs", one.number, "points"))

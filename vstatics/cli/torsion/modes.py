@@ -61,8 +61,10 @@ def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
         found = modes_of(case, names, count=count, speed_ratios=asked.ratios)
         notes = working_notes(reading, working)
         faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
-        told = {text for gear in working for text in gear.doubts}
-        doubts = ((gear.name, text) for gear in found for text in gear.warnings if text not in told)
+        noted = {text for gear in working for text in gear.doubts}
+        doubts = (
+            (gear.name, text) for gear in found for text in gear.warnings if text not in noted
+        )
         return CaseAnswer(
             lambda: modes_grids(found),
             ModesAnswer(case.name, found),

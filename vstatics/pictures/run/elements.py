@@ -42,8 +42,8 @@ def states(motion: Motion) -> list[ElementStates]:
 
     An element that carries none, or drags alone, is open; so is one at rest without torque.
     """
-    gripped = [(*one, _gripped(motion, one[0])) for one in loaded(motion)]
-    return [_states(motion, *one) for one in gripped if one[2].any()]
+    gripped = [(place, name, _gripped(motion, place)) for place, name in loaded(motion)]
+    return [_states(motion, *element) for element in gripped if element[2].any()]
 
 
 def _gripped(motion: Motion, place: int) -> Floats:

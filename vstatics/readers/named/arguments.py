@@ -113,7 +113,7 @@ def in_gears(
     for gear in gears:
         load = (gear.load or Load()).or_else(common.load)
         for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
-            left = {part: one for part, one in of_case.items() if part not in of_gear}
+            left = {part: drag for part, drag in of_case.items() if part not in of_gear}
             _related(left, load.torque_size or _whole(common), spots)
     whole = common.load.torque_size or math.inf
     return (

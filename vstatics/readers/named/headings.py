@@ -2,7 +2,7 @@
 
 A unit is in brackets, in parentheses, after a comma that does not separate cells, or after `_`.
 Lines before the first line of headings are titles. Capitals do not count, nor do signs of a
-comment before the headings. Units may also stand in a line of their own below the names.
+comment before the headings. Units may also be in a separate line below the names.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from vstatics.readers.named.si_units import measured
 MOST_TITLE_LINES = 100
 """Number of lines in which the headings are looked for."""
 MOST_QUOTED = 76
-"""Number of letters of a line that a message quotes."""
-ALIKE = 0.75
+"""Number of characters of a line that a message quotes."""
+LEAST_LIKENESS = 0.75
 """Likeness of a heading and a name, from 0 to 1, from which on it is taken for a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Signs with which a comment begins."""
@@ -32,7 +32,7 @@ _UNIT_BEHIND = re.compile(
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
 )
 _OF_NUMBERS = re.compile(r"[-+0-9.,;eE\s\"]*")
-_LONGEST_HEADING = 200
+_LONGEST_WITH_UNIT = 200
 
 
 class TableColumn(NamedTuple):
@@ -133,7 +133,7 @@ def with_unit(cell: str) -> tuple[str, str | None]:
     >>> [with_unit(cell) for cell in ("time [s]", "Speed (km/h)", "Test Time, secs", "gear")]
     [('time', 's'), ('Speed', 'km/h'), ('Test Time', 'secs'), ('gear', None)]
     """
-    parts = _UNIT_BEHIND.fullmatch(cell.strip()) if len(cell) <= _LONGEST_HEADING else None
+    parts = _UNIT_BEHIND.fullmatch(cell.strip()) if len(cell) <= _LONGEST_WITH_UNIT else None
     if not parts:
         return cell.strip(), None
     unit = next(part for part in parts.group("bracket", "round", "comma") if part is not None)
@@ -177,7 +177,6 @@ def read_headings(
 
 
 def _to_numbers(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
-    """The lines up to the first row of numbers, or a limit."""
     for count, (number, line) in enumerate(lines):
         yield number, line
         if count >= MOST_TITLE_LINES or (count and _is_row_of_numbers(line)):
@@ -294,11 +293,12 @@ class _ExpectedTable(NamedTuple):
         names = [heading.column.name for heading in headings]
         lacking = [column for column in self.columns if column.name not in names]
         missing = [column.heading for column in lacking if not column.optional]
-        known = {alias: one.name for one in lacking for alias in (*one.aliases, one.name)}
+        wanted = [column.name for column in lacking]
+        known = [alias for column in lacking for alias in (*column.aliases, column.name)]
         for cell in others:
             name = _folded(with_unit(cell)[0])
             hint = nearest(name, known)
-            is_mistyped = get_close_matches(name, [one.name for one in lacking], cutoff=ALIKE)
+            is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
@@ -328,13 +328,13 @@ def _with_units_below(
     for _, line in below:
         cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
         if len(cells) > max(heading.place for heading in headings):
-            found = [
+            with_units = [
                 heading._replace(unit=heading.unit or cells[heading.place] or None)
                 for heading in headings
             ]
             with suppress(ValueError):
-                _check_units(found)
-                return found
+                _check_units(with_units)
+                return with_units
     return []
 
 
@@ -347,7 +347,6 @@ def _split(line: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def _is_row_of_numbers(line: str) -> bool:
-    """Whether a line has numbers and nothing else in its cells."""
     return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
 
 
@@ -356,7 +355,6 @@ def _folded(name: str) -> str:
 
 
 def _quoted_lines(lines: Sequence[tuple[int, str]], at: int) -> str:
-    """The line of the headings and the first row of numbers, as the file has them."""
     below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
     head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
     first = "".join(f", the first row `{cells}`" for cells in row)

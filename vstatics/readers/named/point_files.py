@@ -27,7 +27,6 @@ def points_of(name: str) -> list[tuple[float, ...]]:
 
 
 def _name(heading: str) -> str:
-    """The name of a column, in small letters."""
     return with_unit(heading)[0].casefold()
 
 

@@ -12,7 +12,7 @@ from vstatics.readers.workbook.parts import PackedParts
 
 MOST_ROWS, MOST_COLUMNS = 10_000, 500
 """Of a sheet."""
-MOST_CELLS = 200_000
+MOST_SHEET_CELLS = 200_000
 """Bound of the cells of a sheet, also of those without a value."""
 MOST_CHARACTERS = 32_767
 """Of a cell."""
@@ -132,8 +132,8 @@ class _SheetElements:
     def _check(self) -> None:
         if self._row > MOST_ROWS or self._column > MOST_COLUMNS:
             raise ValueError(f"expected at most {MOST_ROWS} rows and {MOST_COLUMNS} columns")
-        if self._cells > MOST_CELLS:
-            raise ValueError(f"expected at most {MOST_CELLS} cells")
+        if self._cells > MOST_SHEET_CELLS:
+            raise ValueError(f"expected at most {MOST_SHEET_CELLS} cells")
 
     def _value(self) -> str:
         """What the cell says, nothing where it is empty.

@@ -15,9 +15,10 @@ MOST_BYTES = 10_000_000
 """Bound of all parts that are read, unpacked."""
 MOST_STYLE_BYTES = 20_000_000
 """Bound of the part of formats, of which only numbers of dates are kept."""
-MOST_DEEP = 100
-MOST_SHEETS = 1000
-_PIECE = 2**16
+MOST_NESTED_ELEMENTS = 100
+MOST_WORKBOOK_SHEETS = 1000
+_PART_PIECE = 2**16
+"""Size of the pieces in which a part is parsed. [bytes]"""
 _BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
 """Numbers of formats that are dates or times without being described."""
 _NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
@@ -43,8 +44,8 @@ def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = N
     def started(name: str, given: Mapping[str, str]) -> None:
         nonlocal depth
         depth += 1
-        if depth > MOST_DEEP:
-            raise ValueError(f"nested deeper than {MOST_DEEP} levels")
+        if depth > MOST_NESTED_ELEMENTS:
+            raise ValueError(f"nested deeper than {MOST_NESTED_ELEMENTS} levels")
         start(name.rpartition(":")[2], given)
 
     def ended(name: str) -> None:
@@ -61,7 +62,7 @@ def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = N
     parser.StartDoctypeDeclHandler = refused
     if text:
         parser.CharacterDataHandler = text
-    while piece := stream.read(_PIECE):
+    while piece := stream.read(_PART_PIECE):
         parser.Parse(piece)
     parser.Parse(b"", True)  # noqa: FBT003 - of expat
 
@@ -102,13 +103,12 @@ class PackedParts:
         if name == "workbookPr" and given.get("date1904") in ("1", "true"):
             self._first_day = dt.datetime(1904, 1, 1)  # noqa: DTZ001
         if name == "sheet":
-            key = next((value for one, value in given.items() if one.endswith(":id")), "")
+            key = next((value for key, value in given.items() if key.endswith(":id")), "")
             self._named.append((given.get("name", ""), key))
-            if len(self._named) > MOST_SHEETS:
-                raise ValueError(f"expected at most {MOST_SHEETS} sheets")
+            if len(self._named) > MOST_WORKBOOK_SHEETS:
+                raise ValueError(f"expected at most {MOST_WORKBOOK_SHEETS} sheets")
 
     def _open(self, path: str) -> Any:
-        """Open a part, if there is room for it."""
         about = self._packed.getinfo(path)
         self._left -= about.file_size
         if self._left < 0:
@@ -119,20 +119,19 @@ class PackedParts:
         return self._packed.open(about)
 
     def _relations(self, of: str) -> dict[str, tuple[str, str]]:
-        """Kind and part of what a part refers to, by its keys."""
         folder, name = posixpath.split(of)
-        found: dict[str, tuple[str, str]] = {}
+        relations: dict[str, tuple[str, str]] = {}
 
         def start(name: str, given: Mapping[str, str]) -> None:
             if name == "Relationship" and given.get("TargetMode") != "External":
                 path = posixpath.normpath(posixpath.join("/", folder, given["Target"]))
                 kind = given.get("Type", "").rpartition("/")[2]
-                found[given.get("Id", "")] = kind, path.lstrip("/")
+                relations[given.get("Id", "")] = kind, path.lstrip("/")
 
         path = posixpath.join(folder, "_rels", f"{name}.rels")
         if path in self._packed.NameToInfo:
             self.parse(path, start, lambda _: None)
-        return found
+        return relations
 
     def date(self, value: str) -> str:
         """The date and time that a number of days stands for, or the value as it is."""
@@ -195,7 +194,7 @@ class PackedParts:
                 raise ValueError(message)
             with self._packed.open(about) as part:
                 parse(part, start, lambda _: None)
-        return frozenset(n for n, one in enumerate(formats) if _is_date(one, codes.get(one)))
+        return frozenset(n for n, key in enumerate(formats) if _is_date(key, codes.get(key)))
 
 
 def _is_date(number: str, code: str | None) -> bool:

@@ -206,6 +206,6 @@ def _row(field: PageField, *, fixed: bool) -> Markup:
         tag("label", f"{name}{unit}", for_=f"field-{field.path}"),
         tag("input", type="text", id=f"field-{field.path}", **typed, **common),
         tag("input", type="range", aria_label=label, **moved, **common),
-        *(tag("p", tr("same number as {path}", path=one), class_="same") for one in field.same),
+        *(tag("p", tr("same number as {path}", path=path), class_="same") for path in field.same),
         class_="changed-by-hand",
     )

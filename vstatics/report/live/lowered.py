@@ -47,7 +47,7 @@ def lowered(case: Transmission) -> dict[str, Any]:
             _mechanism(*pair) for pair in zip(case.mechanisms, formulas.mechanisms, strict=True)
         ],
         "springs": [[*one.form.items()] for one in case.springs],
-        "dampers": [n for n, one in enumerate(case.springs) if one.is_damper],
+        "dampers": [n for n, spring in enumerate(case.springs) if spring.is_damper],
         "devices": [_device(one, formulas, n) for n, one in enumerate(case.own_devices)],
         "drawn": case.drawing is not None,
         "idle": case.idle,

@@ -131,14 +131,14 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
     yield from of_finite([start.speed], "a speed", ("start", "speed"))
     for key, numbers in (("speeds", start.speeds), ("angles", start.angles)):
-        yield from _of_speeds({n: [one] for n, one in numbers.items()}, case, "start", key)
+        yield from _of_speeds({n: [number] for n, number in numbers.items()}, case, "start", key)
     yield from _of_twists(start, case)
     for place, element in enumerate(start.engaged, 1):
         yield from _of_element(element, case, ("start", "engaged", place))
 
 
 def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
-    """Of twists at the start: of something elastic, finite, and not beside `settled`."""
+    """Problems of twists at the start: not elastic, not finite, or given with `settled`."""
     names = elastic_names(case)
     for name, twist in start.twists.items():
         path = ("start", "twists", name)
@@ -192,7 +192,7 @@ def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
 
 
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """A formula of the time, or of its own motion, that has no value whatever these are."""
+    """A formula of the time, or of the motion of its link, that never has a value."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)

@@ -71,7 +71,7 @@ class StepCondition(NamedTuple):
         return true(self.formula.whole)
 
     def with_wheel_speeds(self, turning: Mapping[str, Callable[[float], float]]) -> StepCondition:
-        """Return the condition with speeds of wheels in place of those of their vehicles.
+        """Return the condition with speeds of wheels instead of those of their vehicles.
 
         Parameters
         ----------
@@ -133,7 +133,6 @@ def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]
 
 
 def _signed(side: Tree) -> Tree:
-    """A side of a comparison without its sign."""
     is_negative = isinstance(side, Applied) and side.name == "-x"
     return side.operands[0] if isinstance(side, Applied) and is_negative else side
 

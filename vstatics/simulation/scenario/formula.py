@@ -264,7 +264,6 @@ def formula_tree(
 
 
 def _with_speed(tree: Any) -> Any:
-    """The tree with `speed` for its short name."""
     if isinstance(tree, Applied):
         return tree._replace(operands=tuple(map(_with_speed, tree.operands)))
     is_short = isinstance(tree, TableName) and tree.name == SHORT_SPEED and not tree.subscripts

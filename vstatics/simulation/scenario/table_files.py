@@ -45,10 +45,10 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     0.75
     """
     heads = rows[0][1] if rows else []
-    found = [with_unit(head)[1] or "" for head in heads]
-    if len(heads) < 2 or not found[0]:
+    given = [with_unit(head)[1] or "" for head in heads]
+    if len(heads) < 2 or not given[0]:
         raise ValueError("expected a CSV file with a head such as `speed [rpm],.2,.5,1`")
-    units = found if len(heads) == 2 else [found[0], *[""] * (len(heads) - 1)]
+    units = given if len(heads) == 2 else [given[0], *[""] * (len(heads) - 1)]
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
     for line, row in rows[1:]:

@@ -149,7 +149,7 @@ class ScenarioValues:
     def _sequences(
         self, given: Mapping[str, Any], turning: Mapping[int, Turning]
     ) -> Iterator[StepSequence]:
-        roads = {self.case.link_name(link): one for link, one in turning.items()}
+        roads = {self.case.link_name(link): road for link, road in turning.items()}
         for number, (name, sequence) in enumerate(given.items(), 1):
             is_long = isinstance(sequence, GivenSteps)
             path: Path = ("sequences", number, *["steps"] * is_long)
@@ -198,9 +198,8 @@ class ScenarioValues:
         )
 
     def _twists(self, given: Mapping[int, float]) -> Iterator[tuple[str, float]]:
-        """Twists of springs by name: angles, or lengths of straight springs."""
         names = elastic_names(self.case)
-        straight = {one.name for one in self.case.springs if self.case.is_straight(one)}
+        straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
         for number, twist in given.items():
             name = names[number - 1]
             measure: Measure = "length" if name in straight else "angle"

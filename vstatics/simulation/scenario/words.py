@@ -67,9 +67,9 @@ def vocabulary(
 def elastic_names(case: Transmission) -> tuple[str, ...]:
     """Names of what bends: shift elements and mechanisms with a stiffness, springs."""
     return (
-        *(one.name for one in case.shift_elements if one.stiffness is not None),
-        *(one.name for one in case.mechanisms if one.stiffness is not None),
-        *(one.name for one in case.springs),
+        *(part.name for part in case.shift_elements if part.stiffness is not None),
+        *(part.name for part in case.mechanisms if part.stiffness is not None),
+        *(spring.name for spring in case.springs),
     )
 
 

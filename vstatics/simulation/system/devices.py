@@ -353,12 +353,12 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     """
     problems = []
     gears = [gear] if gear else case.gears
-    open_drag = _of_all_gears([case.gear_open_drag(one) for one in gears])
+    open_drag = _of_all_gears([case.gear_open_drag(gear) for gear in gears])
     items = [
         (True, number, open_drag.get(number, element.drag), element.name)
         for number, element in enumerate(case.shift_elements, 1)
     ]
-    of_links = _of_all_gears([case.gear_drag(one) for one in gears])
+    of_links = _of_all_gears([case.gear_drag(gear) for gear in gears])
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     found = []
     for is_element, number, drag, name in items:

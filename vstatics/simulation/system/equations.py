@@ -405,8 +405,8 @@ class Equations:
         second = self.derivative(half, state + length / 2 * first)
         third = self.derivative(half, state + length / 2 * second)
         fourth = self.derivative(end, state + length * third)
-        made: Floats = state + length / 6 * (first + 2 * (second + third) + fourth)
-        return made
+        moved: Floats = state + length / 6 * (first + 2 * (second + third) + fourth)
+        return moved
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
         """Change of the state with time; the slopes of limits of springs may be known."""

@@ -127,7 +127,7 @@ class Ports:
         parted = np.array([state == "parted" for state in states.springs], dtype=bool)
         self.bends = np.array(bends, dtype=bool)
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
-        lines = np.array([one.curve.piece(piece) for one, piece in pieces]).reshape(-1, 2).T
+        lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
         self.taken: Floats = np.where(parted, lines, 0.0)
         """What dampers take of the torques of springs that part: at a twist of 0, and by it."""

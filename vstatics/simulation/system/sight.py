@@ -137,7 +137,7 @@ def corners(system: MotionSystem) -> list[Corner]:
             most = () if programme.largest is None else (programme.largest,)
             path: Path = control_path(device)
             whole = programme.curve.whole
-            bounds: list[Pairs] = [[MeetingParts(whole, Constant(one))] for one in (0.0, *most)]
+            bounds: list[Pairs] = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
             found += [(path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
     for port, one in enumerate(system.outside):
         if isinstance(one.law, Formula):  # jumps by its own motion are switches
@@ -157,9 +157,11 @@ def corners(system: MotionSystem) -> list[Corner]:
         if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
             continue
         look = looking(system, formula._replace(tree=first), rate, angle)
-        others = (looking(system, formula._replace(tree=one.second), rate, angle) for one in pairs)
+        others = (
+            looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
+        )
         both = [Compared(look, other) for other in others]
-        made.append(Corner(path, formula.text, both, [one.jumps for one in pairs]))
+        made.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
     return made
 
 
@@ -187,16 +189,16 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
             table = device.programme.table
-            places = [(temperature, one) for one in table.columns]
+            places = [(temperature, column) for column in table.columns]
             places += [(slip, way * x) for way in (1, -1) for x in table.x if x]
-            for place, one in places:
-                pair = Compared(_place_seen(place), fixed(one))
+            for place, bend in places:
+                pair = Compared(_place_seen(place), fixed(bend))
                 yield Corner(control_path(device), "friction", [pair], [False])
 
 
 def _vanishing_limits(system: MotionSystem) -> Iterator[Corner]:
     """Where limits that follow other springs are cut at 0."""
-    names = [one.name for one in system.springs]
+    names = [spring.name for spring in system.springs]
     for one in system.springs:
         follows, look = one.programme.follows, one.programme.look
         if follows and look:

@@ -162,7 +162,7 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
 def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
     """Return the link whose torque is sought in a gear, and those whose torques then follow.
 
-    The torque of a machine on a train of its own follows from that train alone. So the torque of
+    The torque of a machine on a separate train follows from that train alone. So the torque of
     another machine is sought, although its speed is given.
     """
     gear = case.gears[index]
@@ -171,8 +171,7 @@ def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None
     machines = [link for link, _ in gear.balance.efficiencies] if gear.balance else []
     candidates = [*free, *(link for link in machines if link in gear.speeds and link != output)]
     for link in candidates:
-        others = (other for other in (*gear.speeds, *free) if other not in (link, output))
-        holding = tuple(others)
+        holding = tuple(held for held in (*gear.speeds, *free) if held not in (link, output))
         if _follow(case, index, link, holding):
             return link, holding
     if len(free) > 1:
@@ -198,7 +197,6 @@ def _follow(case: Transmission, index: int, link: int, holding: tuple[int, ...])
 
 
 def _at_points(balance: OpenBalance, given: Columns, variants: int) -> OpenBalance:
-    """Return a balance with the power of the battery at each point."""
     battery = given.get(CaseNumber(balance.gear, "battery"), np.repeat(balance.battery, variants))
     return replace(balance, battery=battery)
 

@@ -130,7 +130,6 @@ def drive(
 
 
 def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
-    """The indices of wanted steps, in blocks that are calculated together."""
     wanted = np.flatnonzero(are_wanted)
     for part in blocks(len(wanted)):
         yield wanted[part]

@@ -10,7 +10,8 @@ from vstatics.errors import Problem, ReadError
 from vstatics.model.vehicle import SAME_SPEED
 from vstatics.numerics.arrays import Booleans, Floats
 from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.unit_table import TableColumn, read_unit_table
+from vstatics.readers.named.headings import TableColumn
+from vstatics.readers.unit_table import read_unit_table
 
 COLUMNS = (
     TableColumn("speed", "si_speed"),

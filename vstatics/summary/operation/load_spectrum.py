@@ -25,7 +25,7 @@ from vstatics.tables.answer import told
 EXPONENT = 3.0
 """Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
 
-MOST = 1e30
+LARGEST_DUTY = 1e30
 """Largest number of a point in SI, above which energies and their sums may not be finite."""
 
 
@@ -185,10 +185,10 @@ def points_of(
         if value < 0
     ]
     problems += [
-        Problem("E425", f"{name}: read {value:g}, expected at most {MOST:g} in SI", (row,))
+        Problem("E425", f"{name}: read {value:g}, expected at most {LARGEST_DUTY:g} in SI", (row,))
         for name in ("speed", "torque", kind)
         for row, value in enumerate(numbers[name])
-        if abs(value) > MOST
+        if abs(value) > LARGEST_DUTY
     ]
     if not problems and not sum(numbers[kind]) > 0:
         problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]

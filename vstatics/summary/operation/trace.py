@@ -59,9 +59,9 @@ LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2] of a trace: no vehicle comes near them,
 and energies by them are finite."""
 
-MOST_AT_ONCE = 20_000
+BLOCK_ROWS = 20_000
 """Number of steps that are calculated together, which bounds the memory of long cycles."""
-MOST_SHOWN = 20
+MOST_SHOWN_FAULTS = 20
 """Number of rows of which a fault is shown."""
 
 
@@ -71,8 +71,8 @@ def blocks(count: int) -> Iterator[slice]:
     >>> list(blocks(25_000))
     [slice(0, 20000, None), slice(20000, 40000, None)]
     """
-    for start in range(0, count, MOST_AT_ONCE):
-        yield slice(start, start + MOST_AT_ONCE)
+    for start in range(0, count, BLOCK_ROWS):
+        yield slice(start, start + BLOCK_ROWS)
 
 
 class Trace(NamedTuple):
@@ -147,7 +147,6 @@ def read_trace(data: bytes, file: str) -> Trace:
 
 
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
-    """What cannot be in a trace, row by row."""
     if {"slope", "grade"} <= table.numbers.keys():
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)
@@ -169,9 +168,9 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
     wrong = [
         (row, name, expected)
         for name, are_wrong, expected in checks
-        for row in np.flatnonzero(are_wrong).tolist()[:MOST_SHOWN]
+        for row in np.flatnonzero(are_wrong).tolist()[:MOST_SHOWN_FAULTS]
     ]
-    for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN]:
+    for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN_FAULTS]:
         message = f"{name}: read {table.numbers[name][row]:g}, expected {expected}"
         yield Problem("E122", message, (), table.place(row))
 

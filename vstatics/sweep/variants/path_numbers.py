@@ -145,10 +145,9 @@ def by_name(text: str) -> str:
     """
     key, dot, path = text.strip().partition(".")
     if dot and key == "inertias":
-        name, unit = (
-            (path[: found.start()], found[0]) if (found := _UNIT.search(path)) else (path, "")
-        )
-        return f"{name}.inertia{unit}"
+        unit = _UNIT.search(path)
+        end = unit.start() if unit else len(path)
+        return f"{path[:end]}.inertia{path[end:]}"
     return path if dot and key in _KEYS_OF_PARTS else text
 
 

@@ -315,9 +315,10 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
     ReadError
         If there is no such number; it names the nearest.
     """
-    if not (known := case_path(text, case)):
+    path = case_path(text, case)
+    if path is None:
         text = by_name(text)
-    path = known or case_path(text, case)
+        path = case_path(text, case)
     if path is not None and path.quantity not in OF_MECHANISM:
         return path
     try:

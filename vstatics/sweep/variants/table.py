@@ -217,7 +217,6 @@ def targets_of(
 
 
 def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
-    """Return problems of a heading with the name that may be meant."""
     hint = nearest(name[:LONGEST_HEADING], [NUMBER])
     hint += _NO_OTHERS if "." not in name and not hint else ""
     return [problem._replace(message=problem.message + hint) for problem in problems]

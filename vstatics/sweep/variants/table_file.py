@@ -76,7 +76,6 @@ def _opened(path: str) -> io.BufferedReader:
 
 
 def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
-    """Return what a stream holds whose columns are read as a whole."""
     return read_stream(stream, TABLE_BYTES, path)
 
 

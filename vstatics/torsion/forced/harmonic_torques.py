@@ -339,8 +339,8 @@ def _torques(
     slipping = 1j * excited * (system.slip_resistance @ amplitudes)
     found = with_rigid(system, balance(system), acting - slipping, elastic)
     found |= {
-        one.name: 1j * excited * one.damping.viscous * form_values(one.twist, amplitudes)
-        for one in system.dampers
+        damper.name: 1j * excited * damper.damping.viscous * form_values(damper.twist, amplitudes)
+        for damper in system.dampers
     }
     return found | {
         one.name: _pump_torque(one, 1j * excited * amplitudes) for one in system.converters

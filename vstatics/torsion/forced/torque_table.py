@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from vstatics.errors import Problem, ReadError
-from vstatics.readers.unit_table import TableColumn, read_unit_table
+from vstatics.readers.named.headings import TableColumn
+from vstatics.readers.unit_table import read_unit_table
 from vstatics.torsion.forced.harmonic_torques import Harmonic
 
 COLUMNS = (

@@ -208,7 +208,7 @@ def _links(
 
 def _half_widths(excited: ExcitedGear) -> list[float]:
     system, split = excited.system, coordinates(excited.system)
-    if not system.resists and not any(one.damping for one in system.elastic):
+    if not system.resists and not any(device.damping for device in system.elastic):
         return [0.0] * len(excited.natural.omegas)
     slowest = -damped_modes(system, split, excited.natural).of_modes[:, 0].real
     return [float(one) + 0.0 for one in slowest]

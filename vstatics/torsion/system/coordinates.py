@@ -72,7 +72,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     """
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
-    loose = system.free(*elastic, *bodies, *(one.twist for one in system.dampers))
+    loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
     held: list[Form] = [{pinned: 1.0} for pinned in _own_places(loose)]
     return Coordinates(
         free=system.free(*held),

@@ -118,8 +118,8 @@ class TorsionalSystem(NamedTuple):
     @property
     def damper_rows(self) -> Floats:
         """Twists of dampers alone, each by the root of its damping, shape (dampers, links)."""
-        sizes = np.sqrt([one.damping.viscous for one in self.dampers])
-        return sizes[:, None] * self.rows([one.twist for one in self.dampers])
+        sizes = np.sqrt([damper.damping.viscous for damper in self.dampers])
+        return sizes[:, None] * self.rows([damper.twist for damper in self.dampers])
 
     @property
     def slip_resistance(self) -> Floats:
@@ -127,8 +127,8 @@ class TorsionalSystem(NamedTuple):
 
         The part of converters is not symmetric.
         """
-        made: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
-        return made
+        resistance: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
+        return resistance
 
     @property
     def converter_resistance(self) -> Floats:
@@ -188,11 +188,11 @@ def torsional_system(
         tuple(case.link_names),
         case.own_links,
         (*links, *(body for body, _ in planets)),
-        tuple(one for one in devices if one.stiffness != 0),
+        tuple(device for device in devices if device.stiffness != 0),
         tuple(inertias),
         (case.gear_input(gear) - 1, case.gear_output(gear) - 1),
         tuple((body.name.rpartition(".")[0], shares) for body, shares in planets),
-        dampers=tuple(one for one in devices if one.stiffness == 0),
+        dampers=tuple(device for device in devices if device.stiffness == 0),
     )
 
 

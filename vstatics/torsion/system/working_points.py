@@ -45,9 +45,7 @@ class WorkingGear(NamedTuple):
 
 
 SAME_INPUT_TORQUE = 1e-9
-"""Relative difference up to which the torque of the load is that which the pump asks for. [-]"""
-
-
+"""Relative difference up to which the torque of the load is the torque of the pump. [-]"""
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
 """Torques of the input from which its torque is sought, as parts of the torque that the pump takes:
 less than drag takes may not come through. [-]"""
@@ -120,7 +118,7 @@ class _WorkingPoints:
     def found(self, given: Ratios) -> WorkingGear:
         """Where they work."""
         ratios = self._given() | dict(given)
-        self.driving = [one for one in self.closed if one.name in ratios]
+        self.driving = [pump for pump in self.closed if pump.name in ratios]
         unknown = [one for one in self.closed if one.name not in ratios]
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
@@ -211,7 +209,6 @@ class _WorkingPoints:
         return self._on_pump(converter, case).excess
 
     def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:
-        """The torques at a pump under the load of a case."""
         results, place = solve(case), case.devices.index(converter.name)
         ratio = case.mechanisms[place - len(case.shift_elements)].ratio
         speed = self._pump_speed(converter, results)
@@ -224,15 +221,15 @@ class _WorkingPoints:
             return case, ()
         doubts = []
         if self.load.torque is not None:
-            given = [(one.name, self._on_pump(one, case)) for one in self.driving]
+            given = [(pump.name, self._on_pump(pump, case)) for pump in self.driving]
             if abs(given[0][1].excess) <= SAME_INPUT_TORQUE * abs(given[0][1].able):
                 return case, ()
-            doubts = [disagreement(name, *found) for name, found in given if disagree(*found[:2])]
+            doubts = [disagreement(name, *pump) for name, pump in given if disagree(*pump[:2])]
         torque = self._input_torque(self.driving[0], case)
         if torque is None:
             return case, tuple(doubts)
         about = f"; this vibration is about {torque:.5g} N*m at the input"
-        return case.with_torque(torque), tuple(one + about for one in doubts)
+        return case.with_torque(torque), tuple(doubt + about for doubt in doubts)
 
     def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
         """The torque of the input at which a pump carries what it takes; None if none does so."""
@@ -252,8 +249,8 @@ class _WorkingPoints:
                     return start
                 from scipy.optimize import root_scalar  # most gears do without
 
-                found = root_scalar(excess, method="secant", x0=start, x1=start * (1 + 1e-6))
-                return float(found.root) if found.converged else None
+                solution = root_scalar(excess, method="secant", x0=start, x1=start * (1 + 1e-6))
+                return float(solution.root) if solution.converged else None
         return None
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:

@@ -142,7 +142,7 @@ def write_folder(
         put("boxes.csv", found.table(TextStyle(raw=style.raw)))
         for form, name in TABLES.items():  # the document last: where it is all is
             put(name, found.text(form, style))
-    state.replace(RECORD, "".join(f"{one}\n" for one in own.values()).encode())
+    state.replace(RECORD, "".join(f"{known}\n" for known in own.values()).encode())
     if found.boxes and not quiet and (lacking := missing("plot", "a diagram")):
         files.say(f"warning: {folder}: no box has a diagram: {lacking} [E014]")
     elif len(items) > MOST_DRAWN_CASES and not quiet:

@@ -182,14 +182,14 @@ def _table(
     style: Style,
 ) -> ResonanceTable | None:
     """The table of some orders, or none."""
-    places = {one.place: one.gear for one in modes}
+    places = {mode.place: mode.gear for mode in modes}
     every = [places[place] for place in sorted(places)]
-    is_damped = any(one.damping_ratio for one in modes)
-    ascending = sorted(modes, key=lambda one: (one.number, one.frequency, one.place))
+    is_damped = any(mode.damping_ratio for mode in modes)
+    ascending = sorted(modes, key=lambda mode: (mode.number, mode.frequency, mode.place))
     rows: list[TableRow] = []
-    for mode_number, own in groupby(ascending, key=lambda one: one.number):
+    for mode_number, same in groupby(ascending, key=lambda mode: mode.number):
         begins = True
-        for printed, alike in _printed_alike(own, orders, speeds, is_damped=is_damped).items():
+        for printed, alike in _printed_alike(same, orders, speeds, is_damped=is_damped).items():
             if any(cell.text for cell in printed[-len(orders) :]):
                 names = [places[place] for place in sorted(alike)]
                 named = [TableCell(wrapped(gear_run(names, every, style), GEARS_WIDTH))]
@@ -218,17 +218,16 @@ def _printed_alike(
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
     """Cells of modes of one number -> places of the gears of which all of them are printed."""
-    found: dict[tuple[TableCell, ...], list[int]] = {}
-    for one in modes:
-        first = [number(one.frequency), typeset(f"{one.participation:.2g}")]
-        first += [f"{one.damping_ratio:.3f}"] * is_damped
-        met = [_speed(one, order, *speeds) for order in orders]
-        found.setdefault((*map(TableCell, first), *met), []).append(one.place)
-    return found
+    places: dict[tuple[TableCell, ...], list[int]] = {}
+    for mode in modes:
+        first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]
+        first += [f"{mode.damping_ratio:.3f}"] * is_damped
+        met = [_speed(mode, order, *speeds) for order in orders]
+        places.setdefault((*map(TableCell, first), *met), []).append(mode.place)
+    return places
 
 
 def _speed(mode: GearMode, order: Order, running: Sequence[float], fastest: float) -> TableCell:
-    """The speed at which an order meets a mode; nothing where it does not."""
     speed = order.speed(mode.frequency)
     if not mode.is_excited or speed > fastest * (1 + NO_POWER):
         return TableCell("")
