@@ -78,18 +78,18 @@ def test_an_editor_that_writes_when_the_new_file_appears_loses_nothing(
     file, rng = write(tmp_path), seeded(26)
     texts: list[str] = []
 
-    def appears(path: str, mark: str) -> tuple[str, int]:
+    def appears(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
         """Create the new file, and let the editor write in some moment of its being written."""
-        made = beside(path, mark)
+        new = create(folder, mark, opened)
         texts.append(BOX + f"# by the editor: {rng.random()}\n")
         other = file.with_name("box.yaml~") if by_rename else file
         other.write_text(texts[-1], encoding="utf-8")
         if by_rename:
             other.replace(file)
-        return made
+        return new
 
-    beside = files._beside
-    monkeypatch.setattr(files, "_beside", appears)
+    create = files._new_file
+    monkeypatch.setattr(files, "_new_file", appears)
     with serving(file) as served:
         for number in range(1, count(8, 100)):
             status = served.save({"P1.ratio": -3 - number / 100}).status
