@@ -23,6 +23,7 @@ from vstatics.readers.deck.numbers import (
     starts_values,
     token_lines,
     value_lines,
+    worked_out,
 )
 from vstatics.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
@@ -249,12 +250,35 @@ class _Taker(Generic[Number]):
                 count, number = repeated(token, self.parse)
             except NotANumberError as error:
                 if self.total >= self.need and not is_number(token):
+                    self._check_behind(tokens[:position], tokens[position:])
                     return False  # prose behind the last value
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
             self._keep(token, count, number)
         return True
+
+    def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
+        """Report a sign of a calculation behind the last value, which words would hide."""
+        if self.parse is not real or not before or before[-1].text == ",":
+            return
+        sign = behind[0].text[0]
+        operand = behind[0].text[1:] or "".join(token.text for token in behind[1:2])
+        try:
+            shown = f"{before[-1].text} {sign}"
+            calculation = f"{real(before[-1].text)!r} {sign}"
+            if sign in ":/*+-":
+                shown += f" {operand}"
+                calculation += f" {real(operand)!r}"
+            elif sign != "%":
+                return
+            number = worked_out(calculation)
+        except NotANumberError:
+            return
+        label = self.wanted.label(self.total - 1)
+        self._fail(
+            f"{label}: read '{shown[:60]}', expected a number: write {number:.12g}", before[-1]
+        )
 
     def _comma(self, token: Token) -> bool:
         if self.after_comma and self.total < self.need:
