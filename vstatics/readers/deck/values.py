@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
@@ -29,6 +30,10 @@ from vstatics.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 Spot = tuple[int, int]
 """Line and column, from 1."""
+
+_CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
+"""Signs that calculate with the number before them, and how other formats write them."""
+_DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
 """For a value that cannot be read: equal to no link or number of anything."""
@@ -264,21 +269,16 @@ class _Taker(Generic[Number]):
             return
         sign = behind[0].text[0]
         operand = behind[0].text[1:] or "".join(token.text for token in behind[1:2])
-        try:
-            shown = f"{before[-1].text} {sign}"
-            calculation = f"{real(before[-1].text)!r} {sign}"
-            if sign in ":/*+-":
-                shown += f" {operand}"
-                calculation += f" {real(operand)!r}"
-            elif sign != "%":
-                return
-            number = worked_out(calculation)
-        except NotANumberError:
+        if sign not in _CALCULATES or (sign != "%" and operand.lstrip("+-.")[:1] not in _DIGITS):
             return
+        shown = f"{before[-1].text} {sign}" + f" {operand}" * (sign != "%")
+        hint = ""
+        with suppress(NotANumberError):
+            second = "" if sign == "%" else repr(real(operand))
+            number = worked_out(f"{real(before[-1].text)!r} {_CALCULATES[sign]} {second}")
+            hint = f": write {number:.12g}"
         label = self.wanted.label(self.total - 1)
-        self._fail(
-            f"{label}: read '{shown[:60]}', expected a number: write {number:.12g}", before[-1]
-        )
+        self._fail(f"{label}: read '{shown[:60]}', expected a number{hint}", before[-1])
 
     def _comma(self, token: Token) -> bool:
         if self.after_comma and self.total < self.need:
