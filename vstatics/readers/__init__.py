@@ -8,7 +8,7 @@
 (['low', 'high'], [])
 
 `load` reads a file, `loads` a text, `from_dict` plain data. `expressions` reads formulas. In
-`deck` and `named` a text becomes values with their places, these a case; `reading` ends what both
+`named` and `deck` a text becomes values with their places, these a case; `reading` ends what both
 do. `workbook` makes of sheets what `named` reads. `results` and `sweep_tables` read what was
 written as results.
 """

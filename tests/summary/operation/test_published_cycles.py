@@ -27,13 +27,19 @@ CASE = Transmission(2, [], [Mechanism(1, 2, 0, 3.5, 0.9, name="p")], [Gear(name=
 TIMES = {"s": Fraction(1), "secs": Fraction(1), "seconds": Fraction(1), "ms": Fraction(1, 1000)}
 SPEEDS = {
     "m/s": Fraction(1),
+    "mps": Fraction(1),
     "km/h": Fraction(10, 36),
     "kph": Fraction(10, 36),
     "mph": Fraction(44704, 100000),  # 1 mile of 1609.344 m in 3600 s
     "mi/h": Fraction(1609344, 3600000),
 }
 GRADES = {"grade": 1, "Grade [-]": 1, "grade [%]": 100, "Gradient (%)": 100, "cycGrade": 1}
-IMPLIED = {"cycSecs": "s", "<t>": "s", "cycMps": "m/s", "mps": "m/s", "<v>": "km/h"}
+IMPLIED = {"cycSecs": "s", "<t>": "s", "cycMps": "m/s", "mps": "m/s", "<v>": "km/h"} | {
+    "Seconds": "s",
+    "MPH": "mph",
+    "km/h": "km/h",
+    "m/s": "m/s",
+}
 OTHERS = ("Phase", "cycRoadType", "Distance, m", "Remark", "Acceleration (m/s^2)")
 
 
@@ -52,10 +58,23 @@ class Layout:
         self.separator = rng.choice(",;\t")
         self.comma = self.separator != "," and rng.random() < 0.4
         time, time_unit = self.heading(
-            ["time", "Time", "TIME", "t", "Test Time", "Elapsed_Time", "cycSecs", "<t>"], TIMES
+            ["time", "Time", "TIME", "t", "Test Time", "Elapsed_Time", "cycSecs", "<t>", "Seconds"],
+            TIMES,
         )
         speed, speed_unit = self.heading(
-            ["speed", "Speed", "SPEED", "v", "Target Speed", "cycMps", "<v>", "Vehicle speed"],
+            [
+                "speed",
+                "Speed",
+                "SPEED",
+                "v",
+                "Target Speed",
+                "cycMps",
+                "<v>",
+                "Vehicle speed",
+                "MPH",
+                "km/h",
+                "m/s",
+            ],
             SPEEDS,
         )
         steep = rng.choice([None, "slope", *GRADES])
@@ -65,8 +84,8 @@ class Layout:
             later = rows[-1][0] + fine * rng.randint(1001, 9999)
             rows.append((later, fine * rng.randint(1, 3999), rng.randint(-99, 99)))
         thousandth = Fraction(1, 1000)
-        self.times = [row[0] * thousandth * TIMES[time_unit] for row in rows]
-        self.speeds = [row[1] * thousandth * SPEEDS[speed_unit] for row in rows]
+        self.times = [row[0] * thousandth * time_unit for row in rows]
+        self.speeds = [row[1] * thousandth * speed_unit for row in rows]
         self.grades = [row[2] * thousandth / GRADES.get(steep or "", 1) for row in rows]
         self.is_sine = steep == "slope"
         columns = [
@@ -82,14 +101,16 @@ class Layout:
         rng.shuffle(columns)
         self.data = self.written(columns)
 
-    def heading(self, names: list[str], units: dict[str, Fraction]) -> tuple[str, str]:
-        """A heading with its unit, and that unit."""
+    def heading(self, names: list[str], units: dict[str, Fraction]) -> tuple[str, Fraction]:
+        """A heading with its unit, and the size of that."""
         name = self.rng.choice(names)
         if name in IMPLIED:
-            return name, IMPLIED[name]
+            return name, units[IMPLIED[name]]
         unit = self.rng.choice(list(units))
+        size = units[unit]
+        unit = self.rng.choice([unit, unit, unit.upper(), unit.title()])
         styles = [f"{name} [{unit}]", f"{name} ({unit})", f"{name}({unit})", f"{name}, {unit}"]
-        return self.rng.choice([*styles, f"{name}_{unit}"]), unit
+        return self.rng.choice([*styles, f"{name}_{unit}"]), size
 
     def number(self, thousandths: int) -> str:
         """A number in the layout's way."""
@@ -111,10 +132,11 @@ class Layout:
             for row in zip(*([name, *cells] for name, cells in columns), strict=True)
         ]
         titles = ["FTPCOL.TXT\tFederal Test Procedure", "A cycle, by time and speed", "# of 1975"]
+        titles += ["1874", "Title 2020, 5", "1,2", "3\t4", "5;6;7", "-1.5"]
         is_number_first = columns[0][1][0] not in {"1", "city"}
         for _ in range(rng.randint(0, 2) if is_number_first else 0):
             lines.insert(rng.randint(1, len(lines)), rng.choice(["# a hill", "% a hill", "", "  "]))
-        lines = [*rng.sample(titles, rng.randint(0, 3)), *[""] * rng.randint(0, 2), *lines, ""]
+        lines = [*rng.sample(titles, rng.randint(0, 4)), *[""] * rng.randint(0, 2), *lines, ""]
         text = rng.choice(["\n", "\r\n", "\r"]).join(lines)
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
@@ -167,8 +189,17 @@ def test_units_below_the_names(units: str) -> None:
         ),
         ("City cycle\ntmie [s],speed [km/h]\n0,0\n", ":2:1: error: .*'tmie .*did you mean `time`"),
         ("time [s],speed [km/h],gaer\n0,0,1\n1,5,1\n", "read the heading 'gaer'.*mean `gear`"),
-        ("time [s],speed [furlong/s]\n0,0\n1,5\n", "speed: read the unit 'furlong/s'"),
-        ("time,speed [km/h]\n0,0\n1,5\n", "time: its unit is missing, such as `time"),
+        (
+            "FTP-75\n1874\ntime [s],speed [furlong/s]\n0,0\n1,5\n",
+            r":3:1: .*speed: read the unit 'furlong/s'.*; the line of the headings is "
+            r"`time \[s\],speed \[furlong/s\]`, the first row `0,0`",
+        ),
+        (
+            "time,speed [km/h]\n0,0\n1,5\n",
+            "time: its unit is missing, such as `time.*`time,speed .km/h.`, the first row `0,0`",
+        ),
+        ("FTP\n1874\nZeit,Tempo\n0,0\n1,5\n", ":3:1: .*'Zeit'.*`Zeit,Tempo`, the first row `0,0`"),
+        ("time [s],speed [KM]\n0,0\n1,5\n", "speed: read the unit 'KM', expected a velocity"),
         ("time [s],v [mph],speed [mph]\n0,0,0\n1,5,5\n", "two columns are called `speed`"),
         ("time [s],speed [mph],slope,grade\n0,0,0,0\n1,5,0,0\n", "both `slope` and `grade`"),
         ("0,0\n1,5\n2,7\n", "read the heading '0'"),

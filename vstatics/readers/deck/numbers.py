@@ -13,10 +13,17 @@ from vstatics.readers.deck.text import Field, Scan, latin
 from vstatics.readers.signs import dash_hint
 
 Number = TypeVar("Number", int, float)
-TOKEN = re.compile(r"[^\s,]+|,")
+_WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
+TOKEN = re.compile(
+    # blanks around the sign only where words cannot follow, in which it may be a comment
+    rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
+    re.IGNORECASE,
+)
+"""A number, a ratio or a percentage, or what stands in its place."""
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
+_RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
 """Characters of a number; none that means anything is longer."""
@@ -60,7 +67,7 @@ def integer(text: str) -> int:
 
 
 def real(text: str) -> float:
-    """A number, as Fortran reads it.
+    """A number, as Fortran reads it, a percentage or a ratio of two such numbers.
 
     Raises
     ------
@@ -71,7 +78,34 @@ def real(text: str) -> float:
     --------
     >>> real("-.8"), real(".26Е+01"), real("2.6D0"), real(".1+3")
     (-0.8, 2.6, 2.6, 100.0)
+    >>> real("-5 : 2"), real("96%")
+    (-2.5, 0.96)
     """
+    related = _RELATED.fullmatch(text) if len(text) <= LONGEST_DECK_NUMBER else None
+    if related is None or (related["sign"] == "%") == bool(related["second"]):
+        return _of_fortran(text)
+    first, sign, second = related.groups()
+    second = second and repr(_of_fortran(second))
+    return worked_out(f"{_of_fortran(first)!r} {sign} {second}")
+
+
+def worked_out(calculation: str) -> float:
+    """A calculation, as other formats of cases take it.
+
+    Raises
+    ------
+    NotANumberError
+        If it is none, or overflows.
+    """
+    from vstatics.readers.named.arithmetic import dimensionless  # costs start-up time
+
+    try:
+        return dimensionless(calculation)
+    except ValueError as error:
+        raise NotANumberError(str(error)) from None
+
+
+def _of_fortran(text: str) -> float:
     match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST_DECK_NUMBER else None
     if match is None:
         raise NotANumberError(f"expected a number such as -.8 or .26E+01{dash_hint(text)}")

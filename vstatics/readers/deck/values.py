@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Generic, NamedTuple
 
@@ -23,11 +24,16 @@ from vstatics.readers.deck.numbers import (
     starts_values,
     token_lines,
     value_lines,
+    worked_out,
 )
 from vstatics.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 Spot = tuple[int, int]
 """Line and column, from 1."""
+
+_CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
+"""Signs that calculate with the number before them, and how other formats write them."""
+_DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
 """For a value that cannot be read: equal to no link or number of anything."""
@@ -249,12 +255,30 @@ class _Taker(Generic[Number]):
                 count, number = repeated(token, self.parse)
             except NotANumberError as error:
                 if self.total >= self.need and not is_number(token):
+                    self._check_behind(tokens[:position], tokens[position:])
                     return False  # prose behind the last value
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
             self._keep(token, count, number)
         return True
+
+    def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
+        """Report a sign of a calculation behind the last value, which words would hide."""
+        if self.parse is not real or not before or before[-1].text == ",":
+            return
+        sign = behind[0].text[0]
+        operand = behind[0].text[1:] or "".join(token.text for token in behind[1:2])
+        if sign not in _CALCULATES or (sign != "%" and operand.lstrip("+-.")[:1] not in _DIGITS):
+            return
+        shown = f"{before[-1].text} {sign}" + f" {operand}" * (sign != "%")
+        hint = ""
+        with suppress(NotANumberError):
+            second = "" if sign == "%" else repr(real(operand))
+            number = worked_out(f"{real(before[-1].text)!r} {_CALCULATES[sign]} {second}")
+            hint = f": write {number:.12g}"
+        label = self.wanted.label(self.total - 1)
+        self._fail(f"{label}: read '{shown[:60]}', expected a number{hint}", before[-1])
 
     def _comma(self, token: Token) -> bool:
         if self.after_comma and self.total < self.need:

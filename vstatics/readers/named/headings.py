@@ -1,8 +1,9 @@
 """Headings of tables of numbers: names with units, as people and published files write them.
 
 A unit is in brackets, in parentheses, after a comma that does not separate cells, or after `_`.
-Lines before the first line of headings are titles. Capitals do not count, nor do signs of a
-comment before the headings. Units may also be in a separate line below the names.
+Lines before the first line of headings are titles, lines of numbers too. Capitals do not count,
+nor do signs of a comment before the headings. Units may also be in a separate line below the
+names.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from itertools import chain, islice, repeat
+from itertools import chain, islice, pairwise, repeat
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -27,6 +28,8 @@ LEAST_LIKENESS = 0.75
 """Likeness of a heading and a name, from 0 to 1, from which on it is taken for a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Signs with which a comment begins."""
+_IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
+"""Measures in whose units no prefix is told from another by its size of letters."""
 _UNIT_BEHIND = re.compile(
     r"(?P<name>.*?)\s*"
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
@@ -84,9 +87,32 @@ class TableColumn(NamedTuple):
         if not unit:
             raise ValueError(f"{self.name}: its unit is missing, such as {quoted(self.heading)}")
         try:
-            return measured(f"1 {unit}", self.measure)
+            return _size_of(unit, self.measure)
         except ValueError as error:
             raise ValueError(f"{self.name}: read the unit {unit[:40]!r}, {error}") from None
+
+
+def _size_of(unit: str, measure: Measure) -> float:
+    """Size of a unit in SI; its capitals do not count in times and speeds of vehicles.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> _size_of("KM/H", "velocity") == _size_of("km/h", "velocity"), _size_of("MS", "time")
+    (True, 0.001)
+    """
+    try:
+        return measured(f"1 {unit}", measure)
+    except ValueError:
+        if measure not in _IN_ANY_LETTERS or unit == unit.casefold():
+            raise
+        with suppress(ValueError):
+            return measured(f"1 {unit.casefold()}", measure)
+        raise
 
 
 class Heading(NamedTuple):
@@ -173,14 +199,7 @@ def read_headings(
     >>> found.number, [one.unit for one in found.headings], found.skipped
     (2, ['s', 'mph'], ['Phase'])
     """
-    return _ExpectedTable(what, columns, skips).headings(list(_to_numbers(lines)))
-
-
-def _to_numbers(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
-    for count, (number, line) in enumerate(lines):
-        yield number, line
-        if count >= MOST_TITLE_LINES or (count and _is_row_of_numbers(line)):
-            return
+    return _ExpectedTable(what, columns, skips).headings(list(islice(lines, MOST_TITLE_LINES)))
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
@@ -218,8 +237,8 @@ class _ExpectedTable(NamedTuple):
                     return self.checked(lines, at, separator, cells)
                 candidates.append((len(known), -at, separator, cells))
         most, at, separator, cells = max(candidates, key=lambda candidate: candidate[:2])
-        if not most and _is_row_of_numbers(lines[-1][1]):  # the line above is the likeliest
-            at = -max(0, len(lines) - 2)
+        if not most:
+            at = -_above_numbers([line for _, line in lines])
             separator, cells = next(_split(lines[-at][1]))
         return self.checked(lines, -at, separator, cells)
 
@@ -276,7 +295,7 @@ class _ExpectedTable(NamedTuple):
         except ValueError as error:
             with_units = _with_units_below(headings, separator, lines[at + 1 : at + 2])
             if not with_units:
-                raise HeadingError(str(error), number) from None
+                raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
             headings, number = with_units, lines[at + 1][0]
         return HeadingLine(number, separator, headings, len(cells), others)
 
@@ -348,6 +367,16 @@ def _split(line: str) -> Iterator[tuple[str, list[str]]]:
 
 def _is_row_of_numbers(line: str) -> bool:
     return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
+
+
+def _above_numbers(lines: Sequence[str]) -> int:
+    """Index of the first line above a row of the most numbers, or else of the first line."""
+    above = [
+        at
+        for at, (line, below) in enumerate(pairwise(lines))
+        if _is_row_of_numbers(below) and not _is_row_of_numbers(line)
+    ]
+    return max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
 
 
 def _folded(name: str) -> str:

@@ -82,6 +82,7 @@ _OTHERS = {
 }
 _VELOCITIES = {
     "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m in an hour
+    "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
 }
 """Speeds of vehicles in one word, in letters of any size."""

@@ -30,12 +30,16 @@ COLUMNS = (
     TableColumn(
         "time",
         "time",
-        aliases=dict.fromkeys(_TIMES, "") | {"cycsecs": "s", "<t>": "s"},  # FASTSim, VECTO
+        aliases=dict.fromkeys(_TIMES, "")
+        | dict.fromkeys(("seconds", "secs", "cycsecs", "<t>"), "s"),  # FASTSim, VECTO
     ),
     TableColumn(
         "speed",
         "velocity",
-        aliases=dict.fromkeys(_SPEEDS, "") | {"cycmps": "m/s", "mps": "m/s", "<v>": "km/h"},
+        aliases=dict.fromkeys(_SPEEDS, "")
+        | dict.fromkeys(("cycmps", "mps", "m/s"), "m/s")
+        | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")
+        | {"mph": "mph"},
     ),
     TableColumn(
         "gear",
