@@ -651,6 +651,7 @@ OTHER: dict[type, dict[str, object]] = {
         "kind": "point",
         "coast": True,
         "balance": None,  # it acts as given torques, which are in the key
+        "holding": (2,),
     },
     Transmission: {
         "links": 5,
