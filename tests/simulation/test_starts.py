@@ -43,7 +43,10 @@ def free_links(columns: np.ndarray, rng: Random) -> list[int]:
     return chosen
 
 
-@pytest.mark.parametrize("seed", range(count(25, 2000)))
+@pytest.mark.parametrize(
+    "seed",
+    [*range(8), *(pytest.param(n, marks=pytest.mark.slow) for n in range(8, count(25, 2000)))],
+)
 def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
     """By the null space of the mechanisms."""
     rng = seeded(seed)
@@ -71,7 +74,10 @@ shift_elements:
 
 
 @pytest.mark.parametrize("by", ["gear", "speeds"])
-@pytest.mark.parametrize("seed", range(count(12, 1000)))
+@pytest.mark.parametrize(
+    "seed",
+    [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, count(12, 1000)))],
+)
 def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by: str) -> None:
     """Closed form: only backward it brakes, by its capacity from an instant on; then it holds."""
     rng = seeded(seed)

@@ -130,7 +130,10 @@ def random_pair(rng: Random) -> Lossy:
     )
 
 
-@pytest.mark.parametrize("seed", range(count(12, 300)))
+@pytest.mark.parametrize(
+    "seed",
+    [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, count(12, 300)))],
+)
 def test_a_random_gear_sticks_and_moves_when_an_integrator_says_so(seed: int) -> None:
     pair = random_pair(seeded(seed))
     motion = simulated(RUN.format(**pair._asdict()), PAIR.format(**pair._asdict()))

@@ -20,6 +20,7 @@ LOADED = [
     for path in SHIPPED
     if path.suffix == ".yaml" and "load" in yaml.safe_load(path.read_text(encoding="utf-8"))
 ]
+QUICK = ("gm-8l90.yaml", "moskvich412.yaml")
 LIKE_THE_PAGE = """\
 links: [sun, ring, carrier]
 load: {speed: 1000 rpm, torque: 200 N*m}
@@ -90,7 +91,13 @@ def test_the_load_changes_and_what_has_a_unit_does_not(tmp_path: Path, suffix: s
         assert there.gear_drag(there.gears[0]) == pytest.approx({3: 4 / abs(torque), 1: 0.01})
 
 
-@pytest.mark.parametrize("path", LOADED, ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, id=path.name, marks=[pytest.mark.slow] * (path.name not in QUICK))
+        for path in LOADED
+    ],
+)
 def test_a_shipped_case_with_units_everywhere_is_swept_alike(path: Path, tmp_path: Path) -> None:
     chance = random.Random(path.name)  # noqa: S311
     data = yaml.safe_load(path.read_text(encoding="utf-8"))

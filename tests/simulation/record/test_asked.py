@@ -344,7 +344,10 @@ def test_what_there_is_not_is_told() -> None:
         assert caught.value.problems[0].message == said
 
 
-@pytest.mark.parametrize("seed", range(count(6, 40)))
+@pytest.mark.parametrize(
+    "seed",
+    [*range(2), *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, count(6, 40)))],
+)
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
     scenario = random_run(seeded(seed), losses=True)
