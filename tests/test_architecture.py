@@ -13,12 +13,12 @@ from tests.rooms import (
     ROOMS,
     imported,
     modules,
+    nodes,
     order,
     places_of_tests,
     room,
     standing_on,
     sub_rooms,
-    tree,
 )
 
 
@@ -84,7 +84,7 @@ def test_only_the_command_line_and_the_report_draw() -> None:
 @cache
 def called(path: Path) -> set[str]:
     """What a module calls, as it stands there."""
-    return {ast.unparse(node.func) for node in ast.walk(tree(path)) if isinstance(node, ast.Call)}
+    return {ast.unparse(node.func) for node in nodes(path) if isinstance(node, ast.Call)}
 
 
 def test_only_the_command_line_prints_and_leaves() -> None:
@@ -119,9 +119,8 @@ OF_OTHER_FILES = {
 
 def imported_names(path: Path) -> set[str]:
     """The modules that a module imports, by their names."""
-    nodes = [*ast.walk(tree(path))]
-    plain = {one.name for node in nodes if isinstance(node, ast.Import) for one in node.names}
-    return plain | {str(node.module) for node in nodes if isinstance(node, ast.ImportFrom)}
+    plain = {one.name for node in nodes(path) if isinstance(node, ast.Import) for one in node.names}
+    return plain | {str(node.module) for node in nodes(path) if isinstance(node, ast.ImportFrom)}
 
 
 def test_one_module_opens_state_files() -> None:
@@ -138,7 +137,7 @@ def test_a_class_name_is_used_once() -> None:
     """A name stands for one thing, so that it can be searched for."""
     homes: dict[str, list[str]] = {}
     for module, path in modules().items():
-        for node in ast.walk(tree(path)):
+        for node in nodes(path):
             if isinstance(node, ast.ClassDef):
                 homes.setdefault(node.name.lstrip("_"), []).append(module)
     assert {name: own for name, own in homes.items() if len(own) > 1} == {}

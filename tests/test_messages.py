@@ -6,6 +6,7 @@ import ast
 import json
 import re
 from collections import Counter
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,7 @@ from click.testing import CliRunner
 
 from tests import message_page as page
 from tests.commands import ROOT, vstatics
-from tests.rooms import PACKAGE, modules, tree
+from tests.rooms import PACKAGE, modules, nodes
 from vstatics import readers
 from vstatics.cli import main
 from vstatics.errors import DOUBTS
@@ -36,11 +37,12 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Path("box.yaml").write_text(CASE, encoding="utf-8")
 
 
+@cache
 def ids_in_code() -> set[str]:
     """The ids with which messages are made."""
     found = set()
     for file in modules().values():
-        for node in ast.walk(tree(file)):
+        for node in nodes(file):
             if isinstance(node, ast.Constant) and re.fullmatch(r"[EWN]\d{3}", str(node.value)):
                 found.add(str(node.value))
     return found
@@ -48,7 +50,7 @@ def ids_in_code() -> set[str]:
 
 def test_no_message_is_made_without_an_id() -> None:
     for file in modules().values():
-        for node in ast.walk(tree(file)):
+        for node in nodes(file):
             if not isinstance(node, ast.Call) or getattr(node.func, "id", "") not in MAKERS:
                 continue
             first = node.args[0] if node.args else None

@@ -11,7 +11,7 @@ from string import Formatter
 
 import pytest
 
-from tests.rooms import PACKAGE, tree
+from tests.rooms import PACKAGE, nodes
 from vstatics.report.html_page import in_language
 from vstatics.tables.html import Markup
 from vstatics.texts import FORMS, Language, rows, speaking, table, tr
@@ -49,7 +49,7 @@ def literals() -> set[str]:
     said = {one.replace("${", "{") for pair in found for one in pair}
     said |= {one.encode().decode("unicode_escape") for one in said if r"\u" in one}
     for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(tree(path)):
+        for node in nodes(path):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 said |= {node.value, node.value.replace("_", " ")}
     return said
@@ -59,7 +59,7 @@ def asked() -> Iterator[tuple[str, str]]:
     """Texts that functions are given to say, each with its file."""
     for path in PACKAGE.rglob("*.py"):
         has_tables = path.relative_to(PACKAGE).parts[0] in ROOMS_WITH_TABLES
-        for node in ast.walk(tree(path)):
+        for node in nodes(path):
             if not isinstance(node, ast.Call) or not node.args:
                 continue
             name = node.func.id if isinstance(node.func, ast.Name) else ""

@@ -34,6 +34,8 @@ from vstatics.pictures.sheet.style import Style
 NAMES = [path.name for path in SHIPPED]
 DRAWN = [name for name in NAMES if name != "moskvich-start.yaml"]
 """The other one has no set."""
+QUICK = ("mercedes-7g.yaml", "mzkt7922.dat", "ravigneaux-aod.yaml", "umdm.yaml", "zf-8hp70.yaml")
+MOSTLY_SLOW = [pytest.param(name, marks=[pytest.mark.slow] * (name not in QUICK)) for name in DRAWN]
 
 
 def result(name: str) -> Results:
@@ -205,7 +207,7 @@ def crossed(figure: Figure) -> Iterator[str]:
                 yield text.get_text()
 
 
-@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_points_stand_at_their_ratios(name: str) -> None:
     """On a lever heights go with positions, in one direction or the other."""
     for cell in page(name).cells:
@@ -232,7 +234,7 @@ def routes_of(name: str) -> Iterator[list[LeverRoute]]:
         yield routes(drawn, in_gear(results, number, drawn.levers).ties)
 
 
-@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_what_rises_between_levers_has_a_place_of_its_own(name: str) -> None:
     """In no gear are two lines upright at one place."""
     for found in routes_of(name):

@@ -26,6 +26,8 @@ from vstatics.readers import loads
 from vstatics.simulation.record.motion import Energy, Motion
 
 NAMES = [path.name for path in SHIPPED if path.name not in (*WITHOUT_PLAN, *WITHOUT_TWO_GEARS)]
+QUICK = ("dual-clutch-wheels.yaml", "gm-6t70.yaml", "mzkt7922.dat", "zf-8hp70.yaml")
+MOSTLY_SLOW = [pytest.param(name, marks=[pytest.mark.slow] * (name not in QUICK)) for name in NAMES]
 SVG = "{http://www.w3.org/2000/svg}"
 
 DCT = """
@@ -92,7 +94,7 @@ def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
     }
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
     """A panel has two gears of different ratios at least."""
     results = solve(load(CASES / name))
@@ -106,7 +108,14 @@ def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
         assert max(ratios) - min(ratios) > 1e-9
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if "8hp70" in name or "speed" in name])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] * (name != "allison-6speed.yaml"))
+        for name in NAMES
+        if "8hp70" in name or "speed" in name
+    ],
+)
 def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
     """Boxes whose elements all carry torque where they are engaged, by the JSON."""
     found, _ = panels(solve(load(CASES / name)))
@@ -116,7 +125,7 @@ def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
         assert is_near == any({gear, other} <= {*gears} for gears, _ in found), (gear, other)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_what_a_panel_has_engaged_and_what_makes_its_gears_carries_torque(name: str) -> None:
     """What is engaged all over a panel holds in each gear, and one or more elements make it."""
     case = load(CASES / name)

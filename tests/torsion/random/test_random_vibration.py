@@ -171,7 +171,7 @@ def by_quadrature(
     return total
 
 
-@pytest.mark.parametrize("lossy", [False, True])
+@pytest.mark.parametrize("lossy", [pytest.param(False, marks=pytest.mark.slow), True])
 @pytest.mark.parametrize("spectrum", [White(0.7), Correlation(2.0, ((1.0, 3.0, 8.0),)), IN_BAND])
 def test_random_systems_by_quadrature(spectrum: Spectrum, lossy: bool) -> None:
     """Where there is a variance; loss factors as a part of the elastic torque at any frequency."""
