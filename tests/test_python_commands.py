@@ -186,7 +186,7 @@ def test_compare_tells_what_the_command_tells() -> None:
     assert list(results.numbers) == list(files.numbers) == list(found.cases[0].numbers)
 
 
-@pytest.mark.parametrize("suffix", [".yaml", ".json", ".xlsx", ".dat", ".mo"])
+@pytest.mark.parametrize("suffix", [".yaml", ".json", ".xlsx", ".dat"])
 def test_save_writes_what_convert_writes(suffix: str) -> None:
     source = CASES / "mzkt7922.dat"
     assert commands.vstatics("convert", source, f"told{suffix}").status in (0, 1)
