@@ -78,7 +78,7 @@ class Style(NamedTuple):
 
     Parameters
     ----------
-    language : {"en", "de", "ru"}
+    language : {"en", "ru"}
         Of axes and titles; names are those of the case.
     dark : bool
         Light on dark, for a screen.
