@@ -17,7 +17,7 @@ NAMES = (
     *("variants", "spread", "sizes", "decks", "long_sweeps", "torsion"),
     *("points", "simulation", "controlled", "startup", "drawing"),
 )
-LONG = ("boxes", "live")
+LONG = ("boxes",)
 """Those that are run only where they are named."""
 WITHOUT_PEER = (
     "long_sweeps",
@@ -28,7 +28,6 @@ WITHOUT_PEER = (
     "startup",
     "drawing",
     "boxes",
-    "live",
 )
 PLACE = "<!-- bench: {} -->\n"
 END = "<!-- end of bench -->"

@@ -137,7 +137,7 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
     ]
     assert sorted(filter(None, spoken)) == sorted(WITH_LANGUAGES)
     for line in ("cycle car.yaml trace.csv", "torsion modes box.yaml", "simulate run.yaml"):
-        said = vstatics(*line.split(), "--lang", "de")
+        said = vstatics(*line.split(), "--lang", "ru")
         assert (said.status, "report and serve have it." in said.err) == (2, True)
 
 

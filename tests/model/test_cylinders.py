@@ -38,12 +38,11 @@ def test_a_case_has_none_where_it_does_not_say() -> None:
     assert "cylinders" not in write_yaml(PAIR)
 
 
-def test_a_deck_and_modelica_say_that_they_do_not_keep_them(tmp_path: Path) -> None:
+def test_a_deck_says_that_it_does_not_keep_them(tmp_path: Path) -> None:
     file = tmp_path / "case.json"
     file.write_text(write_json(PAIR.replace(cylinders=6)), encoding="utf-8")
-    for suffix, says in (("dat", "not kept: cylinders"), ("mo", "the cylinders")):
-        said = vstatics("convert", file, tmp_path / f"case.{suffix}")
-        assert says in said.err
+    said = vstatics("convert", file, tmp_path / "case.dat")
+    assert "not kept: cylinders" in said.err
 
 
 def test_results_of_cases_that_differ_in_them_alone_are_the_same(tmp_path: Path) -> None:

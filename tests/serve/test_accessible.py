@@ -11,28 +11,16 @@ import pytest
 
 from tests.accessibility import serious_faults
 from tests.commands import CASES
-from tests.report.pages import report
 from tests.serve.served import BOX
-from tests.serve.windows import Program, Window
+from tests.serve.windows import Program, Window, looked_through
 
 pytestmark = pytest.mark.slow
-TEN_SPEED, VIBRATING, DECK, SCENARIO = (
-    "ford-10r80.yaml",
+VIBRATING, DECK, SCENARIO = (
     "moskvich412.yaml",
     "mzkt7922.dat",
     "scenarios/tarasik-set-lock.yaml",
 )
 PHONE = {"width": 390, "height": 844}
-IS_AWAITED = "document.querySelector('[data-awaited].pale[data-soon]')"
-
-
-def looked_through(here: Window) -> None:
-    """Come by every part, so that what is made when it is looked at is there."""
-    height = here.page.evaluate("document.documentElement.scrollHeight")
-    for place in range(0, height, 600):
-        here.page.evaluate(f"scrollTo(0, {place})")
-        here.page.wait_for_timeout(30)
-    here.until(f"!{IS_AWAITED}")
 
 
 @pytest.fixture(params=[VIBRATING, DECK, SCENARIO])
@@ -65,24 +53,6 @@ def test_a_served_page_has_no_serious_fault_whatever_it_shows(
     here.state("error")
     assert not serious_faults(here.page)
     here.context.close()
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("case", [TEN_SPEED, VIBRATING])
-def test_a_page_that_calculates_alone_has_no_serious_fault_and_fits_a_telephone(
-    browser: Any, tmp_path: Path, case: str, scheme: str
-) -> None:
-    file = tmp_path / "live.html"
-    file.write_text(report(CASES / case, "--live"), encoding="utf-8")
-    context = browser.new_context(color_scheme=scheme, viewport=PHONE)
-    page = context.new_page()
-    page.goto(file.as_uri())
-    for part in ("min", "max"):
-        moved = f"(one) => {{ one.value = one.{part}; one.dispatchEvent(new Event('input', {{ bubbles: true }})); }}"
-        page.locator("input.slider").first.evaluate(moved)
-        assert not serious_faults(page)
-        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
-    context.close()
 
 
 def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:

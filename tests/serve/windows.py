@@ -7,6 +7,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -96,5 +98,29 @@ class Window:
 
     def shows(self, *names: str) -> set[str]:
         """Which of the parts of the panel are in sight."""
-        names = names or ("save", "revert", "undo", "errors", "conflict", "outside")
+        names = names or ("save", "revert", "undo", "errors", "conflict")
         return {one for one in names if self.page.is_visible(f"#{one}")}
+
+
+@contextmanager
+def served(browser: Any, file: Path, **look: Any) -> Iterator[Window]:
+    """A window with the page of a file, whose program ends with it."""
+    program = Program(file)
+    here = Window(browser, program, **look)
+    yield here
+    assert not here.errors
+    here.context.close()
+    program.end()
+
+
+_COME_BY = """(() => {
+  const next = [...document.querySelectorAll("main [data-awaited].pale")].find(
+    (one) => one.checkVisibility() || "soon" in one.dataset);
+  next?.scrollIntoView();
+  return !next;
+})()"""
+
+
+def looked_through(here: Window) -> None:
+    """Scroll to each part that is drawn when it is looked at, until all of them are there."""
+    here.until(_COME_BY)

@@ -15,27 +15,25 @@ def cells() -> Iterator[dict[str, str]]:
     """The first word of each language, by row."""
     for line in GLOSSARY.read_text(encoding="utf-8").splitlines():
         row = [cell.strip() for cell in line.split("|")[1:-1]]
-        if len(row) == 4 and row[0] not in {"English", "---"}:
-            words = (cell.partition(",")[0].lower() for cell in row[:3])
-            yield dict(zip(("en", "de", "ru"), words, strict=True))
+        if len(row) == 3 and row[0] not in {"English", "---"}:
+            words = (cell.partition(",")[0].lower() for cell in row[:2])
+            yield dict(zip(("en", "ru"), words, strict=True))
 
 
 def test_the_first_word_of_a_cell_is_the_one_that_the_program_says() -> None:
     """Four terms are of documents alone."""
-    said: dict[tuple[str, str], set[str]] = {}
+    said: dict[str, set[str]] = {}
     for row in rows():
-        for language in ("de", "ru"):
-            said.setdefault((row["en"].lower(), language), set()).add(row[language].lower())
+        said.setdefault(row["en"].lower(), set()).add(row["ru"].lower())
     terms = list(cells())
     for term in terms:
-        for language in ("de", "ru"):
-            known = said.get((term["en"], language))
-            assert known is None or term[language] in known, term
-    foreign = {term["en"] for term in terms if (term["en"], "de") not in said}
+        known = said.get(term["en"])
+        assert known is None or term["ru"] in known, term
+    foreign = {term["en"] for term in terms if term["en"] not in said}
     assert foreign == {"willis equation", "sensitivity", "tooth power", "coupling power"}
 
 
-def test_a_term_has_one_row_and_three_languages() -> None:
+def test_a_term_has_one_row_and_two_languages() -> None:
     terms = list(cells())
     assert all(all(term.values()) for term in terms)
     assert len({term["en"] for term in terms}) == len(terms)

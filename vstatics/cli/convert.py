@@ -10,7 +10,6 @@ from vstatics.cli.frame import files
 from vstatics.cli.frame.exit_status import DONE, FAILED
 from vstatics.cli.frame.problems import Telling
 from vstatics.errors import CaseError, ReadError
-from vstatics.tables.suffixes import suffix_of
 from vstatics.writers.saving import case_data
 
 
@@ -22,7 +21,7 @@ from vstatics.writers.saving import case_data
 @click.option(
     "--to",
     "output_format",
-    type=click.Choice([*readers.READERS, "modelica", "matrices"]),
+    type=click.Choice([*readers.READERS, "matrices"]),
     help="Format of OUT; else told by the suffix.",
 )
 def convert(
@@ -32,7 +31,7 @@ def convert(
     output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert the case IN to OUT: deck (.dat), YAML, JSON, XLSX or Modelica (.mo); - is a stream.
+    """Convert the case IN to OUT: deck (.dat), YAML, JSON or XLSX; - is a stream.
 
     OUT is written over if it is there, so that a conversion can be repeated.
     Numbers and names are kept to the last digit; torques and speeds with a unit are
@@ -40,26 +39,23 @@ def convert(
     A deck has mechanisms in place of elements, and
     freewheels are engaged where they hold. What the format cannot keep is listed, and
     the exit status is 1. A deck of a case with springs, inertias or stiffnesses is not
-    written at all. Modelica is written only: a model on its standard library, whose
-    links are flanges and whose shift elements are controlled by inputs. So are matrices:
-    two tables in CSV that tell the structure of planetary sets and nothing else, links by
-    members of the sets and links by shift elements.
+    written at all. Matrices are written only: two tables in CSV that show the structure of
+    planetary gear sets and nothing else, links by members of the sets and links by shift
+    elements.
 
     \b
     Examples:
       vstatics convert gearbox.dat gearbox.yaml
       vstatics convert gearbox.yaml - --to deck
       vstatics convert gearbox.yaml gearbox.xlsx
-      vstatics convert gearbox.yaml gearbox.mo
       vstatics convert gearbox.yaml - --to matrices
     """
     files.spare([source], target)
-    by_name = "modelica" if suffix_of(target) == ".mo" else readers.format_of_name(target)
-    wanted = output_format or by_name
+    wanted = output_format or readers.format_of_name(target)
     if wanted is None:
         raise click.UsageError(
             f"can't tell the format of {target}: expected a suffix such as .dat, .yaml, .json, "
-            ".xlsx, .mo, or --to"
+            ".xlsx, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     try:

@@ -64,12 +64,6 @@ if TYPE_CHECKING:
     callback=value(named("NAME=TEXT", str)),
     help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
 )
-@click.option(
-    "--live",
-    is_flag=True,
-    help="With sliders for ratios, teeth, efficiencies, given speeds and torques, which the page "
-    "follows by itself.",
-)
 @duty_cycles.options
 @formats.digits
 @arguments.language("the words of the page, but not of names and messages")
@@ -82,7 +76,6 @@ def report(
     gears: list[str],
     prints_all: bool,
     stamp: dict[str, str],
-    live: bool,
     duty: DutyOptions,
     digits: int | None,
     lang: Language,
@@ -102,12 +95,9 @@ def report(
     power flow, efficiency, largest values, and what the case has of vibration and a run;
     --all prints all of it, --sections what it names.
 
-    With --live the page calculates: it has sliders for the numbers of the case, and ratios,
-    speeds, torques, losses and efficiencies follow. Where it can't, it says so: then run the
-    program. Such a page, and one of two cases, shows numbers in rpm, N*m and kW or in US units,
-    leaves the rows of a link that is asked for, and saves pictures, tables and results. The run
-    of a scenario moves there: panels are zoomed, and levers, stick diagram and numbers follow a
-    slider for the time.
+    A page of two cases shows numbers in rpm, N*m and kW or in US units, filters the rows by a
+    link, and saves pictures, tables and results. `vstatics serve` offers the same for one case,
+    with sliders for its numbers and a run that moves with a slider for the time.
 
     Pictures need matplotlib, the section on vibration of a case with inertias and springs
     scipy: pip install "vstatics[plot,torsion]". Without them the rest is written.
@@ -118,8 +108,6 @@ def report(
       vstatics report upshift.yaml -o upshift.html
       vstatics report gearbox.yaml --duty points.csv -o gearbox.html
       vstatics report gearbox.yaml --sections gears,flow --gears 1,R -o a.html
-      vstatics report gearbox.yaml --live -o live.html
-      vstatics report upshift.yaml --live -o live.html
       vstatics report old.yaml new.yaml -o changes.html
       vstatics report gearbox.yaml --stamp author=Me,project=P-7 -o gearbox.html
       cat gearbox.dat | vstatics report - -o - > gearbox.html
@@ -129,10 +117,9 @@ def report(
     """
     refuse(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
-        (live and duty.duty, "--duty: a page with sliders would not follow it"),
     )
-    parts = sections or gears or prints_all or live or duty.duty
-    own = "--sections, --gears, --all, --live, --duty"
+    parts = sections or gears or prints_all or duty.duty
+    own = "--sections, --gears, --all, --duty"
     if watch:
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
@@ -158,12 +145,11 @@ def report(
         with speaking(lang):
             options = settings._replace(scenarios=True, of_runs=True)
             return _report_two(cases, output, digits, stamp, options)
-    # a page with sliders has no further pictures for print, which would not follow them
-    asked = AskedPage(sections, gears, prints_all or live, stamp)
+    asked = AskedPage(sections, gears, prints_all, stamp)
     to = to._replace(style=TextStyle(lang))
     quiet = settings.telling.quiet
     files.spare(duty.files, to.output)
-    show = partial(_shown, digits=digits, quiet=quiet, asked=asked, live=live, cycle=duty.read())
+    show = partial(_shown, digits=digits, quiet=quiet, asked=asked, cycle=duty.read())
     options = settings._replace(scenarios=True, of_runs=True)
     return carry_out(Job("report", options, to, show), cases, others=duty.files)
 
@@ -199,7 +185,6 @@ def _shown(
     quiet: bool,
     asked: AskedPage,
     *,
-    live: bool,
     cycle: DutyFile | DutyTable | None,
 ) -> texts.CaseOutput:
     """The page of a case."""
@@ -214,16 +199,12 @@ def _shown(
 
         run, naming = run_of(outcome), naming_of(outcome)
         told = [*outcome.problems, *found]
-        material = gather(results, told, digits, run, naming, asked=own, has_marks=live)
+        material = gather(results, told, digits, run, naming, asked=own)
         material = material._replace(summary=material.summary._replace(cycle=driven))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         if material.vibration and material.vibration.without and not quiet:
             files.say(f"vstatics report: no vibration: {material.vibration.without}")
-        if live:
-            from vstatics.report.live.page import live_page
-
-            return live_page(material)
         return page(material)
 
     return texts.CaseOutput([], {"html": html}, problems=found)

@@ -71,7 +71,7 @@ def serve(
     Examples:
       vstatics serve gearbox.yaml --open
       vstatics serve upshift.yaml --port 8000
-      vstatics serve gearbox.yaml --lang de
+      vstatics serve gearbox.yaml --lang ru
 
     \b
     Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken;

@@ -140,7 +140,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Of a page, 80 to 1200; letters keep their size. [mm]
     dark : bool, optional
         Light on dark.
-    lang : {"en", "de", "ru"}, optional
+    lang : {"en", "ru"}, optional
         Of axes and titles.
 
     Returns

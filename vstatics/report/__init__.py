@@ -1,7 +1,7 @@
 """A case and its results as one page of HTML, which needs nothing from elsewhere.
 
 Results go in; `gather` calculates what the page shows, `page` writes it. `tools` choose units and
-links, and save; `runs` has what of a run moves, `live` what a page needs whose numbers change,
+links, and save; `runs` has what of a run moves,
 `pair` compares two cases.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve

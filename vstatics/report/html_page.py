@@ -65,9 +65,9 @@ def in_language(script: Markup) -> Markup:
     That begins with a capital letter or has a blank, as nothing does that it compares.
 
     >>> from vstatics.texts import speaking
-    >>> with speaking("de"):
+    >>> with speaking("ru"):
     ...     print(in_language(Markup('say("Sort", `Gear ${name}`, "none")')))
-    say("Sortieren", `Gang ${name}`, "none")
+    say("Сортировать", `Передача ${name}`, "none")
     """
 
     def said(found: re.Match[str]) -> str:

@@ -9,7 +9,7 @@ from vstatics.errors import CaseError, Problem
 from vstatics.flow.power import flows
 from vstatics.flow.power_flow import GearFlow
 from vstatics.report.asked import EVERYTHING, AskedPage
-from vstatics.report.live.numbers import marked
+from vstatics.report.marks import marked
 from vstatics.report.motion import RunSection, run_section
 from vstatics.report.page_pictures import Pictures, pictures
 from vstatics.report.tools.marks import with_tool_marks
@@ -121,14 +121,14 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     asked : AskedPage, optional
         What of it the page has.
     has_marks : bool, optional
-        Whether numbers say what they are; see `vstatics.report.live.numbers`.
+        Whether numbers say what they are; see `vstatics.report.marks`.
     drawn : Pictures, optional
         What stands in place of the pictures that would be drawn.
     """
     without = ""
     if drawn is None:
         try:
-            drawn = pictures(results, asked, marked=has_marks)
+            drawn = pictures(results, asked)
         except CaseError as error:
             without, drawn = str(error), Pictures()
     told = []

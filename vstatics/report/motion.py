@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.errors import printable
-from vstatics.report.live.numbers import marked
+from vstatics.report.marks import marked
 from vstatics.report.page_pictures import Drawn, picture_of
 from vstatics.report.parts import figures, on_screen
 from vstatics.simulation.record.motion import Motion

@@ -80,15 +80,10 @@ class Pictures(NamedTuple):
     """Of all gears that are shown, for print."""
 
 
-def pictures(results: Results, asked: AskedPage = EVERYTHING, *, marked: bool = False) -> Pictures:
+def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
     """All pictures of a case that its page has, but those of vibration and motion.
 
     Where no stick diagram can be drawn, the structure of each gear stands for it.
-
-    Parameters
-    ----------
-    marked : bool
-        Whether parts of levers and of power flows say what they show, for a script.
 
     Raises
     ------
@@ -100,9 +95,7 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING, *, marked: bool = 
     chosen = gears if asked.gears else ()
     sticks, small, bare = _sticks(results, asked, gears)
     of_gears = {
-        kind: of_each(results, kind, gears, PAGE._replace(marked=marked))
-        for kind in ("flow", "lever")
-        if asked.has(kind)
+        kind: of_each(results, kind, gears, PAGE) for kind in ("flow", "lever") if asked.has(kind)
     }
     of_all = {
         kind: picture_of(results, kind, chosen)

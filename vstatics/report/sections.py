@@ -11,7 +11,7 @@ from vstatics.flow.power_flow import GearFlow
 from vstatics.report.asked import SECTIONS
 from vstatics.report.explained import explained, no_formula
 from vstatics.report.given import given
-from vstatics.report.live.numbers import marked_powers
+from vstatics.report.marks import marked_powers
 from vstatics.report.material import Material
 from vstatics.report.motion import shown_run
 from vstatics.report.overview import alerts, overview

@@ -13,7 +13,7 @@ from vstatics.errors import CaseError
 from vstatics.extras import require
 from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
 from vstatics.report.asked import EVERYTHING, AskedPage
-from vstatics.report.live.numbers import marked_frequencies
+from vstatics.report.marks import marked_frequencies
 from vstatics.report.page_pictures import NAMES, Drawn, picture_of
 from vstatics.report.parts import figures, gear_link, of_gear
 from vstatics.statics.results import Results

@@ -16,8 +16,8 @@ from vstatics.readers.named.node_paths import Keys, child, written
 from vstatics.readers.named.nodes import Node, Scalar, decode
 from vstatics.readers.named.written_numbers import NumberSpot, number_spots, with_written
 from vstatics.readers.named.yaml_nodes import yaml_tree
-from vstatics.report.live.fields import PageField
 from vstatics.serve.bare_units import bare_unit
+from vstatics.serve.number_fields import PageField
 from vstatics.simulation.scenario.keys import SCENARIO
 from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target

@@ -21,15 +21,14 @@ from vstatics.report.html_page import (
     in_language,
     section_alone,
 )
-from vstatics.report.live import fields as page_fields
-from vstatics.report.live.fields import PageField, case_fields, shown_fields
-from vstatics.report.live.page import OUTSIDE
 from vstatics.report.material import Material, Naming, gather
 from vstatics.report.parts import SCREEN
 from vstatics.report.runs import scripts as run_scripts
 from vstatics.report.sections import Part
 from vstatics.report.tools import toolbar
+from vstatics.serve import number_fields
 from vstatics.serve.awaited import QUICK, awaited_pictures, awaited_sections
+from vstatics.serve.number_fields import PageField, case_fields, shown_fields
 from vstatics.statics.results import Results
 from vstatics.tables.html import Markup, joined, tag
 from vstatics.texts import Language, speaking, tr
@@ -42,8 +41,8 @@ def _resource(name: str) -> Markup:
     return Markup((files(__package__) / name).read_text(encoding="utf-8"))
 
 
-_OWN_SCRIPTS = (page_fields.SCRIPT, _resource("patches.js"), _resource("serve.js"))
-_STYLE = joined(toolbar.STYLE, page_fields.STYLE, _resource("serve.css"))
+_OWN_SCRIPTS = (number_fields.SCRIPT, _resource("patches.js"), _resource("serve.js"))
+_STYLE = joined(toolbar.STYLE, number_fields.STYLE, _resource("serve.css"))
 
 
 def _hashed(script: Markup) -> str:
@@ -190,7 +189,6 @@ def _panel(state: Mapping[str, Any]) -> Markup:
             role="alert",
             hidden=True,
         ),
-        tag("p", tr(OUTSIDE), id="outside", hidden=True),
         tag("p", tr("vstatics serve has ended: nothing is saved any more."), class_="when-gone"),
         id="panel",
         class_=SCREEN,

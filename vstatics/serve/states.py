@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 from vstatics.errors import Problem
 from vstatics.jobs.files import ChangedFileError, replacing, unwritable
-from vstatics.report.live.fields import PageField
 from vstatics.report.material import Material, Naming
 from vstatics.report.sections import Part
 from vstatics.serve.document_fields import CaseDocuments, Texts, documents_of
+from vstatics.serve.number_fields import PageField
 from vstatics.serve.page import (
     head_of,
     material_of,

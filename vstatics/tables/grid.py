@@ -122,9 +122,9 @@ class Grid(NamedTuple):
         """The same in the language that is spoken, for those who read it; data stay English.
 
         >>> from vstatics.texts import speaking
-        >>> with speaking("de"):
+        >>> with speaking("ru"):
         ...     grid_of("Gears", ["gear", "state"], [["R", word("idle")]]).spoken.texts
-        [['R', 'lastfrei']]
+        [['R', 'без нагрузки']]
         """
         if spoken() == "en":
             return self

@@ -4,9 +4,9 @@
 text is the key of `table.txt`, which has it in every other language. Numbers and names stand in
 named places, so that each language orders its words itself. What has no row stays English.
 
->>> with speaking("de"):
+>>> with speaking("ru"):
 ...     tr("efficiency"), tr("Gear {gear}", gear="R")
-('Wirkungsgrad', 'Gang R')
+('КПД', 'Передача R')
 >>> tr("efficiency"), tr("Gear {gear}", gear="R")
 ('efficiency', 'Gear R')
 """
@@ -21,7 +21,7 @@ from functools import cache
 from importlib import resources
 from typing import Literal
 
-Language = Literal["en", "de", "ru"]
+Language = Literal["en", "ru"]
 
 _SPOKEN: ContextVar[Language] = ContextVar("language", default="en")
 FORMS = "|"
@@ -95,9 +95,9 @@ _IN_BRACKETS = re.compile(r"(.+) \[(.+)\]")
 def heading(text: str) -> str:
     """What heads a column, whose unit stands behind it.
 
-    >>> with speaking("de"):
+    >>> with speaking("ru"):
     ...     heading("speed, rpm"), heading("time [s]"), heading("efficiency")
-    ('Drehzahl, U/min', 'Zeit [s]', 'Wirkungsgrad')
+    ('скорость, об/мин', 'время [с]', 'КПД')
     """
     language = _SPOKEN.get()
     if language == "en" or text in table(language):
@@ -111,9 +111,9 @@ def heading(text: str) -> str:
 def title(text: str) -> str:
     """What stands over a table; a key behind it, as JSON has it, is of no language.
 
-    >>> with speaking("de"):
+    >>> with speaking("ru"):
     ...     title("Power lost in the mechanisms [losses]")
-    'Verlustleistung der Teilgetriebe [losses]'
+    'Потери мощности в механизмах [losses]'
     """
     found = _IN_BRACKETS.fullmatch(text)
     if found is None or text in table(_SPOKEN.get()):
@@ -124,9 +124,9 @@ def title(text: str) -> str:
 def labelled(text: str) -> str:
     """A text, or one before a name: only what stands before the colon is of the language.
 
-    >>> with speaking("de"):
+    >>> with speaking("ru"):
     ...     labelled("sun: ring"), labelled("lost: meshes")
-    ('Sonnenrad: ring', 'Verlust: Zahneingriffe')
+    ('солнечная шестерня: ring', 'потери: зацепления')
     """
     if _SPOKEN.get() == "en" or text in table(_SPOKEN.get()):
         return tr(text)

@@ -18,7 +18,6 @@ SUFFIXES = {
     ".yml": "yaml",
     ".json": "json",
     ".xlsx": "xlsx",
-    ".mo": "modelica",
 }
 """Of cases, and the format that each tells."""
 
@@ -31,7 +30,7 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
     ----------
     case : Transmission
     path : path-like
-        Ends with .yaml, .json, .xlsx, .dat (a deck) or .mo (Modelica, which is not read again).
+        Ends with .yaml, .json, .xlsx or .dat (a deck).
 
     Returns
     -------
@@ -97,10 +96,6 @@ def _as_text(case: Transmission, form: str) -> tuple[str, list[str]]:
             if is_so
         ]
         return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
-    if form == "modelica":
-        from vstatics.writers import modelica, modelica_limits
-
-        return modelica.write(case), modelica_limits.lost(case)
     if form == "matrices":
         from vstatics.writers import matrices
 

@@ -165,7 +165,7 @@ def test_a_case_is_one_that_others_take() -> None:
     assert vstatics("check", "b.yaml", "--strict").status == 0
 
 
-@pytest.mark.parametrize("form", ["yaml", "json", "deck", "modelica"])
+@pytest.mark.parametrize("form", ["yaml", "json", "deck"])
 def test_a_case_in_every_format(form: str) -> None:
     call = ("synth", "case", "0-1-2", "--input", "0", "--output", "l1", "--ratios", "-73/35")
     said = vstatics(*call, "-f", form)

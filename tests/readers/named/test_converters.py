@@ -57,15 +57,13 @@ def test_a_fault_is_told_at_its_place(old: str, new: str, place: str, message: s
     assert message in str(caught.value)
 
 
-def test_a_converter_is_lost_in_a_deck_and_in_modelica() -> None:
+def test_a_converter_is_not_written_to_a_deck() -> None:
     from vstatics.errors import CaseError
     from vstatics.writers.deck_limits import check_deck
-    from vstatics.writers.modelica_limits import lost
 
     case = loaded(CASE)
     with pytest.raises(CaseError, match="the converter of TC"):
         check_deck(case)
-    assert any("converter" in one for one in lost(case))
 
 
 def test_a_scenario_without_converters_has_those_of_the_case() -> None:

@@ -115,7 +115,7 @@ def test_a_file_compares_and_a_directory_has_a_page_each(files: list[Path], tmp_
         "new.html",
         "old.html",
     ]
-    for wrong in (["--live"], ["--gears", "low"], [files[0]]):
+    for wrong in (["--gears", "low"], [files[0]]):
         assert vstatics("report", *files, "-o", tmp_path / "no.html", *wrong).status == 2
     bad, tied = tmp_path / "bad.yaml", tmp_path / "tied.yaml"
     bad.write_text(BOX.replace("ratio: -2.5", "ratoi: 2"), encoding="utf-8")

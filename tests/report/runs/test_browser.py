@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES, vstatics
+from tests.serve.windows import Program, looked_through, served
 from vstatics import load, load_scenario
 
 pytestmark = pytest.mark.slow
@@ -36,11 +37,11 @@ AT = """(time) => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    made = tmp_path_factory.mktemp("run") / "run.html"
-    assert vstatics("report", "--live", str(SCENARIO), "-o", str(made), "-q").status == 0
-    return made
+@pytest.fixture
+def program() -> Iterator[Program]:
+    running = Program(SCENARIO)
+    yield running
+    running.end()
 
 
 @pytest.fixture(scope="module")
@@ -59,15 +60,12 @@ def table() -> dict[str, list[float]]:
 
 
 @pytest.fixture
-def page(browser: Any, file: Path) -> Iterator[Any]:
-    window = browser.new_page(viewport={"width": 1200, "height": 900}, accept_downloads=True)
-    errors: list[str] = []
-    window.on("pageerror", lambda error: errors.append(str(error)))
-    window.goto(file.as_uri())
-    window.wait_for_selector(".run-moves", state="visible")
-    yield window
-    window.close()
-    assert not errors
+def page(browser: Any) -> Iterator[Any]:
+    size = {"width": 1200, "height": 900}
+    with served(browser, SCENARIO, viewport=size, accept_downloads=True) as here:
+        here.page.wait_for_selector(".run-moves", state="visible")
+        looked_through(here)
+        yield here.page
 
 
 DRAWN = """() => {
@@ -82,15 +80,15 @@ DRAWN = """() => {
 
 @pytest.mark.parametrize("locale", ["en", "de", "ru"])
 def test_axes_have_a_decimal_point_and_no_marks_for_thousands(
-    browser: Any, file: Path, table: dict[str, list[float]], locale: str
+    browser: Any, program: Program, table: dict[str, list[float]], locale: str
 ) -> None:
     """In a browser of any language, as the tables: 2,000 or 2.000 would be read as two."""
     context = browser.new_context(locale=locale)
     window = context.new_page()
     window.add_init_script(f"({DRAWN})()")
-    window.goto(file.as_uri())
+    window.goto(program.address)
     window.wait_for_selector(".run-moves", state="visible")
-    window.wait_for_function("drawn.length > 20")
+    assert len(window.evaluate("drawn")) > 20
     texts = {one.replace("\u2212", "-") for one in window.evaluate("drawn")}
     numbers = {float(one) for one in texts if re.fullmatch(r"-?[\d.,\s]+", one)}
     assert texts >= {f"{one:g}" for one in numbers}
@@ -247,15 +245,15 @@ def test_print_has_the_picture_that_the_screen_has_not(page: Any) -> None:
     assert not page.is_visible(".run-moves")
 
 
-def test_the_plotter_has_its_licence(file: Path) -> None:
-    text = file.read_text("utf-8")
+def test_the_plotter_has_its_licence(page: Any) -> None:
+    text = page.content()
     assert "Copyright (c) 2022 Leon Sorokin" in text
     assert "The above copyright notice and this permission notice shall be included" in text
 
 
-def test_a_phone_has_nothing_beside_the_screen(browser: Any, file: Path) -> None:
+def test_a_phone_has_nothing_beside_the_screen(browser: Any, program: Program) -> None:
     window = browser.new_page(viewport={"width": 390, "height": 844}, color_scheme="dark")
-    window.goto(file.as_uri())
+    window.goto(program.address)
     window.wait_for_selector(".run-moves", state="visible")
     wide = "(one) => one.getBoundingClientRect().right"
     assert max(window.eval_on_selector_all(".run-moves *", f"(all) => all.map({wide})")) <= 391

@@ -39,7 +39,7 @@ by chance."""
     "-f",
     "--format",
     "form",
-    type=click.Choice([*readers.READERS, "modelica"]),
+    type=click.Choice([*readers.READERS]),
     help="Format of the case; else told by the suffix of -o, else yaml.",
 )
 @click.option(

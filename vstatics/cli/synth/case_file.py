@@ -11,7 +11,6 @@ from vstatics.cli.frame import files
 from vstatics.errors import CaseError, ReadError
 from vstatics.jobs.files import missing_folder
 from vstatics.model.transmission import Transmission
-from vstatics.tables.suffixes import suffix_of
 from vstatics.writers.saving import case_data
 
 written_case = click.option(
@@ -39,7 +38,7 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
     if output is not None and target == output:
         message = f"read {target} twice, expected another file for the case (--write) than for -o"
         raise click.UsageError(message)
-    form = "modelica" if suffix_of(target) == ".mo" else readers.format_of_name(target)
+    form = readers.format_of_name(target)
     if form is None:
         message = f"can't tell the format of {target}: expected a suffix such as .yaml, .json, .dat"
         raise click.BadParameter(message, param_hint="--write")

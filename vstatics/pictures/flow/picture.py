@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 
@@ -25,10 +24,8 @@ from vstatics.pictures.flow.sheets import (
 from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.flow.told import told_gear
 from vstatics.pictures.sheet.head import Meaning
 from vstatics.pictures.sheet.labels import title_width
-from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.statics.results import Results
@@ -72,9 +69,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
             for flow in [every[number - 1]]
         ]
         yield list(
-            _alone(results, gears[0], own[0], style)
-            if len(gears) == 1
-            else _all(results, gears, style)
+            _alone(results, gears[0], style) if len(gears) == 1 else _all(results, gears, style)
         )
 
 
@@ -120,7 +115,7 @@ def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[
     yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
 
 
-def _alone(results: Results, gear: FlowGear, number: int, style: Style) -> Iterator[Figure]:
+def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
     """A gear by itself, whose name is in the title."""
     subject = style.text("power flow")
     name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")
@@ -128,11 +123,7 @@ def _alone(results: Results, gear: FlowGear, number: int, style: Style) -> Itera
     of_name = min(title_width(name), TITLE_WIDTH, room) if style.titled else 0.0
     wide = max(min(LEAST_FLOW_WIDTH, room), of_name, gear.wide)
     blocks = row_blocks(gear, wide) or [FlowBlock([], wide, 0.0, 0.0, nothing)]
-    for figure in sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style):
-        if style.marked and gear.flow.shown is not None:
-            told = told_gear(gear.flow, results.gear_at(number - 1), style)
-            blank(0.0, 0.0, style)._replace(figure=figure).tell(flow=json.dumps(told))
-        yield figure
+    yield from sheets(blocks, name, heading(gear.flow, wide, style), key, wide, style)
 
 
 def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:

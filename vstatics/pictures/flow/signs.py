@@ -11,11 +11,10 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from vstatics.pictures.flow.columns import LOSS_LENGTH, PORT
-from vstatics.pictures.flow.graph import Band, Graph
+from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow.titles import FlowTitles
-from vstatics.pictures.flow.told import told_band, told_node, told_nodes, told_port, told_run
-from vstatics.pictures.sheet.labels import POINTS_PER_INCH, Point
+from vstatics.pictures.sheet.labels import Point
 from vstatics.pictures.sheet.line_styles import Look, mixed
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import SIZE, Style
@@ -54,36 +53,20 @@ class FlowView(NamedTuple):
         self._dots([stub for stub in layout.stubs if stub.port.cut is not None])
         for box in layout.boxes:
             if box.cell.lost:
-                self._loss(box, layout.graph)
+                self._loss(box)
             self._signs(box, layout.graph)
         for note in layout.notes:
             colour = style.circulating if note.loop else style.ink
             at = self._at((note.x, note.y))
-            pen = self._following("note", **self._told_band(note.band))
-            pen.text(*at, note.text, ha="center", va="center", color=colour)
+            self.pen.text(*at, note.text, ha="center", va="center", color=colour)
 
     def _at(self, place: Point) -> Point:
         return self.left + place[0], self.top - place[1]
 
-    def _following(self, of: str, **data: Any) -> Pen:
-        return self.pen.following(of=of, **data)
-
-    def _down(self, *depths: float) -> list[float]:
-        """From the upper edge of the figure."""
-        high = self.pen.figure.get_figheight() * POINTS_PER_INCH
-        return [high - self.top + depth for depth in depths]
-
-    def _told_band(self, band: Band) -> dict[str, Any]:
-        return told_band(band, self.titles.texts)
-
     def _line(self, line: Line) -> None:
-        style, band = self.pen.style, line.band
+        pen, style, band = self.pen, self.pen.style, line.band
         points = [*map(self._at, line.points)]
         is_hatched = self.titles.is_divided(band) or self.titles.is_doubtful(band)
-        places = [(self.left + x, *self._down(y)) for x, y in line.points]
-        pen = self._following(
-            "band", **self._told_band(band), points=places, back=band.back, hatched=is_hatched
-        )
         path = _rounded(points, line.width) if band.back else _curves(points)
         said, wide = self.titles.band(band), max(line.width, LEAST_BAND_WIDTH)
         pale, colour, alpha = loop_colour(style), style.circulating, BAND_COVER
@@ -113,10 +96,7 @@ class FlowView(NamedTuple):
             shape = [(x, y + half), (x + PORT - notch, y + half), (x + PORT, y)]
             shape += [(x + PORT - notch, y - half), (x, y - half)]
         said = self.titles.port(stub.link, stub.port)
-        told = told_port(stub.link, stub.port, self.titles.texts)
-        place = self.left + stub.x, *self._down(stub.y)
-        pen = self._following("port", **told, place=place)
-        pen.area(*shape, color=self.pen.style.power, title=said)
+        self.pen.area(*shape, color=self.pen.style.power, title=said)
 
     def _dots(self, stubs: Sequence[Stub]) -> None:
         """Where bands are cut, once for those that are near to one another."""
@@ -128,48 +108,34 @@ class FlowView(NamedTuple):
                 dotted.append((x, y))
                 self.pen.text(x, y, "…", ha=ha, va="center_baseline")
 
-    def _loss(self, box: Box, graph: Graph) -> None:
+    def _loss(self, box: Box) -> None:
         middle, low = self._at((box.middle, box.bottom))
         tip, lost = low - LOSS_LENGTH - box.cell.loss / 2, self.pen.style.lost
         half = max(box.cell.loss, LEAST_BAND_WIDTH) / 2
         head = half + 2.5
         side = [(middle + half, low), (middle + half, tip + head), (middle + head, tip + head)]
         other = [(2 * middle - x, y) for x, y in reversed(side)]
-        told = {"run": told_run(box), "power": graph.losses[box.cell.run[0]], "middle": middle}
-        self._following("loss", **told).area(*side, (middle, tip), *other, color=lost)
-        pen = self._following("lost", **told)
-        pen.text(middle, tip - 1, box.cell.lost, ha="center", va="top", color=lost)
+        self.pen.area(*side, (middle, tip), *other, color=lost)
+        self.pen.text(middle, tip - 1, box.cell.lost, ha="center", va="top", color=lost)
 
     def _signs(self, box: Box, graph: Graph) -> None:
         """The nodes of a run: bars for links, boxes for devices; their names above."""
         cell, style, signs = box.cell, self.pen.style, list(box.signs())
-        run = {"run": told_run(box), "thick": self._down(box.top, box.bottom)}
         for (one, _, left), (other, right, _) in pairwise(signs) if cell.number < 0 else ():
             if not self.titles.divided.isdisjoint([(one, other), (other, one)]):
                 look = hatched_look(loop_colour(style), style)
-                pen = self._following("side", **run, sides=(self.left + left, self.left + right))
-                pen.area(*self._corners(left, right, box), **look)
+                self.pen.area(*self._corners(left, right, box), **look)
         for node, left, right in signs:
             divided = self.titles.is_open(node)
             hatch = MILD_HATCH if self.titles.is_mild(node) else HATCH
             face = style.ink if node.kind == "link" and not divided else style.paper
             powers = graph.through(node), graph.losses.get(node, 0.0)
             said = self.titles.node(node, *powers)
-            sides = self.left + left, self.left + right
-            told = {"node": told_node(node), "powers": powers, "sides": sides}
             look = {"facecolor": face, "edgecolor": style.ink, "joinstyle": "round", "zorder": 3}
             look["hatch"] = hatch if divided else None
-            pen = self._following("node", **run, **told)
-            pen.area(*self._corners(left, right, box), width=0.9, title=said, **look)
+            self.pen.area(*self._corners(left, right, box), width=0.9, title=said, **look)
         x, y = self._at((box.middle, box.top))
-        ports = [
-            told_port(node, port, self.titles.texts)
-            for node in cell.run
-            for port in graph.ports.get(node, ())
-        ]
-        nodes = told_nodes(cell.run)
-        pen = self._following("run", **run, nodes=nodes, ports=ports, middle=x)
-        pen.text(x, y + 2, cell.text, ha="center", va="bottom")
+        self.pen.text(x, y + 2, cell.text, ha="center", va="bottom")
 
     def _corners(self, left: float, right: float, box: Box) -> Iterator[Point]:
         places = (left, box.bottom), (left, box.top), (right, box.top), (right, box.bottom)

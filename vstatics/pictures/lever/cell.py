@@ -39,26 +39,20 @@ from vstatics.pictures.sheet.words import quantity, word
 def draw_lever(view: LeverView, name: str, top: float) -> None:
     """A lever with its points, its name below a height."""
     cell = view.cell
-    if view.style.marked:
-        view.sheet.told.append(view.mark())
     if name:
         said, where = _shape(view), (cell.left, top - 2)
-        pen = view.sheet.pen.following(of="name", lever=view.number)
-        pen.text(*where, name, va="top", color=view.ink, title=said)
+        view.sheet.pen.text(*where, name, va="top", color=view.ink, title=said)
     if len(cell.rows) > 1:
         _draw_line(view)
     for node, row in cell.rows.items():
         _draw_point(view, node, row)
         if (view.place, node) in view.gear.grounds:
-            with view.following("ground", node) as sheet:
-                own = view._replace(sheet=sheet)
-                _draw_ground(own, row, view.gear.grounds[view.place, node])
+            _draw_ground(view, row, view.gear.grounds[view.place, node])
         _write(view, node, row)
     points = sorted(cell.rows.items(), key=lambda point: point[1].at)
     tips = [(view.across(view.speed(node)), row.at + view.bottom) for node, row in points]
     if cell.lever.devices and cell.lever.ratio is None and all(math.isfinite(x) for x, _ in tips):
-        with view.following("line") as sheet:
-            sheet.line(*tips, colour=view.style.soft, width=0.9)
+        view.sheet.line(*tips, colour=view.style.soft, width=0.9)
 
 
 def lever_names(
@@ -103,8 +97,7 @@ def _draw_line(view: LeverView) -> None:
     low, high = min(heights), max(heights)
     for speed, dash in ((0.0, "solid"), (1.0, (0, (1, 2)))):
         x = view.across(speed)
-        with view.following("scale", speed=speed) as own:
-            own.line((x, low - 4), (x, high + 4), colour=style.faint, width=0.8, dash=dash)
+        sheet.line((x, low - 4), (x, high + 4), colour=style.faint, width=0.8, dash=dash)
     colour = style.ink if view.is_loaded else style.faint
     if cell.lever.ratio is None:
         sheet.line((cell.at, low), (cell.at, high), colour=colour, width=2.0)
@@ -117,8 +110,7 @@ def _draw_line(view: LeverView) -> None:
     sheet.line((cell.at, low), (cell.at, middle - 0.8 * SIZE), colour=colour)
     sheet.line((cell.at, middle + 0.8 * SIZE), (cell.at, high), colour=colour)
     box(sheet, (cell.at, middle), (width(text) + 4, 1.6 * SIZE), colour)
-    pen = sheet.pen.following(of="pair", lever=view.number)
-    pen.text(cell.at, middle, text, ha="center", va="center", color=view.ink)
+    sheet.pen.text(cell.at, middle, text, ha="center", va="center", color=view.ink)
 
 
 def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
@@ -128,21 +120,17 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     is_way = view.is_loaded or gear.is_way(link, view.place, view.place)
     look, end = _look(link, view.style, is_way=is_way), cell.speeds[1]
     left = (cell.left, y), (cell.at - BESIDE_LEVER, y), (cell.at, at)
-    with view.following("link", node) as own:
-        own.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
+    sheet.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
     mark = mark_of(link, gear.state, stands=gear.stands(link))
-    with view.following("point", node) as own:
-        others = (abs(one.at - row.at) for other, one in cell.rows.items() if other != node)
-        is_over = mark == "out" and min(others, default=MARK_SIZE) < MARK_SIZE
-        own.point((cell.at, at), mark, view.ink, is_over=is_over)
+    others = (abs(one.at - row.at) for other, one in cell.rows.items() if other != node)
+    is_over = mark == "out" and min(others, default=MARK_SIZE) < MARK_SIZE
+    sheet.point((cell.at, at), mark, view.ink, is_over=is_over)
     speed, torque = view.speed(node), view.torque(node)
-    if cell.lever.devices and math.isfinite(speed) and (speed != 0 or view.style.marked):
+    if cell.lever.devices and math.isfinite(speed) and speed != 0:
         tips = (view.across(0.0), at), (view.across(speed), at)
-        with view.following("speed", node) as own:
-            own.line(*tips, colour=look["colour"], width=3.2)
+        sheet.line(*tips, colour=look["colour"], width=3.2)
     if view.same is None and math.isfinite(torque) and torque != 0:
-        with view.following("torque", node) as own:
-            arrow(own, (cell.at - BESIDE_LEVER, y), torque * sheet.per_torque)
+        arrow(sheet, (cell.at - BESIDE_LEVER, y), torque * sheet.per_torque)
 
 
 def _write(view: LeverView, node: int, row: LeverRow) -> None:
@@ -156,16 +144,13 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
     if cell.lever.devices:
         said += f", {quantity('torque', torque, view.style)}"
     where: Look = {"va": "bottom", "color": view.ink, "linespacing": 1.1}
-    mark = {"lever": view.number, "node": node}
-    pen.following(of="said", **mark).text(cell.left, y + 3.5, row.name, title=said, **where)
+    pen.text(cell.left, y + 3.5, row.name, title=said, **where)
     if view.same is None:
         if torque != 0:
             at = cell.at - BESIDE_LEVER, y - 4.5
-            own = pen.following(of="torque number", **mark)
-            own.text(*at, number(torque), ha="right", va="top")
+            pen.text(*at, number(torque), ha="right", va="top")
         shown = "0" if speed == 0 else number(speed)
-        own = pen.following(of="speed number", **mark)
-        own.text(cell.right, y + 1.5, shown, ha="right", va="bottom", color=view.ink)
+        pen.text(cell.right, y + 1.5, shown, ha="right", va="bottom", color=view.ink)
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
@@ -178,8 +163,7 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
     if name:
         said, where = _carried(view.gear, name, style), (x + GROUND_WIDTH - 8, y + 1.5)
         color = style.engaged
-        pen = view.sheet.pen.following(of="carried", names=name.split(", "))
-        pen.text(*where, name, title=said, va="bottom", color=color, over=True)
+        view.sheet.pen.text(*where, name, title=said, va="bottom", color=color, over=True)
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
@@ -230,7 +214,7 @@ def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
     else:
         plates(sheet, (x, y), upright=upright)
     said, ink = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
-    pen = sheet.pen.following(of="carried", names=one.name.split(", "))
+    pen = sheet.pen
     if upright:
         where: Look = {"ha": "left", "va": "center"}
         pen.text(x + BESIDE_SIGN, y, one.name, title=said, color=ink, **where)

@@ -40,7 +40,7 @@ class GearHead(NamedTuple):
         y = top - 0.9 * RATIO_SIZE
         pen.text(x, y, self.name, size=TITLE, bold=True)
         at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)
-        pen.following(of="ratio").text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
+        pen.text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
         up = y + 0.75 * SIZE  # of capitals
         pen.text(x + self.start, up, self.elements, color=pen.style.engaged, va="top")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from contextlib import nullcontext
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING, Transmission
@@ -40,8 +39,6 @@ class LeverKey(NamedTuple):
     """Of the figure."""
     arrow: float
     """Length of the sample of a torque."""
-    unit: str
-    """That torque."""
 
     def _places(self) -> Iterator[Point]:
         """Where each entry begins, from the left of the first row downwards."""
@@ -65,14 +62,8 @@ class LeverKey(NamedTuple):
         """Draw it from the foot of the figure upwards."""
         top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
-            is_scale = kind == "torque"
-            with (
-                sheet.following(of="unit", unit=self.unit)
-                if is_scale
-                else nullcontext(sheet) as own
-            ):
-                self._sample(own, kind, (x, top + down))
-                own.pen.text(x + self._room(kind), top + down, text, va="center")
+            self._sample(sheet, kind, (x, top + down))
+            sheet.pen.text(x + self._room(kind), top + down, text, va="center")
 
     def _sample(self, sheet: LeverSheet, kind: str, place: Point) -> None:
         (x, y), style = place, sheet.pen.style
@@ -121,7 +112,7 @@ def key_of(
         "pale": text("carries no torque"),
     }
     found = {sign for gear in gears for sign in _signs(page, gear)}
-    return LeverKey([one for one in meanings.items() if one[0] in found], wide, length, unit)
+    return LeverKey([one for one in meanings.items() if one[0] in found], wide, length)
 
 
 def _unit(per_torque: float) -> tuple[float, str]:

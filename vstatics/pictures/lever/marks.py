@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -33,21 +32,6 @@ MARK_SIZE = 6.0
 """Marks of points that are nearer cover each other."""
 
 
-class LeverMark(NamedTuple):
-    """What a script needs to move a lever; lengths in points, from the upper left corner."""
-
-    left: float
-    at: float
-    """Where the lever stands."""
-    right: float
-    speeds: Span
-    """Ends of the speeds."""
-    devices: Sequence[int]
-    is_pair: bool
-    nodes: Mapping[int, Mapping[str, Any]]
-    """By the number in the lever: link, position, height of point and row, sources of torque."""
-
-
 class LeverSheet(NamedTuple):
     """What all levers of a figure share; lines and areas of one look are drawn at once."""
 
@@ -61,19 +45,6 @@ class LeverSheet(NamedTuple):
     """Colour, width, dash -> lines."""
     areas: dict[str, list[Path]]
     """Colour -> polygons."""
-    told: list[LeverMark]
-    """Of each lever, if the style asks for it."""
-
-    @contextmanager
-    def following(self, **data: Any) -> Iterator[LeverSheet]:
-        """The same for what is to be told apart by a script, where the style asks for it."""
-        pen = self.pen.following(**data)
-        if pen is self.pen:
-            yield self
-        else:
-            own = self._replace(pen=pen, lines={}, areas={})
-            yield own
-            own.put()
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
         """A line through places; those on the way of a level line are left out."""

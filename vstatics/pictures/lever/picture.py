@@ -6,7 +6,6 @@ levers for links that are on both, grounds for brakes, ties for clutches, torque
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
@@ -23,7 +22,7 @@ from vstatics.pictures.lever.marks import LeverSheet
 from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.view import LeverView
 from vstatics.pictures.sheet.labels import Span, height, title_width, wrapped
-from vstatics.pictures.sheet.pen import blank, known
+from vstatics.pictures.sheet.pen import blank
 from vstatics.pictures.sheet.style import TITLE, WIDE_MARGIN, Style
 from vstatics.pictures.sheet.words import gear_title, title
 from vstatics.statics.results import Results
@@ -111,7 +110,7 @@ class LeverPaper(NamedTuple):
         key = self.key([block.gear for block in blocks])
         high = self.above + sum(one.size for one in blocks) + key.height + WIDE_MARGIN
         pen = blank(self.wide, high, self.style)
-        sheet = LeverSheet(pen, self.page, self.speeds, self.per_torque, {}, {}, [])
+        sheet = LeverSheet(pen, self.page, self.speeds, self.per_torque, {}, {})
         pen.text(WIDE_MARGIN, high - WIDE_MARGIN, self.head, va="top", size=TITLE, bold=True)
         top = high - self.above
         for block in blocks:
@@ -119,18 +118,7 @@ class LeverPaper(NamedTuple):
             top -= block.size
         key.put(sheet)
         sheet.put()
-        if self.style.marked:
-            self._tell(sheet, blocks)
         return pen.figure
-
-    def _tell(self, sheet: LeverSheet, blocks: Sequence[LeverBlock]) -> None:
-        """What a script needs to move what is drawn."""
-        [state] = {id(block.gear): block.gear.state for block in blocks}.values()
-        links = {node.link for lever in self.page.levers for node in lever.nodes}
-        told = {"gear": state.gear.name, "ratio": known(state.ratio), "links": sorted(links)}
-        scales = {"speeds": self.speeds, "torque": self.per_torque, "longest": ARROW}
-        levers = [one._asdict() for one in sheet.told]
-        sheet.pen.tell(lever=json.dumps({**told, **scales, "levers": levers}))
 
 
 def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Figure]:

@@ -75,7 +75,7 @@ class SheetHead(NamedTuple):
         top = size[1] + self.high
         pen = blank(size[0], top + margin, style)
         for text, high, look in self.lines:
-            pen.following(of="head").text(margin, top, text, **look, **BELOW)
+            pen.text(margin, top, text, **look, **BELOW)
             top -= high
         for row in self.rows:
             x = margin

@@ -5,7 +5,6 @@ There are no axes of matplotlib, which take most of the time.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
@@ -86,15 +85,6 @@ class Pen(NamedTuple):
         An underscore in a name is a hyphen: ``largest_force`` is ``data-largest-force``.
         """
         return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(_hyphened(data).items()))))
-
-    def following(self, **data: Any) -> Pen:
-        """The same, what it draws in a group that says what it shows, where the style asks for it.
-
-        It is JSON in ``data-follows``: ``following(of="speed", link=2)``.
-        """
-        if not self.style.marked:
-            return self
-        return self.within("follows", follows=json.dumps(data, ensure_ascii=False))
 
     def tell(self, **data: str) -> None:
         """Attributes of the whole picture in SVG: ``tell(left_out="[]")`` is ``data-left-out``."""
@@ -293,15 +283,6 @@ def blank(wide: float, high: float, style: Style) -> Pen:
     """A figure of a size, without anything in it."""
     figure = Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))
     return Pen(figure, style, Affine2D().scale(1 / POINTS_PER_INCH) + figure.dpi_scale_trans)
-
-
-def known(value: float) -> float | None:
-    """A number as JSON has it; none for one that does not exist.
-
-    >>> known(0.5), known(float("nan"))
-    (0.5, None)
-    """
-    return value if math.isfinite(value) else None
 
 
 def corners(left: float, low: float, right: float, high: float) -> list[Point]:

@@ -78,7 +78,7 @@ class Style(NamedTuple):
 
     Parameters
     ----------
-    language : {"en", "de", "ru"}
+    language : {"en", "ru"}
         Of axes and titles; names are those of the case.
     dark : bool
         Light on dark, for a screen.
@@ -90,8 +90,6 @@ class Style(NamedTuple):
         Two sets with two common links are one lever.
     ordered : bool
         Sets of stick diagrams stand in the order of the case.
-    marked : bool
-        Parts of levers and of power flows say what they show, for a script that moves them.
     width, height : float
         That no page exceeds; an endless height is one page. [pt]
     excited : Excitation
@@ -104,7 +102,6 @@ class Style(NamedTuple):
     wheels: bool = False
     merged: bool = False
     ordered: bool = False
-    marked: bool = False
     width: float = PAGE_WIDTH
     height: float = math.inf
     excited: Excitation = Excitation()

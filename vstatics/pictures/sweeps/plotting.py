@@ -85,7 +85,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         Of a page, 80 to 1200. [mm]
     dark : bool, optional
         Light on dark.
-    lang : {"en", "de", "ru"}, optional
+    lang : {"en", "ru"}, optional
         Of axes and titles.
 
     Returns

@@ -11,7 +11,7 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 
 from vstatics.comparison.layout import percent
 from vstatics.comparison.numbers import ATOL, RTOL, Difference, is_same
-from vstatics.report.live.numbers import digits_of
+from vstatics.report.marks import digits_of
 from vstatics.tables.grid import Cell, Column, Grid, text
 from vstatics.tables.written_results import Figure
 from vstatics.texts import heading, tr

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.errors import CaseError, printable
 from vstatics.pictures import pages
-from vstatics.report.live.numbers import marked
+from vstatics.report.marks import marked
 from vstatics.report.motion import in_figures
 from vstatics.report.page_pictures import HALF, Drawn, in_spoken, inline
 from vstatics.report.pair.paged import PagedCase, merged_tables

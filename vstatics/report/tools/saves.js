@@ -61,26 +61,11 @@
 
   // --- the page ----------------------------------------------------------------------------
 
-  const results = () => {
-    if (!("moved" in document.body.dataset)) return document.getElementById("result").textContent;
-    const changed = {}, calculated = {}; // numbers of the page itself: the program did not see them
-    for (const one of document.querySelectorAll("input.field[data-path]")) {
-      const number = globalThis.typed.numberOf(one);
-      if (number !== Number(one.defaultValue)) changed[one.dataset.path] = number;
-    }
-    for (const { dataset: { result, row, gear, number } } of document.querySelectorAll("main :is(td, span)[data-result]")) {
-      const rows = (calculated[result] ??= {}), value = number === "" ? null : Number(number);
-      if (row === undefined) rows[gear] = value;
-      else (rows[row] ??= {})[gear] = value;
-    }
-    return `${JSON.stringify({ changed, calculated }, null, 1)}\n`;
-  };
-
   const save = (button) => {
     const { save: kind } = button.dataset, figure = button.closest("figure"), section = button.closest("section.table");
     if (figure) keep(nameOf(figure.querySelector("svg")), kind, svgOf(figure.querySelector("svg")));
     else if (section) keep(section.querySelector(".scroll").getAttribute("aria-label"), kind, { csv: csvOf, json: jsonOf }[kind](section.querySelector("table")));
-    else keep("result", kind, results());
+    else keep("result", kind, document.getElementById("result").textContent);
   };
   addEventListener("click", ({ target }) => { if (target.matches?.("button[data-save]")) save(target); });
 

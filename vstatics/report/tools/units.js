@@ -112,7 +112,6 @@
   const showUnits = () => { find(); rewrite(); writeHeads(); };
   select.value = choices.read().units ?? "relative";
   select.addEventListener("change", () => { choices.keep({ units: select.value }); rewrite(); writeHeads(); });
-  addEventListener("numbers", rewrite); // of a page that calculates
   followers.push(showUnits);
   renumbered.push((elements) => {
     for (const one of elements) texts.delete(one);

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from vstatics.elements.drawing import drawing_of
 from vstatics.model.transmission import Transmission
-from vstatics.report.live.numbers import digits_of
+from vstatics.report.marks import digits_of
 from vstatics.sweep.variants.path_numbers import case_path, known_paths, own_number_at
 from vstatics.sweep.variants.targets import OF_MECHANISM
 from vstatics.tables.html import Markup, tag
@@ -35,7 +35,7 @@ _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
 
 
 SCRIPT, STYLE = (
-    Markup((files(__package__) / f"fields.{kind}").read_text(encoding="utf-8"))
+    Markup((files(__package__) / f"number_fields.{kind}").read_text(encoding="utf-8"))
     for kind in ("js", "css")
 )
 """What reads the fields, and how they look."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import vstatics
 from tests.commands import CASES
-from vstatics.report.live.fields import case_fields, shown_fields
+from vstatics.serve.number_fields import case_fields, shown_fields
 
 
 def test_teeth_of_a_drawn_case_are_fields_and_its_mechanisms_are_not() -> None:
