@@ -220,7 +220,7 @@ class _Writer:
         return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
 
     def by_kind(self, value: Any, shape: ByKind) -> dict[str, Any]:
-        return self.by_key(value, shape.records[value["kind"]])
+        return self.by_key(value, shape.records[value[shape.key]])
 
     def by_name(self, value: Any, shape: ByName) -> dict[str, Any]:
         return {str(name): self.value(item, shape.item) for name, item in value.items()}
