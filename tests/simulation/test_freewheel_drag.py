@@ -21,7 +21,7 @@ from tests.simulation.control.written import simulated
 from vstatics.numerics.arrays import Floats
 
 WORDS = {("stick", "+"): "overruns", ("+", "stick"): "locks", ("-", "stick"): "locks"}
-WORDS |= {("stick", "-"): "overruns", ("+", "-"): "reverses", ("-", "+"): "reverses"}
+WORDS |= {("stick", "-"): "slips", ("+", "-"): "reverses", ("-", "+"): "reverses"}
 
 
 class Wheel(NamedTuple):
