@@ -67,8 +67,8 @@ _WITHOUT_GEARS = {
     "--order",
     type=click.Choice(["free", "as-given"]),
     default="free",
-    help="Stick diagrams: sets stand in the order of the case, if a way is found soon; else the "
-    "title says that they do not.",
+    help="Order of the sets in stick diagrams. as-given keeps that of the case, also at the cost "
+    "of crossings; if no such layout is found, the title says so.",
 )
 @click.option(
     "--ratios",
