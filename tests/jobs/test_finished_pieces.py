@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from tests.chance import count, seeded
 from tests.commands import environment
 from tests.sweep.sweeps import names, plan
 from vstatics.errors import ReadError
@@ -23,9 +24,9 @@ from vstatics.sweep.output import Output, description
 VARY = ("D.ratio=-4:-2:30",)
 
 
-def store(path: Path, *, resume: bool = False, **more: Any) -> Output:
+def store(path: Path, *, resume: bool = False, vary: str = VARY[0], **more: Any) -> Output:
     """The output of 30 variants in pieces of 8, opened."""
-    made = plan(*VARY, piece=8, **more)
+    made = plan(vary, piece=8, **more)
     opened = FinishedPieces(str(path))
     opened.open(description(made, "csv"), made.pieces, resume=resume)
     return Output(made, "csv", opened)
@@ -63,6 +64,31 @@ def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
     assemble(again)
     assert path.read_bytes() == whole(tmp_path)
     assert names(tmp_path) == ["out.csv", "whole.csv"]
+
+
+def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_path: Path) -> None:
+    """Random pieces are replaced with those of a sweep that differs in one number alone."""
+    expected = whole(tmp_path)
+    rng = seeded(0)
+    for trial in range(count(6, 200)):
+        path, other = (tmp_path / f"{name}{trial}.csv" for name in ("out", "other"))
+        written = store(path)
+        calculate(written)
+        written.store.unlock()
+        last = rng.choice((-2.0, -1.9, -2.5))
+        foreign = store(other, vary=f"D.ratio=-4:{last!r}:30")
+        calculate(foreign)
+        replaced = sorted(rng.sample(range(4), rng.randint(1, 4)))
+        for piece in replaced:
+            ends = (one.store.directory for one in (foreign, written))
+            source, target = (Path(piece_file.piece_path(end, piece)) for end in ends)
+            target.write_bytes(source.read_bytes())
+        foreign.store.unlock()
+        again = store(path, resume=True)
+        assert list(again.pending) == ([] if last == -2 else replaced)
+        calculate(again)
+        assemble(again)
+        assert path.read_bytes() == expected
 
 
 def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> None:

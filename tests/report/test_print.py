@@ -10,7 +10,9 @@ import pytest
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.report.pages import NASTY, NASTY_CASE, Page, report, write
 from tests.report.printed import PrintedSheet, printed
-from vstatics.report.page_pictures import Drawn
+from vstatics import load, solve
+from vstatics.report.asked import AskedPage
+from vstatics.report.page_pictures import Drawn, pictures
 from vstatics.report.parts import on_paper, side_by_side
 from vstatics.tables.html import Markup
 
@@ -186,3 +188,20 @@ def test_what_has_no_room_on_paper_is_told() -> None:
     assert few.count("<svg") == 4
     assert "Not printed: diagram of gear R; --all prints all of them." in few
     assert side_by_side(gears, [Drawn("stick", [Markup(low)])] * 5).count("<svg") == 5
+
+
+@pytest.mark.parametrize(
+    ("asked", "large", "small"),
+    [
+        (AskedPage(["overview", "gears"]), False, True),
+        (AskedPage(["overview"]), True, False),
+        (AskedPage(["overview", "gears"], prints_all=True), True, False),
+        (AskedPage(), False, True),
+    ],
+)
+def test_stick_diagrams_of_gears_are_printed_once(
+    asked: AskedPage, large: bool, small: bool
+) -> None:
+    """Small beside the table of gears, or large in the overview, where that is printed in full."""
+    found = pictures(solve(load(CASES / "simpson-th400.yaml")), asked)
+    assert (found.bare_stick is None, bool(found.small_sticks)) == (large, small)

@@ -703,7 +703,7 @@ def with_field(part: type, name: str) -> Transmission:
 
 
 def key(case: Transmission) -> tuple[object, ...]:
-    gear = variants.with_all_drag(case, case.gears[0])
+    gear = case.with_all_drag(case.gears[0])
     return (*variants._structure(case), *variants._conditions(case, gear))
 
 

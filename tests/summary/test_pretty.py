@@ -182,7 +182,7 @@ gears: {{fast: [B], direct: [lock]}}
 def test_a_ratio_below_1_is_shown_as_output_over_input_too(ratio: float) -> None:
     """The ring turns at 1 - 1/u of the carrier where the sun is held."""
     text = shown("-", stdin=HUB.format(ratio=ratio).encode())
-    assert f"1/i = output speed / input speed: fast {1 - 1 / ratio:.3f}\n" in text
+    assert f"1/i = output speed / input speed; gear fast: {1 - 1 / ratio:.3f}\n" in text
 
 
 def test_gears_that_are_slower_than_their_input_have_no_inverse() -> None:

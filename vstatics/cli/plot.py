@@ -20,7 +20,7 @@ from vstatics.cli.frame.one_or_many import carry_out
 from vstatics.cli.frame.options import refuse
 from vstatics.cli.frame.scenario_run import named_by_run, run_of
 from vstatics.cli.frame.texts import Job
-from vstatics.cli.frame.values import numbers, told, value, wrong_value
+from vstatics.cli.frame.values import numbers, shown_speeds, told, value, wrong_value
 from vstatics.errors import CaseError, ReadError, of_file
 from vstatics.jobs.files import STDOUT, is_stream
 from vstatics.jobs.input_files import TABLE_BYTES
@@ -67,8 +67,8 @@ _WITHOUT_GEARS = {
     "--order",
     type=click.Choice(["free", "as-given"]),
     default="free",
-    help="Stick diagrams: sets stand in the order of the case, if a way is found soon; else the "
-    "title says that they do not.",
+    help="Order of the sets in stick diagrams. as-given keeps that of the case, also at the cost "
+    "of crossings; if no such layout is found, the title says so.",
 )
 @click.option(
     "--ratios",
@@ -97,6 +97,12 @@ _WITHOUT_GEARS = {
     callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
     help="Of campbell and response: orders of the speed; else those of the engine.",
 )
+@click.option(
+    "--speed",
+    metavar="A:B",
+    callback=value(told(shown_speeds), "--speed"),
+    help="Of campbell and response: range of speeds in rpm, or with a unit behind each.",
+)
 @click.option("--at", metavar="LINK", default="", help="Of a response: the link; else the input.")
 @click.option(
     "--width",
@@ -124,6 +130,7 @@ def plot(
     by: str,
     out: str,
     orders: list[float] | None,
+    speed: tuple[float, float] | None,
     at: str,
     width: float,
     dark: bool,
@@ -195,6 +202,7 @@ def plot(
     asked = DrawnColumns(x, y, z, by)
     of_sweeps = kind in SWEEP_PICTURES
     own = {"merge": merge, "wheels": wheels, "orders": tuple(orders or ()), "at": at}
+    own["speed"] = speed
     refuse(
         *((True, f"--{name}: {why}") for name, why in misplaced(kind, own)),
         (order != "free" and kind != "stick", "--order: only stick diagrams have sets in a row"),
@@ -234,7 +242,7 @@ def plot(
     options = settings._replace(
         scenarios=True, of_runs=kind in OF_RUNS, of_vibration=kind in OF_VIBRATION
     )
-    style = style._replace(excited=Excitation(tuple(orders or ()), at))
+    style = style._replace(excited=Excitation(tuple(orders or ()), at, shown=speed))
     if len(cases) > 1 and not to.is_folder:
         return _plot_two(calculate(cases, options), kind, to, gears, out, style)
     picture = partial(_shown, kind=kind, form=to.form, gears=gears, out=out, style=style)

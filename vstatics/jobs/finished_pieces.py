@@ -48,6 +48,8 @@ class FinishedPieces:
         self.directory = self.output + SUFFIX
         self.folder = StateFolder(self.directory)
         self.accounts: dict[int, Account] = {}
+        self.work = ""
+        """Hash of the definition of the work, which each of its pieces carries."""
         self._lock: int | None = None
         self.is_open = False
 
@@ -96,13 +98,15 @@ class FinishedPieces:
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         if self.into_folder:  # it is made with its parents, as every directory of results
             os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
+        self.work = description["fingerprint"]
         self.lock()
         known = self._known()
         finished = [piece for piece in self.finished() if piece < pieces]
         without = ""
         if finished and known is not None:
             without = self._check(known, description, len(finished), resume=resume)
-            accounts = (read_account(self.directory, piece) for piece in finished if not without)
+            trusted = [] if without else finished
+            accounts = (read_account(self.directory, piece, self.work) for piece in trusted)
             self.accounts = {account.piece: account for account in accounts if account}
         self.is_open = True
         for name in self.folder.names():  # what a killed process left unfinished

@@ -68,6 +68,8 @@ class Account(NamedTuple):
     """What was asked outside its points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
+    work: str = ""
+    """Hash of the definition of the work of which it is a piece."""
 
     @property
     def variants(self) -> int:
@@ -97,6 +99,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     removed: tuple[int, ...] = (),
     outside: tuple[str, ...] = (),
     noticed: tuple[Noticed, ...] = (),
+    work: str = "",
 ) -> tuple[Account, list[Any]]:
     """A finished piece as buffers to write one behind the other.
 
@@ -108,10 +111,11 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     data : sequence of bytes-like
         A segment each.
     removed, outside, noticed : tuple
+    work : str
         See `Account`.
     """
     segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
-    account = Account(piece, rows, counts, segments, removed, outside, noticed)
+    account = Account(piece, rows, counts, segments, removed, outside, noticed, work)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), zlib.crc32(text), _MAGIC)]
 
@@ -128,8 +132,8 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
             write(memoryview(buffer).cast("B"))
 
 
-def read_account(directory: str, piece: int) -> Account | None:
-    """The account of a piece, if it is there and its data are what was written."""
+def read_account(directory: str, piece: int, work: str = "") -> Account | None:
+    """The account of a piece, if it is there and its data are what this work wrote."""
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)
@@ -148,7 +152,7 @@ def read_account(directory: str, piece: int) -> Account | None:
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
     except (OSError, ValueError, KeyError, TypeError, struct.error):
         return None
-    return account if whole and account.piece == piece else None
+    return account if whole and (account.piece, account.work) == (piece, work) else None
 
 
 def _crc(file: Any, length: int) -> int:

@@ -363,6 +363,10 @@ class TransmissionFields:
             **gear.open_drag,
         }
 
+    def with_all_drag(self, gear: Gear) -> Gear:
+        """Return a gear with the drag of the case and of shift elements as its own."""
+        return gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
+
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
         """Torques of the case, by the load of a gear if they were given with a unit."""
         if not any(isinstance(torque, OfLoad) for torque in torques.values()):

@@ -34,6 +34,7 @@ from vstatics.model.shape import (
     TORQUE,
     Balances,
     ByKey,
+    ByKind,
     ByLaw,
     ByName,
     ByPoints,
@@ -41,6 +42,7 @@ from vstatics.model.shape import (
     Ends,
     KeyShape,
     Leaf,
+    LeafKind,
     Links,
     ListOf,
     Numbers,
@@ -154,28 +156,39 @@ def _law(over: Any, points: Any) -> Any:
     return PointLaw(points, over)
 
 
-EFFICIENCY = ByLaw(
-    NUMBER,
-    ByKey(
-        "Efficiency over speed or torque",
-        "Points, straight between, constant outside.",
+def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
+    """Points of an efficiency over speed or torque."""
+    return ByKey(
+        f"Efficiency over {over}",
+        "Points, interpolated linearly between, constant outside.",
         (
-            KeyShape(
-                "over",
-                Leaf("choice", ("speed", "torque")),
-                "Speed of the first link against the third, in rad/s; or torque on the first "
-                "link, in N*m: magnitudes.",
-                required=True,
-            ),
+            KeyShape("over", Leaf("choice", ("speed", "torque")), of, required=True),
             KeyShape(
                 "points",
-                ListOf(RowOf((NUMBER, NUMBER), "speed or torque, efficiency")),
+                ListOf(RowOf((Leaf(measure), NUMBER), f"{over}, efficiency")),
                 "Points in ascending order.",
                 required=True,
                 examples=([[0, 0.9], [150, 0.975]],),
             ),
         ),
         _law,
+    )
+
+
+EFFICIENCY = ByLaw(
+    NUMBER,
+    ByKind(
+        {
+            "speed": _efficiency_over(
+                "speed",
+                "si_speed",
+                "Magnitude of the speed of the first link relative to the third, in rad/s.",
+            ),
+            "torque": _efficiency_over(
+                "torque", "si_torque", "Magnitude of the torque on the first link, in N*m."
+            ),
+        },
+        "over",
     ),
 )
 

@@ -267,7 +267,7 @@ class ByLaw(NamedTuple):
     """A number, or a law: in a text, in points, or in a mapping."""
 
     scalar: Leaf
-    mapping: ByKey
+    mapping: ByKey | ByKind
     row: RowOf | None = None
     """Of points that stand alone."""
 
@@ -280,9 +280,10 @@ class Balances(NamedTuple):
 
 
 class ByKind(NamedTuple):
-    """A mapping whose other keys depend on its `kind`."""
+    """A mapping whose other keys depend on one of them."""
 
     records: Mapping[str, ByKey]
+    key: str = "kind"
 
 
 Shape: TypeAlias = (

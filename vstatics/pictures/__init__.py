@@ -67,6 +67,7 @@ OPTIONS: Mapping[str, tuple[Sequence[str], str]] = {
     "merge": (("lever",), "only levers can be merged"),
     "wheels": (("stick",), "only stick diagrams name them"),
     "orders": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} have orders"),
+    "speed": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} are over a speed"),
     "at": (("response",), "only a response is that of a link"),
     "gear": (
         [kind for kind in PICTURES if kind != "shift"],

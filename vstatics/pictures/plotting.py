@@ -110,6 +110,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
     wheels: bool = False,
     merge: bool = False,
     orders: Sequence[float] = (),
+    speed: tuple[float, float] | None = None,
     at: int | str = "",
     width: float = PAGE_WIDTH / POINTS_PER_MILLIMETRE,
     dark: bool = False,
@@ -134,6 +135,9 @@ def plot(  # noqa: PLR0913 - all but the first by name
         Two sets with two common links are one lever.
     orders : sequence of float, optional
         Of the speed, for the kinds `campbell` and `response`; else those of the engine.
+    speed : tuple of float, optional
+        Range of speeds that `campbell` and `response` show; chosen by the case when not given.
+        [rpm]
     at : int or str, optional
         Number or name of the link of a `response`; else the input.
     width : float, optional
@@ -154,7 +158,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         If matplotlib is not installed, or the case has nothing that could be drawn.
     ValueError
         If there is no such kind, gear, link or language, an option is not for the kind, an order
-        is not above 0, or no page is so wide.
+        is not above 0, speeds are no range, or no page is so wide.
 
     Examples
     --------
@@ -169,7 +173,7 @@ def plot(  # noqa: PLR0913 - all but the first by name
         hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
     given = {"motion": motion, "merge": merge, "wheels": wheels, "at": at, "gear": gear}
-    for name, why in misplaced(kind, {**given, "orders": tuple(orders)}):
+    for name, why in misplaced(kind, {**given, "orders": tuple(orders), "speed": speed}):
         raise ValueError(f"plot of kind {kind!r}: `{name}` is not for it, {why}")
     if kind == "shift" and motion is None:
         hint = "motion=vstatics.simulate(scenario), whose `plot` draws it, too"
@@ -177,8 +181,10 @@ def plot(  # noqa: PLR0913 - all but the first by name
     gears = () if gear is None else (results.case.gear_number(gear),)
     if not all(0 < order < math.inf for order in orders):
         raise ValueError(f"read orders {[*orders]}, expected numbers above 0")
+    if speed is not None and not 0 <= speed[0] < speed[1] < math.inf:
+        raise ValueError(f"read speed {speed}, expected a speed from 0 on, and a higher speed")
     link = str(results.case.link_number(at)) if at else ""
-    excited = Excitation(tuple(map(float, orders)), link)
+    excited = Excitation(tuple(map(float, orders)), link, shown=speed)
     style = Style(
         lang, dark, wheels=wheels, merged=merge, width=checked_width(width), excited=excited
     )

@@ -110,8 +110,11 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
 def _sticks(
     results: Results, asked: AskedPage, gears: Sequence[int]
 ) -> tuple[Sequence[Drawn], Sequence[Drawn], Drawn | None]:
-    """Stick diagrams of gears, small ones for print, and that of none; or structures."""
-    in_full = asked.in_full("overview")
+    """Stick diagrams of gears, small ones for print, and that of none; or structures.
+
+    Beside the section of gears, which prints small ones, large ones are printed on demand only.
+    """
+    in_full = asked.in_full("overview") and (asked.prints_all or not asked.has("gears"))
     for kind in ("stick", "structure"):
         sticks = of_each(results, kind, gears) if asked.has("overview") else []
         has_small = asked.has("gears") and not in_full and len(gears) > 1

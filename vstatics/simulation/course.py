@@ -34,7 +34,7 @@ from vstatics.simulation.events.stretches import Closed, NoFit
 from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
-from vstatics.simulation.record.words import event_of, released
+from vstatics.simulation.record.words import event_of, released, slid_back
 from vstatics.simulation.scenario.parts import SequenceStep
 from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
@@ -545,7 +545,12 @@ class EventRun:
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            kind = "reverses"
+            kind = "reverses" if self._has_slipped(device) else "slips"
         if kind is not None:
             event = event_of(time, device, kind)
-            self.record.events.append(released(event) if after == "open" else event)
+            event = released(event) if after == "open" else event
+            self.record.events.append(slid_back(event) if after == "-" else event)
+
+    def _has_slipped(self, device: Contact | Elastic) -> bool:
+        """Whether a device slipped since the last event: without capacity it can also rest."""
+        return self.record.largest_slip(device.row) > STANDING * self.scales.speed

@@ -276,12 +276,23 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
     if missing and (unloaded := results.gear_at(number).unloaded):
         what = "turns freely and carries" if len(unloaded) == 1 else "turn freely and carry"
         yield Said("N420", f"link{_s(len(unloaded))} {spoken(unloaded)} {what} no torque")
+    elif missing and _is_for_motion(case, gear):
+        free = _without_value(case.link_names, results.gear_at(number).speeds)
+        what = "turns" if len(free) == 1 else "turn"
+        named = f"link{_s(len(free))} {spoken(free)} {what} freely"
+        yield Said("N420", f"{named}: the case has no gears, so its speeds are those of a run")
     elif missing:
         yield _too_free(results, number, gear, missing)
     output = case.gear_output(gear)
     if results.speeds[number, output - 1] == 0:
         name = case.link_name(output)
         yield Said("W415", f"the output, link {name}, stands still: there is no ratio")
+
+
+def _is_for_motion(case: Transmission, gear: Gear) -> bool:
+    """Whether a case has bodies and only the gear that a case without `gears` has."""
+    alone = len(case.gears) == 1 and gear == Gear(name="1")
+    return alone and case.load is None and bool(case.inertias or case.masses)
 
 
 def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:

@@ -78,7 +78,7 @@ def solve_variants(
     names = tuple(block.forms)
     structure = (*_structure(case), tuple(fixed), names)
     for number, (given, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
-        gear = with_all_drag(case, given)
+        gear = case.with_all_drag(given)
         if variants:
             own = _own(by_gear[number]) if by_gear else NOTHING_OWN
             rest = own.left_out_of(gear) if by_gear else gear
@@ -238,7 +238,7 @@ _OF_CASE = _kept(
     *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
-"""Drag acts through the gears, see `with_all_drag`."""
+"""Drag acts through the gears, see `Transmission.with_all_drag`."""
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
 """The numbers that are left out may vary: a plan takes them as its inputs."""
 _OF_SPRING = _kept(Spring, Spring._fields)
@@ -264,11 +264,6 @@ def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)
     return (*own, *ends, turned, case.coasts(gear), *_loads(case, gear))
-
-
-def with_all_drag(case: Transmission, gear: Gear) -> Gear:
-    """Return a gear with the drag of the case and of shift elements as its own."""
-    return gear._replace(drag=case.gear_drag(gear), open_drag=case.gear_open_drag(gear))
 
 
 def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:

@@ -238,8 +238,11 @@ def _inverses(results: Results, digits: int | None) -> Iterator[str]:
     fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
     if fast:
         words = tr("1/i = output speed / input speed")
-        shown = (f"{line.gear} {exact(1 / line.ratio, digits=digits).text}" for line in fast)
-        yield f"{words}: {', '.join(shown)}"
+        shown = (
+            f"{tr('gear')} {line.gear}: {exact(1 / line.ratio, digits=digits).text}"
+            for line in fast
+        )
+        yield f"{words}; {', '.join(shown)}"
 
 
 def results_html(results: Results) -> str:

@@ -80,7 +80,7 @@ class Output:
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
         """Take the pieces that the store has; they are the same whether headings are raw."""
-        self.task = SweepTask(plan, form, store.directory, raw)
+        self.task = SweepTask(plan, form, store.directory, raw, store.work)
         self.store = store
 
     @property
@@ -196,7 +196,8 @@ class Output:
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)
-            account, buffers = piece_file.piece_bytes(number, len(selected.variants), {}, data)
+            rows, work = len(selected.variants), self.task.work
+            account, buffers = piece_file.piece_bytes(number, rows, {}, data, work=work)
             piece_file.write_piece(self.task.directory, number, buffers)
             yield account
             number += 1

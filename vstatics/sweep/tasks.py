@@ -28,6 +28,8 @@ class SweepTask(NamedTuple):
     directory: str = ""
     raw: bool = False
     """Whether headings in CSV stay as they are, also where a spreadsheet calculates them."""
+    work: str = ""
+    """Hash of the definition of the sweep."""
 
     def describe(self, item: object) -> str:
         """The variants of a piece, in words."""
@@ -90,7 +92,7 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    told = rows.removed, rows.outside, rows.noticed
+    told = rows.removed, rows.outside, rows.noticed, task.work
     return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *told)
 
 

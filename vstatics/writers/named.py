@@ -136,9 +136,9 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
     """Gears with all drags relative to their loads, which may differ from the load of the case."""
     gears = []
     for gear in case.gears:
-        of_elements = case.gear_open_drag(gear).items()
-        open_drag = {n: drag for n, drag in of_elements if drag or n in gear.open_drag}
-        gears.append(gear._replace(drag=case.gear_drag(gear), open_drag=open_drag))
+        own = case.with_all_drag(gear)
+        dragging = {n: drag for n, drag in own.open_drag.items() if drag or n in gear.open_drag}
+        gears.append(own._replace(open_drag=dragging))
     elements = [element._replace(drag=0.0) for element in case.shift_elements]
     return {"drag": {}, "shift_elements": elements, "gears": gears}
 
@@ -220,7 +220,7 @@ class _Writer:
         return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
 
     def by_kind(self, value: Any, shape: ByKind) -> dict[str, Any]:
-        return self.by_key(value, shape.records[value["kind"]])
+        return self.by_key(value, shape.records[value[shape.key]])
 
     def by_name(self, value: Any, shape: ByName) -> dict[str, Any]:
         return {str(name): self.value(item, shape.item) for name, item in value.items()}

@@ -125,7 +125,7 @@ def test_of_many_events_impacts_and_locks_are_named() -> None:
 
 
 def test_steps_of_sequences_are_named_by_their_number() -> None:
-    step, locks = Event(0.1, "up", "step", None, None, 2), Event(0.2, "C", "locks")
+    step, locks = Event(0.1, "up", "step", None, "step", 2), Event(0.2, "C", "locks")
     assert [event_text(step, Style(lang)) for lang in ("en", "ru")] == ["up step 2", "up шаг 2"]
     assert named_events([step, locks], 1) == [locks]
 

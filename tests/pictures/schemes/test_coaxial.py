@@ -13,6 +13,7 @@ import networkx as nx
 import pytest
 
 import vstatics
+from tests.chance import count, seeded
 from tests.pictures.measured import measured
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
@@ -385,6 +386,19 @@ def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:
     names = [one.name for one in drawing.elements]
     at = {text.get_text(): text.get_position()[0] for text in figure.texts}
     assert all(at[one] < at[other] for one, other in pairwise(names))
+
+
+@pytest.mark.parametrize("seed", range(count(5, 100)))
+def test_random_boxes_keep_the_order_of_their_sets_or_say_why_not(seed: int) -> None:
+    """By the places of the mechanisms in SVG; crossings are better than another order."""
+    case = next_box(seeded(seed))
+    figure = picture(vstatics.solve(case), "stick", Style(ordered=True))
+    at = {text.get_text(): text.get_position()[0] for text in figure.texts}
+    places = [at[one.name] for one in case.mechanisms]
+    title = figure.texts[0].get_text()
+    is_other = "sets in another order: no layout in that of the case was found" in title
+    assert is_other == (places != sorted(places))
+    assert not is_other
 
 
 def test_planes_of_a_set_are_in_one_order() -> None:

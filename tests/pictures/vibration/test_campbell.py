@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures import drawn as said
 from tests.pictures.vibration.marks import PAPER, Mark, drawn, marks, plotted, tree
@@ -340,3 +341,30 @@ def test_orders_and_links_are_asked_for_in_python_too() -> None:
         plot(results, "campbell", orders=[0])
     with pytest.raises(ValueError, match="no link 'wheel'"):
         plot(results, "response", at="wheel")
+
+
+@pytest.mark.parametrize("seed", range(count(4, 200)))
+def test_a_range_of_speeds_has_the_resonances_within_it(seed: int) -> None:
+    """Closed form: an order n meets f at 60 f/n rpm, at the part of the range that this is."""
+    rng = seeded(seed)
+    hertz = rng.uniform(5, 60)
+    orders = sorted(rng.sample([0.5, 1.0, 1.5, 2.0, 3.0, 4.0], 3))
+    low = rng.choice((0.0, rng.uniform(100, 1500)))
+    high = low + rng.uniform(200, 3000)
+    expected = {order: 60 * hertz / order for order in orders if low <= 60 * hertz / order <= high}
+    excited = Excitation(tuple(orders), shown=(low, high))
+    svg = drawn(of_frequency(hertz, load=Load(2000.0)), "campbell", Style(excited=excited))
+    found = {order: one for (_, _, order), one in resonances(svg).items()}
+    assert found.keys() == expected.keys()
+    for order, speed in expected.items():
+        assert float(found[order].data["rpm"]) == pytest.approx(speed)
+
+
+@pytest.mark.parametrize("text", ["1500:500", "500", "-5:600", "500 Hz:900 Hz", "1:2:3"])
+def test_a_range_of_speeds_that_is_none_is_wrong_use(text: str, tmp_path: Path) -> None:
+    to = tmp_path / "a.svg"
+    done = vstatics(
+        "plot", CASES / "moskvich412.yaml", "--kind", "campbell", "--speed", text, "-o", to
+    )
+    assert (done.status, to.exists()) == (2, False)
+    assert "--speed" in done.err

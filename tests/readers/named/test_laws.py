@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from vstatics import ReadError, VstaticsError, load
+from tests.chance import count, seeded
+from vstatics import ReadError, VstaticsError, load, loads
 from vstatics.model.laws import PointLaw
+from vstatics.writers.named import write_yaml
 
 CASE = """\
 links: [a, b]
@@ -92,3 +96,39 @@ def test_what_depends_without_a_load_is_told_at_its_place(tmp_path: Path) -> Non
     file.write_text(text, encoding="utf-8")
     with pytest.raises(VstaticsError, match=r"case.yaml:2:8: error: drag.b: it depends on"):
         load(file)
+
+
+SIZES = {
+    "speed": {"rad/s": 1.0, "rpm": math.pi / 30, "rev/s": 2 * math.pi, "deg/s": math.pi / 180},
+    "torque": {"N*m": 1.0, "kNm": 1000.0, "N*mm": 1e-3, "kgf*m": 9.80665},
+}
+"""Units of points by what they are over: exact conversions to rad/s and N*m."""
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
+    seed: int, tmp_path: Path
+) -> None:
+    """Random units point by point, also bare, in YAML and written again; other units are named."""
+    rng = seeded(seed)
+    over, other = rng.sample(sorted(SIZES), 2)
+    points, written = [], []
+    for place in range(rng.randint(1, 5)):
+        value, efficiency = 10.0 * place + rng.randint(0, 9), rng.randint(80, 100)
+        unit = rng.choice(["", *SIZES[over]])
+        number = value / SIZES[over].get(unit, 1.0)
+        points.append((value, efficiency / 100))
+        written.append(f"[{number!r} {unit}, {efficiency} %]")
+    text = f"{{over: {over}, points: [{', '.join(written)}]}}"
+    case = load(case_of(tmp_path, efficiency=text))
+    for one in (case, loads(write_yaml(case))):
+        law = one.mechanisms[0].efficiency
+        assert isinstance(law, PointLaw)
+        assert law.over == over
+        np.testing.assert_allclose(law.points, points, rtol=1e-12)
+    wrong = text.replace(written[-1], f"[1 {rng.choice(sorted(SIZES[other]))}, .9]")
+    with pytest.raises(
+        ReadError, match=f"expected a {over} in .*, bare or with its unit"
+    ) as caught:
+        load(case_of(tmp_path, efficiency=wrong))
+    assert f"efficiency.points[{len(points)}][1]" in str(caught.value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
@@ -10,7 +11,7 @@ from random import Random
 import pytest
 
 from tests.chance import count, seeded
-from vstatics import CaseError, solve
+from vstatics import CaseError, ReadError, solve
 from vstatics.errors import lookalike
 from vstatics.readers import loads, read
 from vstatics.readers.named.scalars import number
@@ -154,3 +155,22 @@ def test_a_dash_in_a_deck_is_pointed_out(dash: str) -> None:
     for reader in READERS:
         with pytest.raises(CaseError, match=rf"IAB\(1\): .* \(with `-` in place of `{dash}`\)"):
             reader(DECK.replace("-2.5", f"{dash}2.5"))
+
+
+@pytest.mark.parametrize("seed", range(count(12, 300)))
+def test_a_ratio_with_blanks_around_its_colon_is_to_be_quoted(seed: int) -> None:
+    """In YAML the colon ends a key there; what the message proposes is read as the ratio."""
+    rng = seeded(seed)
+    first, second = rng.randint(1, 99) / rng.choice((1, 10)), rng.randint(1, 9)
+    spaced = f"{first:g} : {second}"
+    written = ("{first: 1, second: 2, ratio: %s}", "\n    first: 1\n    second: 2\n    ratio: %s")
+    text = f"links: 2\nmechanisms:\n  D: {rng.choice(written)}\ngears: {{'1': []}}\n"
+    with pytest.raises(ReadError) as caught:
+        loads(text % spaced)
+    [problem] = caught.value.problems
+    assert problem.id == "E108"
+    found = re.search(r"; write a ratio in quotes, ('.*'), or as (.*)", problem.message)
+    assert found is not None
+    for proposed in found.groups():
+        [mechanism] = loads(text % proposed).mechanisms
+        assert mechanism.ratio == pytest.approx(first / second)

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-import pytest
+from itertools import pairwise
 
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import count, seeded
 from tests.simulation.boxes import held, points
+from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
 from vstatics.model.parts import ShiftElement
+from vstatics.numerics.arrays import Floats
 from vstatics.simulation.record.grids import motion_grids
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
@@ -75,3 +82,70 @@ def test_what_is_rounding_beside_the_largest_is_printed_as_0() -> None:
     }
     assert shown["elastic"] == shown["m"] == ".000"
     assert shown["E"] != ".000" == shown["D"]
+
+
+AT_REST = """links: [a, m, b]
+inertias: {{a: {a!r}, m: {m!r}, b: {b!r}}}
+shift_elements:
+  L: {{links: [a, m], capacity: 300 N*m}}
+  K: {{links: [m, {end}], capacity: 300 N*m}}
+gears: {{"1": []}}
+"""
+
+
+@pytest.mark.parametrize("seed", range(count(4, 300)))
+def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> None:
+    """A viscous clutch or brake K rests until L grips a shaft that turns: then it slips.
+
+    Later the torque on the shaft turns round. The zeros of the slip of K are those of three bodies
+    by `solve_ivp`, with the friction of L smoothed.
+    """
+    rng = seeded(seed)
+    inertias = {"a": rng.uniform(0.5, 2), "m": rng.uniform(0.1, 1), "b": rng.uniform(2, 8)}
+    end = rng.choice(("b", "housing"))
+    way, viscous = rng.choice((-1, 1)), rng.uniform(1, 5)
+    begin, turn = rng.uniform(0.2, 0.6), rng.uniform(0.8, 1)
+    size = rng.uniform(5, 20)
+    motion = simulated(
+        "duration: 2\nstart: {speeds: {a: 0, m: 0, b: 0}}\n"
+        f"controls: {{L: [[0, 0], [{begin!r}, 0], [{begin + 0.2!r}, {size!r}]], "
+        f"K: \"{viscous!r}*abs(slip('K'))\"}}\n"
+        f"torques: {{a: [[0, {30 * way}], [{turn!r}, {30 * way}], [{turn!r}, {-90 * way}]]}}\n",
+        AT_REST.format(**inertias, end=end),
+    )
+
+    def gripping(time: float) -> float:
+        return size * min(max((time - begin) / 0.2, 0.0), 1.0)
+
+    def rates(time: float, speeds: Floats) -> list[float]:
+        sliding = gripping(time) * float(np.tanh((speeds[0] - speeds[1]) / 1e-4))
+        driven = 30 * way if time < turn else -90 * way
+        braking = viscous * slip(time, speeds)
+        torques = (driven - sliding, sliding - braking, braking if end == "b" else 0.0)
+        return [
+            torque / inertia for torque, inertia in zip(torques, inertias.values(), strict=True)
+        ]
+
+    def slip(_time: float, speeds: Floats) -> float:
+        return float(speeds[1] - speeds[2])
+
+    told = [one for one in motion.events if one.element == "K"]
+    assert told[0].word == "slips"
+    assert told[0].time == pytest.approx(begin, abs=1e-6)
+    crossings: list[float] = []
+    values = [0.0, 0.0, 0.0]
+    for first, last in pairwise((0.0, begin, begin + 0.2, turn, 2.0)):
+        course = solve_ivp(rates, (first, last), values, "Radau", events=slip, rtol=1e-7, atol=1e-7)
+        assert course.t_events is not None
+        crossings += [float(zero) for zero in course.t_events[0] if zero > begin + 1e-3]
+        values = course.y[:, -1].tolist()
+    assert [one.word for one in told[1:]] == ["reverses"] * len(crossings)
+    assert [one.time for one in told[1:]] == pytest.approx(crossings, abs=1e-3)
+
+
+def test_a_step_of_a_sequence_has_a_word_as_all_events() -> None:
+    motion = simulated(
+        "duration: 1\nstart: {gear: g}\nset: {q: 1}\n"
+        'sequences: {s: [{when: "t > 0.5", set: {q: 2}}]}\n'
+    )
+    assert [(one.event, one.word, one.step) for one in motion.events] == [("step", "step", 1)]

@@ -169,6 +169,31 @@ def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
         raise ValueError(expected) from None
 
 
+def shown_speeds(text: str) -> tuple[float, float]:
+    """Return a range of speeds in rpm, which are bare or have a unit each.
+
+    Raises
+    ------
+    ValueError
+
+    Examples
+    --------
+    >>> shown_speeds("500:3000"), shown_speeds("0:50 rev/s")
+    ((500.0, 3000.0), (0.0, 3000.0))
+    """
+    from vstatics.readers.named.arithmetic import calculated
+    from vstatics.readers.named.units import quantity
+
+    parts = text.split(":")
+    if len(parts) != 2:
+        raise ValueError(f"read {text[:30]!r}, expected a range of speeds such as 500:3000")
+    bare = [part if calculated(part.strip()).behind else f"{part} rpm" for part in parts]
+    low, high = (quantity(part.strip(), "speed") for part in bare)
+    if not 0 <= low < high < math.inf:
+        raise ValueError(f"read {text[:30]!r}, expected a speed from 0 on, and a higher speed")
+    return low, high
+
+
 def named(
     shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
 ) -> Callable[[Sequence[str]], dict[str, Value]]:

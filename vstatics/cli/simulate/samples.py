@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TypeAlias, cast
 
 import click
@@ -100,7 +100,8 @@ def _written(run: SweepRun) -> Collected:
     status, told = carry_out(run)
     if status:
         return status, told
-    read = sweep_tables.read(*files.read_input(str(run.output), sys.maxsize - 1))
+    output = Path(str(run.output))  # without a bound: the command has just written it
+    read = sweep_tables.read(output.read_bytes(), str(output))
     return {name: np.array(numbers) for name, numbers in read.columns.items()}, told
 
 

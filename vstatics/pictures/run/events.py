@@ -35,7 +35,7 @@ def short(name: str) -> str:
 def event_word(event: Event, style: Style) -> str:
     """What happens, where it stands beside the name.
 
-    >>> event_word(Event(0.3, "up", "step", None, None, 2), Style())
+    >>> event_word(Event(0.3, "up", "step", None, "step", 2), Style())
     'step 2'
     """
     word = event.word or event.event

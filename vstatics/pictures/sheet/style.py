@@ -71,6 +71,8 @@ class Excitation(NamedTuple):
     """Name or number of the link; the input when not given."""
     speeds: tuple[float, ...] = ()
     """At which the input runs, besides those that the case tells. [rpm]"""
+    shown: tuple[float, float] | None = None
+    """Range of speeds across the picture; chosen by the case when not given. [rpm]"""
 
 
 class Style(NamedTuple):

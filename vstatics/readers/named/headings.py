@@ -210,10 +210,8 @@ def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> I
     >>> list(without_titles(["Test 7", "Speed (rpm)", "5"], lambda cell: "Speed" in cell))
     ['', 'Speed (rpm)', '5']
     """
-    top = (
-        (at, cells) for at, line in enumerate(lines[:MOST_TITLE_LINES]) for _, cells in _split(line)
-    )
-    head = next((at for at, cells in top if any(map(is_heading, cells))), 0)
+    top = _heading_lines(lines[:MOST_TITLE_LINES])
+    head = next((at for at, _, cells in top if any(map(is_heading, cells))), 0)
     return chain(repeat("", head), islice(lines, head, None))
 
 
@@ -230,12 +228,11 @@ class _ExpectedTable(NamedTuple):
             raise HeadingError(f"read nothing, expected {self.what}", 1)
         candidates: list[tuple[int, int, str, list[str]]] = []
         required = {column.name for column in self.columns if not column.optional}
-        for at, (_, line) in enumerate(lines):
-            for separator, cells in _split(line):
-                known = {heading.column.name for heading in self.understood(cells)}
-                if known >= required:
-                    return self.checked(lines, at, separator, cells)
-                candidates.append((len(known), -at, separator, cells))
+        for at, separator, cells in _heading_lines([line for _, line in lines]):
+            known = {heading.column.name for heading in self.understood(cells)}
+            if known >= required:
+                return self.checked(lines, at, separator, cells)
+            candidates.append((len(known), -at, separator, cells))
         most, at, separator, cells = max(candidates, key=lambda candidate: candidate[:2])
         if not most:
             at = -_above_numbers([line for _, line in lines])
@@ -355,6 +352,13 @@ def _with_units_below(
                 _check_units(with_units)
                 return with_units
     return []
+
+
+def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
+    """Return the index, separator and cells of each line, once for each likely separator."""
+    for at, line in enumerate(lines):
+        for separator, cells in _split(line):
+            yield at, separator, cells
 
 
 def _split(line: str) -> Iterator[tuple[str, list[str]]]:

@@ -101,8 +101,8 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 -
             inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
             for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
                 yield from _links(value, of)
-        case nodes.Mapping(entries), ByKind(records):
-            kinds = [v.text for key, v in entries if key.text == "kind" and isinstance(v, Scalar)]
+        case nodes.Mapping(entries), ByKind(records, name):
+            kinds = [v.text for key, v in entries if key.text == name and isinstance(v, Scalar)]
             known = [records[kind] for kind in kinds[:1] if kind in records]
             for record in known or records.values():  # of no kind: as members of any
                 yield from _links(node, record)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any, get_args
 
 from vstatics.elements.keys import with_elements
-from vstatics.model.keys import CASE, with_masses
+from vstatics.model.keys import CASE, EFFICIENCY, with_masses
 from vstatics.model.shape import (
     STRAIGHT,
     UNIT_OF,
@@ -40,7 +40,7 @@ from vstatics.readers.named.units import QUANTITY
 
 Words = dict[str, Any]
 
-_DAMPING = "any_damping"
+_DAMPING, _EFFICIENCY = "any_damping", "efficiency"
 _IN_NO_CASE = frozenset(("time", "velocity", "pump_factor", *STRAIGHT.values())) - {"length"}
 """Measures of scenarios alone."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
@@ -100,7 +100,8 @@ def json_schema() -> Words:
     }
     measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
-    return {**schema, "$defs": {**_DEFINITIONS, **measures, _DAMPING: damping}}
+    several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
+    return {**schema, "$defs": {**_DEFINITIONS, **measures, **several}}
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
@@ -191,6 +192,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
             return {"anyOf": [_shape(shape.row.items[-1]), points, _record(shape.mapping)]}
+        case ByLaw() if shape is EFFICIENCY:
+            return _reference(_EFFICIENCY)
         case Balances() | ByLaw():
             return _of_law(shape)
         case Parsed():
@@ -202,7 +205,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             one = _shape(shape.item)
             return {"anyOf": [*one["anyOf"], {"type": "array", "items": one, "minItems": 1}]}
         case ByKind():
-            return {"oneOf": [_of_kind(kind, record) for kind, record in shape.records.items()]}
+            return {"oneOf": [_of_kind(shape, kind) for kind in shape.records]}
         case Numbers():
             return _by_name({**_shape(shape.item), **shape.limits})
         case Shares():
@@ -217,13 +220,14 @@ def _of_law(shape: Balances | ByLaw) -> Words:
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
     rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
-    return {"anyOf": [_shape(shape.scalar), *rows, _record(shape.mapping)]}
+    return {"anyOf": [_shape(shape.scalar), *rows, _shape(shape.mapping)]}
 
 
-def _of_kind(kind: str, record: ByKey) -> Words:
+def _of_kind(shape: ByKind, kind: str) -> Words:
+    record = shape.records[kind]
     words = _record(record)
-    words["properties"]["kind"] = {"const": kind}
-    return {**words, "type": "object", "required": ["kind", *record.required]}
+    words["properties"][shape.key] = {"const": kind}
+    return {**words, "type": "object", "required": [*dict.fromkeys([shape.key, *record.required])]}
 
 
 def _by_name(item: Words) -> Words:

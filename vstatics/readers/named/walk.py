@@ -270,15 +270,16 @@ class Walk:
         known = tuple(shape.records)
         if not isinstance(node, Mapping):
             return self.refuse(spot, shape, "expected a mapping with `kind` and members")
-        given = [value for key, value in node.entries if key.text == "kind"]
+        given = [value for key, value in node.entries if key.text == shape.key]
         if not given:
             merged = next((key for key, _ in node.entries if is_merge(key)), None)
-            missing = f"`kind` is missing; expected one of {spoken(map(quoted, known), 'or')}"
+            kinds = spoken(map(quoted, known), "or")
+            missing = f"{quoted(shape.key)} is missing; expected one of {kinds}"
             self.spots.complain(spot, NO_MERGE if merged else missing, merged)
             self.spots.unreadable.append(spot.path)
             return {}
-        kind = self.read(spot.key("kind", "kind", given[0]), Leaf("choice", known))
-        if (*spot.path, "kind") in self.spots.unreadable:
+        kind = self.read(spot.key(shape.key, shape.key, given[0]), Leaf("choice", known))
+        if (*spot.path, shape.key) in self.spots.unreadable:
             return {}
         return self._by_key(spot, shape.records[kind])
 

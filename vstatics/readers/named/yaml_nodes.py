@@ -24,6 +24,8 @@ _READ_AHEAD = "exceeded maximum nesting depth"
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
 """Which YAML takes for a list behind a text, within another list."""
+_SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
+"""Ratio whose colon YAML takes for the end of a key, as it has a blank on both sides."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -84,6 +86,7 @@ class _Builder:
             told = ", ".join(part for part in (error.context, error.problem) if part)
             if mark and mark.index and _TEXT_WITH_BRACKETS.match(self.found.text, mark.index - 1):
                 told += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
+            told += self._spaced_ratio(mark.index) if mark else ""
             if mark and self.found.text[mark.index : mark.index + 1] == "\t":
                 told = "read a tab, expected blanks: no tab indents a line"
             self.found.stop(f"not YAML: {told}", *place)
@@ -92,6 +95,15 @@ class _Builder:
         if event.start_mark:
             self.last = self.found.place(event.start_mark.index)
         return event
+
+    def _spaced_ratio(self, at: int) -> str:
+        """Return how to write the ratio at a place of the text, if there is a ratio."""
+        for ratio in _SPACED_RATIO.finditer(self.found.text, max(at - 40, 0), at + 40):
+            if ratio.start() <= at <= ratio.end():
+                first, second = ratio.groups()
+                number = first if float(second) == 1 else f"{first}/{second}"
+                return f"; write a ratio in quotes, '{ratio[0]}', or as {number}"
+        return ""
 
     def node(self, event: yaml.Event, depth: int) -> Node:
         line, column = self.last

@@ -295,7 +295,7 @@ class Margins:
                 return None
             value, slope = curve.piece(curve.piece_at(time))
             if contact.one_way and side == 1:
-                lines.append((0.0, 0.0))
+                lines.append((contact.overrun_drag, 0.0))
                 continue
             factor = contact.static * contact.programme.factor * friction_at(contact.friction)
             lines.append((factor * value, factor * slope))
@@ -543,6 +543,6 @@ def _is_limited(device: Contact | Elastic, time: float) -> bool:
 
 def _limits(contact: Contact, side: int, times: Floats, seen: Floats | None) -> Floats:
     if contact.one_way and side == 1:
-        return np.zeros(len(times))
+        return np.full(len(times), contact.overrun_drag)
     held = programme_along(contact.programme, times, seen)
     return contact.static * friction_at(contact.friction) * held

@@ -30,9 +30,9 @@ class Event(NamedTuple):
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
     """Lost at once, in an impact; None of a step. [J]"""
-    word: Annotated[str | None, SOMETIMES] = ""
-    """What people call it: dog clutches open and close, freewheels overrun, loads start, mechanisms
-    that their friction holds still stick and move. None: of a step."""
+    word: str = ""
+    """Usual word: dog clutches open and close, freewheels overrun, loads start, mechanisms that
+    their friction holds still stick and move."""
     step: Annotated[int | None, SOMETIMES] = None
     """The number of the step of a sequence that was done."""
 

@@ -114,9 +114,22 @@ class Record:
             for one in self.events
         )
 
+    def largest_slip(self, row: Floats) -> float:
+        """Return the largest magnitude of a slip since the last event [rad/s].
+
+        Parameters
+        ----------
+        row : ndarray, shape (links,)
+            Slip by the speeds of the links.
+        """
+        piece = self.pieces[-1]
+        speeds_at = piece.margins.equations.speeds
+        speeds = [speeds_at(*moment) for moment in zip(piece.times, piece.states, strict=True)]
+        return largest(np.array(speeds) @ row)
+
     def done(self, time: float, sequence: str, step: int) -> None:
         """Note a step of a sequence that is done at a time [s]."""
-        self.events.append(Event(time, sequence, "step", None, None, step))
+        self.events.append(Event(time, sequence, "step", None, "step", step))
 
     def jumps(self, time: float, jump: Jump) -> None:
         """Twists that changed at once."""

@@ -21,6 +21,11 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
     return Event(time, device.name, kind, energy, _word(device, kind))
 
 
+def slid_back(event: Event) -> Event:
+    """Return the event of a freewheel whose capacity is exceeded: it does not overrun."""
+    return event._replace(word="slips") if event.word == "overruns" else event
+
+
 def released(event: Event) -> Event:
     """The same where nothing is overcome, but the control takes the capacity away."""
     return event._replace(word="opens") if event.word == "slips" else event

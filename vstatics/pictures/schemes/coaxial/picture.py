@@ -82,7 +82,9 @@ def crossings_told(count: int, style: Style) -> list[str]:
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
     """What a title says where sets do not stand as they should."""
-    return [] if layout.is_ordered else [style.text("sets in another order")]
+    if layout.is_ordered:
+        return []
+    return [style.text("sets in another order: no layout in that of the case was found")]
 
 
 def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:

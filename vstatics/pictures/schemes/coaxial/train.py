@@ -55,6 +55,10 @@ class CoaxialTrain:
     start: int
     end: int
 
+    def __hash__(self) -> int:
+        """Return a hash of the content: equal trains have the same layout."""
+        return hash(repr(self))
+
     @cached_property
     def wheel_bits(self) -> list[list[tuple[int, int]]]:
         """By set and plane, the bits of sun and ring; 0 where there is none."""

@@ -89,7 +89,7 @@ def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
     style, across = sheet.style, sheet.style.width
     text, room = _title(sheet), across - 2 * MARGIN
     tables = resonance_tables(
-        sheet.modes, sheet.orders, (sheet.running, sheet.fastest), room, style
+        sheet.modes, sheet.orders, (sheet.running, sheet.fastest, sheet.slowest), room, style
     )
     left = TableParts([(one, one.rows) for one in tables])
     head = sheet_head(text, sheet.note, _signs(sheet), room, style)
@@ -129,7 +129,7 @@ def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> N
     if not is_lone:
         right += BEFORE_STRIP + strip.wide
     wide = style.width - FREQUENCY_SCALE_WIDTH - right
-    scales = AxisScale(0.0, sheet.fastest), AxisScale(0.0, sheet.top)
+    scales = AxisScale(sheet.slowest, sheet.fastest), AxisScale(0.0, sheet.top)
     panel = pen.panel((FREQUENCY_SCALE_WIDTH, low), (wide, high), *scales)
     draw_running(panel, sheet.running, style)
     _draw_scales(panel, sheet)
@@ -165,7 +165,7 @@ def thinned(ends: Sequence[LineEnd], room: float) -> list[LineEnd]:
 
 def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
     (wide, high), style = pen.size, sheet.style
-    speeds = ticks(0.0, sheet.fastest, max(2, int(wide / (width("10000") + 14))))
+    speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / (width("10000") + 14))))
     hertz = ticks(0.0, sheet.top, max(2, int(high / (2.5 * height("")))))
     texts = [f"{one:g}" for one in hertz]
     pen.scale("bottom", speeds, [f"{one:g}" for one in speeds], grid=True)
@@ -194,7 +194,8 @@ def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
     for order in sheet.orders:
         own = pen.within("order", order=f"{order.number:g}", firing=json.dumps(order.fires))
         end = wide, pen.up(order.frequency(sheet.fastest))
-        own.line((0.0, 0.0), end, title=order.name, **order_look(order, style))
+        begin = 0.0, pen.up(order.frequency(sheet.slowest))
+        own.line(begin, end, title=order.name, **order_look(order, style))
 
 
 def _draw_meeting(pen: Pen, met: Meeting, sheet: CampbellSheet) -> None:

@@ -42,6 +42,8 @@ class CampbellSheet(NamedTuple):
     """Speeds of the input, ascending. [rpm]"""
     fastest: float
     """Up to which the diagram goes. [rpm]"""
+    slowest: float
+    """From which the diagram goes. [rpm]"""
     style: Style
 
     @property
@@ -57,7 +59,7 @@ class CampbellSheet(NamedTuple):
     @property
     def meetings(self) -> list[Meeting]:
         """All resonances."""
-        return list(meetings(self.modes, self.orders, self.fastest))
+        return list(meetings(self.modes, self.orders, self.fastest, self.slowest))
 
     def hertz(self, frequency: float) -> str:
         """A frequency with its unit."""

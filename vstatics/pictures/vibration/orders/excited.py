@@ -149,6 +149,8 @@ class ExcitedSpeeds(NamedTuple):
     """Speeds at which the input runs, ascending. [rpm]"""
     fastest: float
     """The highest speed that is shown. [rpm]"""
+    slowest: float = 0.0
+    """The lowest speed that is shown. [rpm]"""
 
 
 def excited_speeds(
@@ -157,4 +159,7 @@ def excited_speeds(
     """Orders and speeds of gears with natural frequencies [Hz]."""
     orders = orders_of(case, asked)
     running = running_speeds(case, gears, asked)
+    if asked.shown is not None:
+        slowest, fastest = asked.shown
+        return ExcitedSpeeds(orders, running, fastest, slowest)
     return ExcitedSpeeds(orders, running, highest_speed(running, frequencies, orders[0].number))

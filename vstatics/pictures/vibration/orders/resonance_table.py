@@ -7,13 +7,12 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
-from vstatics.numerics.tolerances import NO_POWER
 from vstatics.pictures.sheet.labels import height, width, wrapped
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
 from vstatics.pictures.vibration.orders.excited import Order
-from vstatics.pictures.vibration.orders.resonances import GearMode
+from vstatics.pictures.vibration.orders.resonances import GearMode, is_between
 from vstatics.tables.numbers import typeset
 
 GEARS_WIDTH = 96.0
@@ -138,10 +137,14 @@ class TableParts(NamedTuple):
             y -= HEADING_HEIGHT + sum(row.high for row in rows) + MARGIN
 
 
+ResonanceSpeeds = tuple[Sequence[float], float] | tuple[Sequence[float], float, float]
+"""As `speeds` of `resonance_tables`."""
+
+
 def resonance_tables(
     modes: Sequence[GearMode],
     orders: Sequence[Order],
-    speeds: tuple[Sequence[float], float],
+    speeds: ResonanceSpeeds,
     room: float,
     style: Style,
 ) -> list[ResonanceTable]:
@@ -149,9 +152,9 @@ def resonance_tables(
 
     Parameters
     ----------
-    speeds : pair
+    speeds : tuple
         Those of the input in ascending order; resonances between the first and the last are bold.
-        The one up to which resonances are told. [rpm]
+        The speed up to which resonances are listed; that from which on they are. [rpm]
 
     Examples
     --------
@@ -178,7 +181,7 @@ def resonance_tables(
 def _table(
     modes: Sequence[GearMode],
     orders: Sequence[Order],
-    speeds: tuple[Sequence[float], float],
+    speeds: ResonanceSpeeds,
     style: Style,
 ) -> ResonanceTable | None:
     """The table of some orders, or none."""
@@ -213,7 +216,7 @@ def _table(
 def _printed_alike(
     modes: Iterable[GearMode],
     orders: Sequence[Order],
-    speeds: tuple[Sequence[float], float],
+    speeds: ResonanceSpeeds,
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
@@ -227,9 +230,15 @@ def _printed_alike(
     return places
 
 
-def _speed(mode: GearMode, order: Order, running: Sequence[float], fastest: float) -> TableCell:
+def _speed(
+    mode: GearMode,
+    order: Order,
+    running: Sequence[float],
+    fastest: float,
+    slowest: float = 0.0,
+) -> TableCell:
     speed = order.speed(mode.frequency)
-    if not mode.is_excited or speed > fastest * (1 + NO_POWER):
+    if not (mode.is_excited and is_between(speed, slowest, fastest)):
         return TableCell("")
     runs = len(running) > 1 and running[0] <= speed <= running[-1]
     return TableCell(f"{speed:.0f}", bold=runs)

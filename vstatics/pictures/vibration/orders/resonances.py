@@ -67,9 +67,9 @@ def gear_modes(found: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMo
 
 
 def meetings(
-    modes: Sequence[GearMode], orders: Sequence[Order], fastest: float
+    modes: Sequence[GearMode], orders: Sequence[Order], fastest: float, slowest: float = 0.0
 ) -> Iterator[Meeting]:
-    """The resonances up to a speed [rpm].
+    """The resonances up to a speed, from another speed on [rpm].
 
     >>> mode = GearMode("1", 0, 1, 50.0, 0.3, 0.0)
     >>> orders = [Order(n, False) for n in (0.5, 1.0, 2.0)]
@@ -79,8 +79,13 @@ def meetings(
     for mode in modes:
         for order in orders:
             met = Meeting(mode, order)
-            if mode.is_excited and met.speed <= fastest * (1 + NO_POWER):
+            if mode.is_excited and is_between(met.speed, slowest, fastest):
                 yield met
+
+
+def is_between(speed: float, slowest: float, fastest: float) -> bool:
+    """Return whether a speed is within a range, its ends included."""
+    return slowest * (1 - NO_POWER) <= speed <= fastest * (1 + NO_POWER)
 
 
 class SharedMode(NamedTuple):

@@ -58,6 +58,8 @@ class _ResponseSheet(NamedTuple):
     """Speeds at which the input runs, where the torque is on it. [rpm]"""
     fastest: float
     """The highest speed. [rpm]"""
+    slowest: float
+    """The lowest speed. [rpm]"""
     decades: tuple[float, float]
     """The ends of the scale, logarithms of amplitudes [rad]."""
     style: Style
@@ -95,7 +97,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
         raise CaseError("E741", f"no response in gear {names}: {panels[0].why}")
     running = [] if style.excited.at else asked.running
     decades = _decades(lines, asked.fastest)
-    sheet = _ResponseSheet(panels, asked.orders, running, asked.fastest, decades, style)
+    sheet = _ResponseSheet(panels, asked.orders, running, *asked[2:], decades, style)
     columns = min(2, len(panels))
     high, on_page = _rows(results, sheet, math.ceil(len(panels) / columns))
     parts = range(0, len(panels), on_page * columns)
@@ -165,7 +167,7 @@ def _figure(
     left = MARGIN + 14.0
     across = (style.width - left - MARGIN) / columns
     wide = across - AMPLITUDE_SCALE_WIDTH
-    scales = AxisScale(0.0, sheet.fastest), AxisScale(*sheet.decades)
+    scales = AxisScale(sheet.slowest, sheet.fastest), AxisScale(*sheet.decades)
     for place, panel in enumerate(panels):
         row, column = divmod(place, columns)
         corner = (
@@ -224,7 +226,7 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     low, high = (int(one) for one in sheet.decades)
     decades = list(range(low, high + 1))
     pen.scale("left", decades, [_power(one) for one in decades], grid=True)
-    speeds = ticks(0.0, sheet.fastest, max(2, int(wide / 34.0)))
+    speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / 34.0)))
     pen.scale("bottom", speeds, [f"{one:g}" for one in speeds] if is_lowest else [], grid=True)
     pen.frame()
     if is_lowest:

@@ -74,8 +74,8 @@ def _panel(
     """The response of a gear, order by order, as each has speeds of its own."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
-    lines, (orders, _, fastest) = [], excited
-    met = list(meetings(modes, orders, fastest))
+    lines, (orders, _, fastest, slowest) = [], excited
+    met = list(meetings(modes, orders, fastest, slowest))
     for order in orders:
         own = [one for one in met if one.order == order]
         about = [
@@ -84,7 +84,7 @@ def _panel(
             for off in ABOUT_PEAK
             for sign in (-1, 1)
         ]
-        even = np.linspace(fastest / EVEN_SPEEDS, fastest, EVEN_SPEEDS)
+        even = np.linspace(max(slowest, fastest / EVEN_SPEEDS), fastest, EVEN_SPEEDS)
         speeds = np.unique([*even, *(one for one in about if even[0] < one < fastest)])
         [made] = response(results.case, link, [Harmonic(order.number)], speeds, [gear])
         if made.error:

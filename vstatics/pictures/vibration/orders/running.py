@@ -27,11 +27,14 @@ def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
 
 
 def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
-    """A band from the least to the largest of some speeds, a line at a single one."""
+    """Draw a band from the least to the largest of some speeds, a line at a single speed."""
     if not speeds:
         return
+    wide, high = pen.size
     left, right = (pen.across(speeds[place]) for place in (0, -1))
-    own, high = pen.within("range"), pen.size[1]
+    if right < 0 or left > wide:
+        return
+    left, right, own = max(left, 0.0), min(right, wide), pen.within("range")
     if len(speeds) == 1:
         own.line((left, 0.0), (left, high), zorder=0.3, **_line_look(style))
     else:

@@ -137,7 +137,8 @@ class SearchedPieces:
         """
         lines = box_lines(found.boxes)
         counts = {SEARCHED: int(found.searched), GIVEN_UP: found.given_up}
-        account, buffers = piece_bytes(piece, len(found.boxes), counts, [lines])
+        work = "" if self._store is None else self._store.work
+        account, buffers = piece_bytes(piece, len(found.boxes), counts, [lines], work=work)
         if self._store is None:
             self._lines[piece] = lines
         else:

@@ -7,8 +7,10 @@ to be soon at an end). What joins two neighbouring bars stands there at once: th
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from heapq import heappop, heappush
-from itertools import combinations, count, islice, pairwise, product
+from itertools import combinations, count, islice, pairwise
+from operator import attrgetter
 from typing import NamedTuple
 
 from vstatics.errors import CaseError
@@ -43,6 +45,7 @@ MOST_FURTHER = 2
 """Bars at one place beyond one of each link."""
 BARS_OF_REST = 2
 """In the estimate of what the rest will cost."""
+Tries = Sequence[tuple[float, int]]
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
 
 
@@ -54,13 +57,14 @@ class Swept(NamedTuple):
     """False if sets should stand as they are given, but no way was found."""
 
 
+@lru_cache(maxsize=64)
 def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = False) -> Swept:
     """The steps of a train from left to right.
 
     Parameters
     ----------
     is_ordered : bool
-        Sets stand as they are given, if a way is found soon.
+        Sets stand as they are given, also where this costs crossings, if a way is found soon.
     is_quick : bool
         It is one of many.
 
@@ -76,29 +80,39 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = Fal
     >>> [step.kind for step in swept(train).steps]
     ['set', 'top']
     """
-    orders = [True, False] if is_ordered else [False]
     is_planar = has_half_section(train)
-    if is_planar:
-        tries = QUICK_TRIES if is_quick else TRIES
-        for ordered, (weight, most) in product(orders, tries):
-            found = _SweepSearch(Moves(train, 0, ordered), weight).found(most)
-            if found is not None:
-                return Swept(found.steps, ordered or not is_ordered)
-    may_cross = len(train.sets) <= MOST_SETS
-    for ordered in orders * may_cross:
-        ways = [
-            found
-            for crossing in _crossing(train, is_planar=is_planar)
-            for weight, most in CROSSING_TRIES
-            if (found := _SweepSearch(Moves(train, crossing, ordered), weight).found(most))
-        ]
-        if ways:
-            return Swept(min(ways, key=lambda way: way.cost).steps, ordered or not is_ordered)
-    for weight, most in LAST * may_cross:
-        found = _SweepSearch(Moves(train, train.all_bits), weight).found(most)
+    tries = QUICK_TRIES if is_quick else TRIES
+    for ordered in (True, False)[not is_ordered :]:
+        found = _planar(train, tries, is_ordered=ordered) if is_planar else None
+        found = found or _with_crossings(train, is_planar=is_planar, is_ordered=ordered)
         if found is not None:
-            return Swept(found.steps, not is_ordered)
+            return Swept(found.steps, ordered or not is_ordered)
     raise CaseError("E435", "no arrangement of this stick diagram was found; `structure` draws it")
+
+
+def _planar(train: CoaxialTrain, tries: Tries, *, is_ordered: bool) -> _FoundSteps | None:
+    """Return the first way without crossings that is found."""
+    ways = (_SweepSearch(Moves(train, 0, is_ordered), weight).found(most) for weight, most in tries)
+    return next(filter(None, ways), None)
+
+
+def _with_crossings(
+    train: CoaxialTrain, *, is_planar: bool, is_ordered: bool
+) -> _FoundSteps | None:
+    """Return the best way with as few crossings as can be, else any way."""
+    if len(train.sets) > MOST_SETS:
+        return None
+    ways = [
+        found
+        for crossing in _crossing(train, is_planar=is_planar)
+        for weight, most in CROSSING_TRIES
+        if (found := _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most))
+    ]
+    if ways:
+        return min(ways, key=attrgetter("cost"))
+    every = Moves(train, train.all_bits, is_ordered)
+    last = (_SweepSearch(every, weight).found(most) for weight, most in LAST)
+    return next(filter(None, last), None)
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
