@@ -28,6 +28,7 @@ from vstatics.model.springs import Spring, between
 from vstatics.simulation import simulate
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.simulation.published.two_masses import TwoMasses, two_masses
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Resistance, constant
 from vstatics.simulation.scenario.parts import (
     ControlState,
@@ -55,6 +56,29 @@ def test_brake_stops_the_ring() -> None:
     # locked, it has the same acceleration as the event run
     rate = (motion.speeds[-1, 0] - at_lock[0]) / (1 - time)
     assert rate == pytest.approx(25.477707, abs=6e-7)
+
+
+@pytest.mark.parametrize("law", ["-60 - 20*angle", "-60 - 20*speed"])
+def test_loads_over_time_angle_and_speed_in_first_gear(law: str) -> None:
+    """(12) with L = P = 1, u = 2.5, J = J_in + J_out/u^2 = 0.628: J w' = M_in - M_out/u.
+
+    M_in = 40 + 30 t. With k = 20/u^2 a load by angle swings about its level, one by speed
+    approaches it: both in closed form.
+    """
+    loads = ((1, points((0, 40), (0.7, 61), (1, 70))), (2, Formula(law)))
+    case = planetary_set()
+    motion = tarasik(Scenario(case, 1.0, Start("1", 50.0), {1: held(900)}, loads), step=0.1)
+    assert {one.kind for one in motion.events} <= {"locks"}
+    inertia, k, t = 0.5 + 0.8 / 2.5**2, 20 / 2.5**2, motion.time
+    if "angle" in law:
+        omega = math.sqrt(k / inertia)
+        level = (40 - 60 / 2.5) / k
+        expected = 30 / k + level * omega * np.sin(omega * t) + (50 - 30 / k) * np.cos(omega * t)
+    else:
+        level = (40 - 60 / 2.5 - inertia * 30 / k) / k
+        expected = level + 30 / k * t + (50 - level) * np.exp(-k / inertia * t)
+    np.testing.assert_allclose(motion.speeds[:, 0], expected, rtol=1e-8)
+    np.testing.assert_allclose(motion.speeds[:, 1], expected / 2.5, rtol=1e-8)
 
 
 def test_energy_up_to_the_lock() -> None:

@@ -233,6 +233,20 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
 
 
+def test_three_gears_by_shift_speeds() -> None:
+    """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    clutches = [ShiftElement(1, link) for link in (2, 3, 4)]
+    gears = [Gear([n], name=str(n)) for n in (1, 2, 3)]
+    case = Transmission(5, clutches, pairs, gears, vehicle=CAR)
+    speeds = [5, 7, 11, 13, 10, 8.5, 11, 5, 3.5, 13, 3]
+    steady = [speed for speed in speeds for _ in range(2)]
+    text = trace(*((2.0 * n, speed, "") for n, speed in enumerate(steady)))._replace(gears=[])
+    made = drive(case, text, GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s")))
+    assert made.gears[::2] == [*"12233222131"]
+    assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
+
+
 @pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
 def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
     """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
