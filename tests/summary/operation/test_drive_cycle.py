@@ -65,6 +65,8 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     if gear == "1":
         spinning += 0.02 * (1.5 * k) ** 2
     assert made.energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+    expected = [1.0, 3.6 * 11, float(gear), ratio * k * 11 * 30 / math.pi, engine, force]
+    assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 
 def test_brakes_take_what_the_engine_does_not() -> None:

@@ -199,7 +199,7 @@ def test_an_axle_over_the_mean_of_two_wheels_has_its_frequencies() -> None:
 
 
 def test_pairs_of_any_ratio_in_a_row_are_reduced_by_its_square() -> None:
-    """J/u^2 behind pairs of the ratio u together, forward or reversed."""
+    """J/u^2, E u^2 and d/u^2 behind pairs of the ratio u together, forward or reversed."""
     rng = seeded(3)
     for _ in range(count(20, 1000)):
         ratios = [rng.choice((1, -1)) * rng.uniform(0.3, 5) for _ in range(rng.randint(1, 4))]
@@ -207,9 +207,11 @@ def test_pairs_of_any_ratio_in_a_row_are_reduced_by_its_square() -> None:
         case = Transmission(
             links, [], [Mechanism(n, n + 1, 0, u) for n, u in enumerate(ratios, 1)], [],
             output=links, inertias={1: 0.1, links - 1: 2.0, links: 9.0},
-            springs=[Spring({links - 1: 1, links: -1}, compliance=3e-4, name="shaft")],
+            springs=[Spring({links - 1: 1, links: -1}, compliance=3e-4, damping=0.7, name="shaft")],
         )  # fmt: skip
         [found] = reduce(case, 1)
         square = math.prod(ratios) ** 2
         assert found.inertias == pytest.approx({"1": 0.1 + 2.0 / square, str(links): 9.0 / square})
         assert found.compliances["shaft"] == pytest.approx(3e-4 * square)
+        [spring] = gear_scheme(case, case.gears[0]).springs
+        assert (spring.compliance, spring.damping) == pytest.approx((3e-4 * square, 0.7 / square))

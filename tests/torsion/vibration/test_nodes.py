@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal, localcontext
 from itertools import pairwise
 from typing import NamedTuple
 
+import numpy as np
 import pytest
+from scipy import linalg
 
 from tests.chance import count, seeded
 from tests.torsion.systems import chain
@@ -121,3 +124,26 @@ def test_two_chains_side_by_side_have_nodes_of_their_own() -> None:
     apart = {round(mode.omega, 9): mode.nodes for case in (one, other) for mode in only(case).modes}
     assert found == apart
     assert sorted(found.values()) == [1, 1, 2]
+
+
+@pytest.mark.parametrize("seed", range(count(10, 300)))
+def test_modes_of_chains_that_are_not_connected_have_the_nodes_of_their_own(seed: int) -> None:
+    """Each chain is mounted at its first mass, so its n-th mode has n - 1 nodes."""
+    rng = seeded(seed)
+    springs, inertias, expected, link = [], {}, [], 0
+    for _ in range(rng.randint(2, 3)):
+        size = rng.randint(1, 3)
+        masses = [rng.uniform(0.5, 5) for _ in range(size)]
+        stiffness = np.zeros((size, size))
+        for n in range(size):
+            link, c = link + 1, rng.uniform(50, 500)
+            twist = {link: 1.0, **({link - 1: -1.0} if n else {})}
+            springs.append(Spring(twist, stiffness=c, name=f"s{link}"))
+            inertias[link] = masses[n]
+            row = np.eye(size)[n] - (np.eye(size)[n - 1] if n else 0)
+            stiffness += c * np.outer(row, row)
+        squares = linalg.eigh(stiffness, np.diag(masses), eigvals_only=True)
+        expected += [(math.sqrt(square), nodes) for nodes, square in enumerate(squares)]
+    gear = only(Transmission(link, [], [], [], springs=springs, inertias=inertias, output=link))
+    found = [(mode.omega, float(mode.nodes)) for mode in gear.modes]
+    assert found == [pytest.approx(one) for one in sorted(expected)]
