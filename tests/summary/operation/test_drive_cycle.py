@@ -23,7 +23,7 @@ from vstatics.summary.design_table import design
 from vstatics.summary.operation.cycle_steps import GearChoice
 from vstatics.summary.operation.drive_cycle import DriveCycle, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
-from vstatics.summary.operation.shifting import read_shifts
+from vstatics.summary.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace
 from vstatics.summary.operation.traction import performance
 
@@ -247,6 +247,17 @@ def test_three_gears_by_shift_speeds() -> None:
     made = drive(case, text, GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s")))
     assert made.gears[::2] == [*"12233222131"]
     assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
+
+
+def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward() -> None:
+    """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34."""
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    gears = [Gear(name=str(n)) for n in (1, 2, 3)]
+    speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
+    engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
+    shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
+    places = by_shift_speeds(Transmission(5, [], pairs, gears), shifts, speeds, engine, ratios)
+    assert places.tolist() == [2, 1, 1, 0]
 
 
 @pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])

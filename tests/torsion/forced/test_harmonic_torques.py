@@ -251,6 +251,19 @@ def test_the_largest_value_of_several_orders() -> None:
     assert incommensurable.largest[0] == pytest.approx(7)
 
 
+def test_the_sum_of_one_order_is_that_order() -> None:
+    """Its largest value is its amplitude, the root of the mean square that over sqrt 2."""
+    [gear] = response(one_mass(6.0), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
+    total = gear.with_sum().sum
+    assert total is not None
+    for summed_up, alone in (
+        (total.amplitudes["1"], gear.orders[0].amplitudes["1"]),
+        (total.torques["mount"], gear.orders[0].torques["mount"]),
+    ):
+        np.testing.assert_allclose(summed_up.largest, np.abs(alone), rtol=1e-12)
+        np.testing.assert_allclose(summed_up.rms, np.abs(alone) / math.sqrt(2), rtol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("slow", "fast", "meet"),
     [
