@@ -158,6 +158,19 @@ def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
     assert "the column `status` is missing" in told.err
 
 
+@pytest.mark.parametrize("name", ["case", "step", "ratio", "column"])
+def test_a_column_of_a_sweep_may_have_the_name_of_a_table(tmp_path: Path, name: str) -> None:
+    for file, numbers in ("old", [1.0, 2.0]), ("new", [1.0, 2.5]):
+        table = {"variant": [0, 1], "P1.ratio": [1.0, 2.0], "status": ["ok"] * 2, name: numbers}
+        pq.write_table(pa.table(table), tmp_path / f"{file}.parquet")
+    files = tmp_path / "new.parquet", tmp_path / "old.parquet"
+    said = vstatics("compare", *files)
+    assert "1 of 2 variants, 1 of 2 columns differ" in said.out
+    assert f"{name:10}  variant 1  2.000 -> 2.500  +25.00 %" in said.out
+    [one] = json.loads(vstatics("compare", *files, "-f", "json").out)["cases"]
+    assert [(one["table"], one["row"]) for one in one["numbers"]] == [(name, "variant 1")]
+
+
 @pytest.mark.parametrize("size", [1e200, 1e299, 1e308])
 def test_a_histogram_of_large_numbers_has_no_warning(tmp_path: Path, size: float) -> None:
     numbers = {"variant": [0, 1], "P1.ratio": [1.0, 2.0], "status": ["ok"] * 2, "x": [size, -size]}
