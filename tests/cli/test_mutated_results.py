@@ -90,6 +90,16 @@ def test_json_lines_are_told_by_line_and_key(tmp_path: Path, text: str, said: st
     assert f"v.jsonl{said}" in told.err or (said.startswith("P1") and said in told.err)
 
 
+def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> None:
+    file = tmp_path / "deep.json"
+    file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
+    for words in (("compare", file, file), ("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")):
+        told = vstatics(*words)
+        assert told.status == 1
+        assert "deep.json: error: " in told.err
+        assert "can be read: nested too deeply" in told.err
+
+
 @pytest.mark.parametrize(
     ("arrays", "said"),
     [

@@ -249,14 +249,19 @@ def test_three_gears_by_shift_speeds() -> None:
     assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
 
 
-def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward() -> None:
-    """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34."""
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: int) -> None:
+    """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34.
+
+    So it is with a final drive that turns them all.
+    """
     pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
     gears = [Gear(name=str(n)) for n in (1, 2, 3)]
     speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
     engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
     shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
-    places = by_shift_speeds(Transmission(5, [], pairs, gears), shifts, speeds, engine, ratios)
+    case = Transmission(5, [], pairs, gears)
+    places = by_shift_speeds(case, shifts, speeds, engine, sign * ratios)
     assert places.tolist() == [2, 1, 1, 0]
 
 

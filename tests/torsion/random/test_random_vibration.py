@@ -52,6 +52,15 @@ def test_white_torque_on_one_mass() -> None:
     assert gear.half_widths == pytest.approx([3 / (2 * 2)])
 
 
+def test_the_spectrum_of_a_twist_is_that_of_the_torque_by_the_square_of_the_answer() -> None:
+    """S/((c - J w^2)^2 + (d w)^2), at, below and above the resonance of 10 rad/s."""
+    omegas = np.array([0.0, 3.0, 10.0, 25.0])
+    [gear] = random_vibration(mounted(), 1, White(2.5), omegas=omegas)
+    assert gear.spectrum is not None
+    expected = 2.5 / ((200 - 2 * omegas**2) ** 2 + (3 * omegas) ** 2)
+    np.testing.assert_allclose(gear.spectrum.devices["mount"], expected, rtol=1e-12)
+
+
 def test_white_torque_on_two_free_masses() -> None:
     """As one mass Jr = J1 J2/(J1 + J2) under Jr/J1 of the torque; what drifts has no variance."""
     shaft = Spring({1: 1, 2: -1}, stiffness=100.0, damping=1.0, name="shaft")

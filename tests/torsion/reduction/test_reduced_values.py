@@ -213,5 +213,7 @@ def test_pairs_of_any_ratio_in_a_row_are_reduced_by_its_square() -> None:
         square = math.prod(ratios) ** 2
         assert found.inertias == pytest.approx({"1": 0.1 + 2.0 / square, str(links): 9.0 / square})
         assert found.compliances["shaft"] == pytest.approx(3e-4 * square)
-        [spring] = gear_scheme(case, case.gears[0]).springs
+        scheme = gear_scheme(case, case.gears[0])
+        assert isinstance(scheme, TorsionScheme)
+        [spring] = scheme.springs
         assert (spring.compliance, spring.damping) == pytest.approx((3e-4 * square, 0.7 / square))
