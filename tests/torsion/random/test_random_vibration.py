@@ -12,7 +12,7 @@ from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, seeded
 from tests.torsion.systems import Array, matrices
-from vstatics import Damping, Gear, Load, Spring, Transmission
+from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.model.converters import Converter
 from vstatics.model.fatigue import Fatigue
 from vstatics.torsion import modes, random_vibration
@@ -83,6 +83,24 @@ def test_a_road_moves_a_mass_on_a_spring_and_a_damper() -> None:
     assert one.twist_rms == pytest.approx(0.013981935, rel=1e-7)
     assert np.isnan([one.twist_rate_rms, one.torque_rms, one.crossings]).all()
     assert gear.links["1"].rms == pytest.approx(0.01, rel=1e-12)  # of the road itself
+
+
+@pytest.mark.parametrize("ratio", [2.0, -0.4])
+def test_a_link_that_is_moved_through_a_pair_moves_by_the_ratio(ratio: float) -> None:
+    """A mass on a spring at the second link, which turns by 1/u: closed form of IN_BAND/u^2."""
+    shaft = Spring({2: 1, 3: -1}, stiffness=200.0, damping=3.0, name="shaft")
+    pair = Mechanism(1, 2, 0, ratio)
+    case = Transmission(3, [], [pair], [], springs=[shaft], inertias={3: 2.0}, output=3)
+    [gear] = random_vibration(case, 1, IN_BAND, by="motion")
+
+    def of_mass(w: float) -> float:
+        passed = 200**2 + (3 * w) ** 2
+        spectrum = np.interp(w, *zip(*IN_BAND.points, strict=True))
+        return 2 * float(spectrum) * passed / ((200 - 2 * w * w) ** 2 + (3 * w) ** 2)
+
+    corners = [point[0] for point in IN_BAND.points]
+    exact = sum(quad(of_mass, *ends, epsrel=1e-11)[0] for ends in pairwise(corners))
+    assert gear.links["3"].rms ** 2 == pytest.approx(exact / ratio**2, rel=1e-8)
 
 
 def test_a_road_moves_a_quarter_of_a_vehicle() -> None:
