@@ -141,6 +141,7 @@ DOUBTS = {
     "W803": "a search for teeth was ended before it was proven that no others are better",
     "W804": "what is doubtful before ratios are fitted",
     "W805": "what is doubtful about ratios that are found",
+    "W806": "a found box has other ratios, gears or engaged elements than its `case`",
     "W880": "of a device with `fatigue` no torque is known, so that it is left out",
     "W890": "power passes by more than engine and output: nothing of the vehicle is told there",
     "W891": "a vehicle has a converter, which stays at its speed ratio",

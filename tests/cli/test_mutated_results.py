@@ -90,6 +90,16 @@ def test_json_lines_are_told_by_line_and_key(tmp_path: Path, text: str, said: st
     assert f"v.jsonl{said}" in told.err or (said.startswith("P1") and said in told.err)
 
 
+def test_results_and_boxes_nested_too_deeply_are_reported_so(tmp_path: Path) -> None:
+    file = tmp_path / "deep.json"
+    file.write_text('{"searched": 1, "boxes": ' + "[" * 100_000, encoding="utf-8")
+    for words in (("compare", file, file), ("plot", "-k", "boxes", file, "-o", tmp_path / "a.svg")):
+        told = vstatics(*words)
+        assert told.status == 1
+        assert "deep.json: error: " in told.err
+        assert "can be read: nested too deeply" in told.err
+
+
 @pytest.mark.parametrize(
     ("arrays", "said"),
     [
@@ -156,6 +166,19 @@ def test_a_sweep_without_status_is_told(tmp_path: Path) -> None:
     told = vstatics("compare", tmp_path / "a.parquet", tmp_path / "a.parquet")
     assert told.status == 1
     assert "the column `status` is missing" in told.err
+
+
+@pytest.mark.parametrize("name", ["case", "step", "ratio", "column"])
+def test_a_column_of_a_sweep_may_have_the_name_of_a_table(tmp_path: Path, name: str) -> None:
+    for file, numbers in ("old", [1.0, 2.0]), ("new", [1.0, 2.5]):
+        table = {"variant": [0, 1], "P1.ratio": [1.0, 2.0], "status": ["ok"] * 2, name: numbers}
+        pq.write_table(pa.table(table), tmp_path / f"{file}.parquet")
+    files = tmp_path / "new.parquet", tmp_path / "old.parquet"
+    said = vstatics("compare", *files)
+    assert "1 of 2 variants, 1 of 2 columns differ" in said.out
+    assert f"{name:10}  variant 1  2.000 -> 2.500  +25.00 %" in said.out
+    [one] = json.loads(vstatics("compare", *files, "-f", "json").out)["cases"]
+    assert [(one["table"], one["row"]) for one in one["numbers"]] == [(name, "variant 1")]
 
 
 @pytest.mark.parametrize("size", [1e200, 1e299, 1e308])

@@ -46,6 +46,17 @@ def test_what_never_reaches_the_threshold_lives_for_ever() -> None:
     assert rayleigh_life(STEEL, 1e-300) == (0.0, None)
 
 
+@pytest.mark.parametrize(("logarithm", "is_told"), [(699.99, True), (700.01, False)])
+def test_a_life_is_told_up_to_a_logarithm_of_700(logarithm: float, is_told: bool) -> None:
+    """Exponent 2 without a threshold: life = (endurance/deviation)^2/2, see above."""
+    strength = Fatigue(math.sqrt(2) * math.exp(logarithm / 2), 2, 1.0, threshold=0.0)
+    if is_told:
+        assert math.log(rayleigh_life(strength, 1.0).life or 0.0) == pytest.approx(logarithm)
+    else:
+        with pytest.raises(ValueError, match="so large"):
+            rayleigh_life(strength, 1.0)
+
+
 def test_numbers_too_large() -> None:
     with pytest.raises(ValueError, match="so large"):
         rayleigh_life(STEEL._replace(exponent=1e4, threshold=0), 60e6)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from vstatics.damage.resize import resized, resized_by_ratio
@@ -28,6 +30,16 @@ def test_both_forms_are_one_and_lives_are_equal() -> None:
     made = resized(30.0, 1.7, 12.0, 3.0)
     assert (1.7 / (made.diameter / 30) ** 3) ** 3 * 12 == pytest.approx(1.0)
     assert made.compliance == pytest.approx((30 / made.diameter) ** 4)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_diameter_changes_by_a_logarithm_of_150_at_most(sign: int) -> None:
+    """(2.3): the cube root of the torque, here exp(450)."""
+    assert resized(1.0, math.exp(sign * 449.9), 1.0).diameter == pytest.approx(
+        math.exp(sign * 449.9 / 3)
+    )
+    with pytest.raises(ValueError, match="no diameter"):
+        resized(1.0, math.exp(sign * 450.1), 1.0)
 
 
 def test_numbers_too_large() -> None:

@@ -163,3 +163,4 @@ def test_no_power_flows_back_through_what_is_self_locking() -> None:
     pair = [Efficiency(0.8, 0.0), Efficiency(0.9, 0.9)]
     assert is_possible(pair, (1.0, -1.0))
     assert not is_possible(pair, (-1.0, 1.0))
+    assert is_possible(pair, (0.0, 0.0))  # idle, so no power flows back

@@ -31,6 +31,8 @@ def test_shifts_and_needed_capacities_stand_side_by_side(tmp_path: Path) -> None
             "gears: {low: [B], direct: [C]}\n"
         )
     said = vstatics("summary", *files, "--reserve", "1.2").out
+    # of low (1 + 2.5 n)/3.5, of direct 1
+    assert re.search(r"^mean forward efficiency +\.964 +\.929$", said, re.MULTILINE)
     assert re.search(
         r"^largest slip power +2\.250  B, low-direct +2\.000  B, low-direct$", said, re.MULTILINE
     )

@@ -63,12 +63,16 @@ def test_gears_are_neighbours_by_ratio_and_not_by_place() -> None:
     assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
 
 
-def test_slip_power_is_the_torque_after_by_the_slip_before() -> None:
-    """Ring held: -u n on the brake, slip 1 of the clutch; direct: u/(u - 1) on it, slip 1."""
+@pytest.mark.parametrize("links", [(1, 2), (2, 1)])
+def test_slip_power_is_the_torque_after_by_the_slip_before(links: tuple[int, int]) -> None:
+    """Ring held: -u n on the brake, slip 1 of the clutch; direct: u/(u - 1) on it, slip 1.
+
+    Which link of the clutch comes first changes the signs of torque and slip only.
+    """
     u, n = -2.5, 0.96
     case = Transmission(
         3,
-        [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+        [ShiftElement(*links, "C"), ShiftElement(2, 0, "B")],
         [Mechanism(1, 2, 3, u, n)],
         [Gear([2]), Gear([1])],
         load=Load(1000.0, 100.0),

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from scipy import linalg
 
-from vstatics import CaseError, loads
+from tests.chance import count, seeded
+from tests.torsion.systems import matrices
+from vstatics import CaseError, Spring, Transmission, loads
 from vstatics.torsion.vibration.gear_modes import modes
 
 TWO_SPRINGS = """\
@@ -36,3 +40,31 @@ springs:
     [gear] = modes(case)
     assert gear.modes[0].omega ** 2 == pytest.approx((1 / 5e-3 + 1) / 0.5)
     assert gear.modes[0].damping_ratio == pytest.approx(1e-3 / (2 * 0.5 * gear.modes[0].omega))
+
+
+@pytest.mark.parametrize("seed", range(count(12, 300)))
+def test_massless_links_of_which_a_damper_resists_some(seed: int) -> None:
+    """The finite eigenvalues of (s^2 M + s D + K) x = 0 with a singular M, by SciPy's QZ."""
+    rng = seeded(seed)
+    size = rng.randint(4, 6)
+    damped = rng.randint(1, size)
+    shafts = [(n, n + 1) for n in range(1, size)] + [(size, 0)]
+    springs = [
+        Spring({n: 1.0, **({other: -1.0} if other else {})}, stiffness=rng.uniform(50, 500),
+               damping=rng.uniform(0.1, 2) if n == damped or rng.random() < 0.3 else 0.0,
+               name=f"shaft {n}")
+        for n, other in shafts
+    ]  # fmt: skip
+    case = Transmission(
+        size, [], [], [], output=size, springs=springs,
+        inertias={1: rng.uniform(0.5, 3), size: rng.uniform(0.5, 3)},
+    )  # fmt: skip
+    mass, stiffness, resistance = matrices(case)
+    zero, unit = np.zeros((size, size)), np.eye(size)
+    companion = np.block([[zero, unit], [-stiffness, -resistance]])
+    values = linalg.eigvals(companion, linalg.block_diag(unit, mass))
+    expected = [one for one in values if abs(one) < 1e6 and one.imag >= -1e-9 * abs(one)]
+    [gear] = modes(case)
+    assert len(gear.damped) == len(expected)
+    for one in expected:
+        assert np.abs(np.array(gear.damped) - one).min() < 1e-6 * abs(one)

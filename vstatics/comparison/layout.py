@@ -20,6 +20,8 @@ LONGEST = 60
 """So many letters of a value of the case are shown."""
 Cells = tuple[str, str, str, str, str]
 """Kind, place, expected, actual, deviation."""
+CHANGES = ""
+"""Kind of the changes of a case: a name that no table and no column of a sweep has."""
 
 
 def text(one: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
@@ -60,22 +62,22 @@ def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str
     if one.problems:
         return [], [*map(str, one.problems[1:])]
     kinds: dict[str, list[Cells]] = {
-        "case": [("case", path, *shown_values(old, new), "") for path, old, new in one.case]
+        CHANGES: [("case", path, *shown_values(old, new), "") for path, old, new in one.case]
     }
     for number in one.found:
-        if number.table != "case":
-            kinds.setdefault(number.table, []).append(_cells(number))
+        if one.is_sweep or number.table != "case":
+            place = _place(number, is_sweep=one.is_sweep)
+            kinds.setdefault(number.table, []).append(_cells(number, place))
     count = sum(map(len, kinds.values()))
     if all_numbers:
         return [row for rows in kinds.values() for row in rows], []
-    is_sweep = "column" in one.counts
-    first = [kind for kind in kinds if kind in PLURALS and not is_sweep] or [
-        kind for kind in kinds if kind != "case"
+    first = [kind for kind in kinds if kind in PLURALS and not one.is_sweep] or [
+        kind for kind in kinds if kind != CHANGES
     ]
-    order = list(_in_turn(["case", *first], kinds))
+    order = list(_in_turn([CHANGES, *first], kinds))
     taken = order[: MOST_LINES - 1 if len(order) == count < MOST_LINES else MOST_LINES - 2]
     rows = [row for kind, own in kinds.items() for row in own[: taken.count(kind)]]
-    changes = len(kinds["case"]) - taken.count("case")
+    changes = len(kinds[CHANGES]) - taken.count(CHANGES)
     told = [f"{changes} more {plural('change', changes)}"] * bool(changes)
     numbers = count - len(taken) - changes
     told += [f"{numbers} more {plural('number', numbers)}"] * bool(numbers)
@@ -85,16 +87,17 @@ def _rows(one: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str
 def _in_turn(kinds: Sequence[str], rows: dict[str, list[Cells]]) -> Iterator[str]:
     """Kinds one after the other, as often as each has rows: so none takes the place of others."""
     turns: Iterable[Any] = zip_longest(*([kind] * len(rows[kind]) for kind in kinds))
-    return (kind for turn in turns for kind in turn if kind)
+    return (kind for turn in turns for kind in turn if kind is not None)
 
 
-def _cells(one: Difference) -> Cells:
-    if one.table == "step":
-        place = f"{one.gear}-{one.row}"
-    elif one.table == "variant":
-        place = ", ".join(filter(None, (one.row.removeprefix(VARIANT), one.gear)))
-    else:
-        place = ", ".join(filter(None, (one.row, one.gear)))
+def _place(one: Difference, *, is_sweep: bool) -> str:
+    if one.table == "step" and not is_sweep:
+        return f"{one.gear}-{one.row}"
+    row = one.row.removeprefix(VARIANT) if one.table == "variant" else one.row
+    return ", ".join(filter(None, (row, one.gear)))
+
+
+def _cells(one: Difference, place: str) -> Cells:
     if isinstance(one.actual, str) or isinstance(one.expected, str):
         return one.table, place, str(one.expected), str(one.actual), ""
     old, new = _numbers(one.expected, one.actual)

@@ -71,7 +71,7 @@ class CaseVerdict(NamedTuple):
         return [
             NumberRecord(
                 one.table,
-                None if one.table == "step" else one.row or None,
+                None if one.table == "step" and not self.is_sweep else one.row or None,
                 one.gear or None,
                 one.expected,
                 one.actual,
@@ -81,17 +81,22 @@ class CaseVerdict(NamedTuple):
         ]
 
     @property
+    def is_sweep(self) -> bool:
+        """Whether tables are columns of a sweep, whose names are those of the user."""
+        return "column" in self.counts
+
+    @property
     def headline(self) -> str:
         """What is other, in a line."""
         if self.state in ("added", "gone"):
             return f"{self.name}: {self.state}"
         if self.problems:
             return f"{self.name}: {self.state}: {self.problems[0]}"
+        if self.is_sweep:
+            return f"{self.name}: {sweep_headline(self.found, self.counts)}"
         if any(one.table == "case" for one in self.found):
             [one] = self.found
             return f"{self.name}: {one.actual}, expected {one.expected}"
-        if "column" in self.counts:
-            return f"{self.name}: {sweep_headline(self.found, self.counts)}"
         tables = [one.table for one in self.found]
         numbers = [
             tr(f"{{number}} of {{all}} {PLURALS[table]}", number=tables.count(table), all=count)

@@ -32,12 +32,15 @@ OTHER_BUILD = "what is there is of another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
-    """Where finished work is not what is wanted.
+    """Name the keys in which finished work, as JSON has it, is not what is wanted.
 
+    >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
+    []
     >>> differing({"--coast": True, "--idle": None}, {"--coast": False, "--idle": None})
     ['--coast']
     """
-    return [key for key in wanted if key in known and known[key] != wanted[key]]
+    as_read = json.loads(json.dumps(dict(wanted)))
+    return [key for key in as_read if key in known and known[key] != as_read[key]]
 
 
 def sealed(text: bytes) -> bytes:

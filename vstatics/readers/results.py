@@ -102,7 +102,8 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
 def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
     if isinstance(error, json.JSONDecodeError):
         return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
-    return no_result(f"no JSON that can be read: {error}", file, line)
+    told = "nested too deeply" if isinstance(error, RecursionError) else error
+    return no_result(f"no JSON that can be read: {told}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:

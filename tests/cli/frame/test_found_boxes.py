@@ -31,6 +31,23 @@ def test_plot_and_report(tmp_path: Path, boxes: Path) -> None:
     assert "<h1>1 found box</h1>" in (tmp_path / "boxes.html").read_text()
 
 
+def test_a_box_that_was_edited_without_its_case_is_reported(tmp_path: Path, boxes: Path) -> None:
+    document = simpson()
+    document["boxes"][0]["ratios"]["P1"] = -2.2
+    boxes.write_text(json.dumps(document))
+    for command in (
+        ("plot", boxes, "--kind", "boxes", "-o", tmp_path / "boxes.svg"),
+        ("report", boxes, "-o", tmp_path / "boxes.html"),
+        ("summary", boxes),
+    ):
+        said = vstatics(*command)
+        assert said.status == 0
+        message = "box 1: the ratio of set P1 is -2.2, but -2.08571429 in its `case`"
+        assert said.err == f"{boxes}: warning: {message}\n"
+    assert vstatics("summary", boxes, "--strict").status == 1
+    assert vstatics("summary", boxes, "--allow", "W806").err == ""
+
+
 def test_summaries_stand_side_by_side(boxes: Path) -> None:
     said = vstatics("summary", boxes, "--box", "1,4")
     assert said.status == 0

@@ -28,6 +28,7 @@ from vstatics.model.springs import Spring, between
 from vstatics.simulation import simulate
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.simulation.published.two_masses import TwoMasses, two_masses
+from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Resistance, constant
 from vstatics.simulation.scenario.parts import (
     ControlState,
@@ -55,6 +56,29 @@ def test_brake_stops_the_ring() -> None:
     # locked, it has the same acceleration as the event run
     rate = (motion.speeds[-1, 0] - at_lock[0]) / (1 - time)
     assert rate == pytest.approx(25.477707, abs=6e-7)
+
+
+@pytest.mark.parametrize("law", ["-60 - 20*angle", "-60 - 20*speed"])
+def test_loads_over_time_angle_and_speed_in_first_gear(law: str) -> None:
+    """(12) with L = P = 1, u = 2.5, J = J_in + J_out/u^2 = 0.628: J w' = M_in - M_out/u.
+
+    M_in = 40 + 30 t. With k = 20/u^2 a load by angle swings about its level, one by speed
+    approaches it: both in closed form.
+    """
+    loads = ((1, points((0, 40), (0.7, 61), (1, 70))), (2, Formula(law)))
+    case = planetary_set()
+    motion = tarasik(Scenario(case, 1.0, Start("1", 50.0), {1: held(900)}, loads), step=0.1)
+    assert happened(motion) == []
+    inertia, k, t = 0.5 + 0.8 / 2.5**2, 20 / 2.5**2, motion.time
+    if "angle" in law:
+        omega = math.sqrt(k / inertia)
+        level = (40 - 60 / 2.5) / k
+        expected = 30 / k + level * omega * np.sin(omega * t) + (50 - 30 / k) * np.cos(omega * t)
+    else:
+        level = (40 - 60 / 2.5 - inertia * 30 / k) / k
+        expected = level + 30 / k * t + (50 - level) * np.exp(-k / inertia * t)
+    np.testing.assert_allclose(motion.speeds[:, 0], expected, rtol=1e-8)
+    np.testing.assert_allclose(motion.speeds[:, 1], expected / 2.5, rtol=1e-8)
 
 
 def test_energy_up_to_the_lock() -> None:
@@ -108,6 +132,20 @@ def test_what_does_not_hold_slips_again() -> None:
     controls = {1: capacity((0, 120), (0.2, 120), (0.2, 20))}
     motion = tarasik(first_gear()._replace(controls=controls))
     assert [one[:2] for one in happened(motion)] == [("F1", "locks"), ("F1", "slips")]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_it_slips_the_way_that_its_torque_drives_it(sign: int) -> None:
+    """(12) with L = 0, u = 2.5, M_f = 20/1.5 at the input, J_in = 0.5 as the ring is at rest."""
+    controls = {1: capacity((0, 120), (0.2, 120), (0.2, 20))}
+    loads = ((1, constant(sign * 40)), (2, constant(-sign * 60)))
+    motion = tarasik(Scenario(planetary_set(), 0.2001, Start("1", 50.0), controls, loads))
+    locked = 0.2 * (40 - 60 / 2.5) / (0.5 + 0.8 / 2.5**2)
+    slips = (40 - 20 / 1.5) / 0.5, (20 / 1.5 * 2.5 - 60) / 0.8
+    began = np.array([50 + sign * locked, (50 + sign * locked) / 2.5])
+    assert (motion.speeds[-1] - [*began, 0])[:2] == pytest.approx(
+        [sign * 1e-4 * rate for rate in slips], rel=1e-4
+    )
 
 
 def test_two_clutches_stop_it() -> None:

@@ -23,7 +23,7 @@ from vstatics.summary.design_table import design
 from vstatics.summary.operation.cycle_steps import GearChoice
 from vstatics.summary.operation.drive_cycle import DriveCycle, drive
 from vstatics.summary.operation.fuel_map import FuelMap, read_fuel_map
-from vstatics.summary.operation.shifting import read_shifts
+from vstatics.summary.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
 from vstatics.summary.operation.trace import Trace, read_trace
 from vstatics.summary.operation.traction import performance
 
@@ -65,6 +65,8 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     if gear == "1":
         spinning += 0.02 * (1.5 * k) ** 2
     assert made.energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+    expected = [1.0, 3.6 * 11, float(gear), ratio * k * 11 * 30 / math.pi, engine, force]
+    assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 
 def test_brakes_take_what_the_engine_does_not() -> None:
@@ -231,6 +233,36 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     same = case.replace(mechanisms=[one._replace(ratio=0.1 + 0.2) for one in case.mechanisms])
     same = same.replace(mechanisms=[same.mechanisms[0], ahead._replace(ratio=0.3)])
     assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
+
+
+def test_three_gears_by_shift_speeds() -> None:
+    """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    clutches = [ShiftElement(1, link) for link in (2, 3, 4)]
+    gears = [Gear([n], name=str(n)) for n in (1, 2, 3)]
+    case = Transmission(5, clutches, pairs, gears, vehicle=CAR)
+    speeds = [5, 7, 11, 13, 10, 8.5, 11, 5, 3.5, 13, 3]
+    steady = [speed for speed in speeds for _ in range(2)]
+    text = trace(*((2.0 * n, speed, "") for n, speed in enumerate(steady)))._replace(gears=[])
+    made = drive(case, text, GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s")))
+    assert made.gears[::2] == [*"12233222131"]
+    assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: int) -> None:
+    """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34.
+
+    So it is with a final drive that turns them all.
+    """
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    gears = [Gear(name=str(n)) for n in (1, 2, 3)]
+    speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
+    engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
+    shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
+    case = Transmission(5, [], pairs, gears)
+    places = by_shift_speeds(case, shifts, speeds, engine, sign * ratios)
+    assert places.tolist() == [2, 1, 1, 0]
 
 
 @pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from vstatics import example, solve
 from vstatics.errors import CaseError
+from vstatics.jobs.finished_cases import differing
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.kept import kept_search
 from vstatics.synthesis.boxes.pieces.found import found_in
 from vstatics.synthesis.boxes.pieces.ports import PortSearch
+from vstatics.synthesis.boxes.pieces.work import description
 from vstatics.synthesis.boxes.schemes.stems import box_schemes
 
 BUILT = [
@@ -88,3 +92,10 @@ def test_what_is_no_gearbox_of_sets_is_refused(name: str, told: str) -> None:
     with pytest.raises(CaseError) as error:
         kept_search(example(name), 0, (3.0, 1.0))
     assert [one.id for one in error.value.problems] == [told]
+
+
+@pytest.mark.parametrize("free", [0, 2])
+def test_a_search_is_that_of_its_description(free: int) -> None:
+    """As JSON has it, so that an interrupted search goes on."""
+    wanted = description(kept_search(example("simpson"), free, ratios("simpson")), 3)
+    assert differing(json.loads(json.dumps(wanted)), wanted) == []

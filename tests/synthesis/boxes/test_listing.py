@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from typing import Any
 
 import pytest
 
+from tests.chance import count, seeded
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import ReadError
@@ -122,3 +124,44 @@ def test_what_gets_a_diagram() -> None:
     assert [box.number for box in drawn_boxes(listing, 5)] == [1, 4, 7, 16, 31]
     assert [box.number for box in drawn_boxes(listing, 15)] == sorted([2, *range(1, 41, 3)])
     assert len(drawn_boxes(listing, 100)) == 40
+
+
+@pytest.mark.parametrize("document", [simpson, zf_6hp])
+def test_what_was_edited_in_a_box_or_in_its_case_alone_is_named(document: Any) -> None:
+    """A ratio of a set by a random part, engaged elements of a gear, the name of a gear."""
+    original = document()
+    assert not [*read(original).boxes[0].contradictions()]
+    rng = seeded(25)
+    for _ in range(count(15, 200)):
+        edited = copy.deepcopy(original)
+        box = edited["boxes"][0]
+        case, name = box["case"], rng.choice([*box["gears"]])
+        parts = [
+            *((one, "ratio", key) for key, one in case["mechanisms"].items()),
+            *((one["ratios"], own, "P") for one in case.get("elements", {}).values() for own in one["ratios"]),
+            *((box["ratios"], key, key) for key in box["ratios"]),
+        ]  # fmt: skip
+        match rng.randrange(4):
+            case 0 | 1:
+                numbers, key, said = rng.choice(parts)
+                numbers[key] *= 1 + rng.choice((1, -1)) * 10 ** rng.uniform(-8, -3)
+                said = f"the ratio of set {said}"
+            case 2:
+                there = rng.choice((box, case))["gears"][name]
+                others = [one for one in box["elements"] if one not in there["engaged"]]
+                there["engaged"][rng.randrange(2)] = rng.choice(others)
+                said = f"gear {name} engages "
+            case _:
+                gears = rng.choice((box, case))["gears"]
+                gears["other"] = gears.pop(name)
+                said = "its gears are "
+        told = [*read(edited).boxes[0].contradictions()]
+        assert any(one.startswith(said) for one in told), (said, told)
+
+
+def test_a_ratio_of_a_gear_that_its_case_does_not_have_is_named() -> None:
+    edited = simpson()
+    edited["boxes"][0]["gears"]["2"]["ratio"] = 1.5
+    assert [*read(edited).boxes[0].contradictions()] == [
+        "the ratio of gear 2 is 1.5, but 1.47945205 in its `case`"
+    ]

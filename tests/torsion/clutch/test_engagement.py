@@ -29,7 +29,16 @@ def test_figure_3_6(rate: int) -> None:
         assert made.factor == pytest.approx(factor, abs=0.6e-3)
 
 
-@pytest.mark.parametrize("ratio", [0.03, 0.1, 0.31, 0.5, 1.0, 2.0, 5.0, 30.0])
+AT_A_MAXIMUM = (0.27850147, 0.72749923)
+"""K/K_c with which a maximum is at t = 3/K: 3/k = atan(1/k) + n pi + asin(exp(-3)/sqrt(1 + k^2)),
+n = 3 and 1, as (3.70) differentiated has it."""
+
+
+@pytest.mark.parametrize(
+    "ratio",
+    [0.03, 0.1, 0.31, 0.5, 1.0, 2.0, 5.0, 30.0]
+    + [part * ratio for ratio in AT_A_MAXIMUM for part in (0.999, 1.001)],
+)
 def test_it_is_the_first_maximum_of_the_equation_of_motion(ratio: float) -> None:
     """(3.69) with J23 = E = M_C = 1, K = ratio."""
 

@@ -15,6 +15,7 @@ from vstatics.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.forced.torque_table import read_torque_table
+from vstatics.torsion.tolerances import SAME_ORDER
 from vstatics.torsion.vibration.gear_modes import modes
 
 SPEEDS = np.array([100.0, 300.0, 1000.0])
@@ -248,6 +249,37 @@ def test_the_largest_value_of_several_orders() -> None:
         assert found.rms[0] == pytest.approx(math.sqrt(np.mean(wave[:-1] ** 2)), rel=1e-9)
     incommensurable = summed([1.0, math.sqrt(2)], [np.array([3.0 + 0j]), np.array([-4j])])
     assert incommensurable.largest[0] == pytest.approx(7)
+
+
+def test_the_sum_of_one_order_is_that_order() -> None:
+    """Its largest value is its amplitude, the root of the mean square that over sqrt 2."""
+    [gear] = response(one_mass(6.0), 1, [Harmonic(2.0, 3.0, 0.5)], SPEEDS)
+    total = gear.with_sum().sum
+    assert total is not None
+    for summed_up, alone in (
+        (total.amplitudes["1"], gear.orders[0].amplitudes["1"]),
+        (total.torques["mount"], gear.orders[0].torques["mount"]),
+    ):
+        np.testing.assert_allclose(summed_up.largest, np.abs(alone), rtol=1e-12)
+        np.testing.assert_allclose(summed_up.rms, np.abs(alone) / math.sqrt(2), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("slow", "fast", "meet"),
+    [
+        (1 / 720, 1.0, False),
+        (1 / 721, 1.0, True),
+        (1.0, 300 * (1 + 0.5 * SAME_ORDER), False),
+        (1.0, 300 * (1 + 2 * SAME_ORDER), True),
+    ],
+)
+def test_orders_meet_in_every_phase_only_where_no_cycle_is_short(
+    slow: float, fast: float, meet: bool
+) -> None:
+    """3 cos x - 4 sin k x: a peak of the sine is 90/k degrees from the nearest of the cosine."""
+    [largest] = summed([slow, fast], [np.array([3.0 + 0j]), np.array([4j])]).largest
+    apart = 0.0 if meet else math.pi / 2 * slow / fast
+    assert largest == pytest.approx(4 + 3 * math.cos(apart), rel=1e-9)
 
 
 def test_a_table_of_torques() -> None:

@@ -12,7 +12,7 @@ from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, seeded
 from tests.torsion.systems import Array, matrices
-from vstatics import Damping, Gear, Load, Spring, Transmission
+from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.model.converters import Converter
 from vstatics.model.fatigue import Fatigue
 from vstatics.torsion import modes, random_vibration
@@ -52,6 +52,15 @@ def test_white_torque_on_one_mass() -> None:
     assert gear.half_widths == pytest.approx([3 / (2 * 2)])
 
 
+def test_the_spectrum_of_a_twist_is_that_of_the_torque_by_the_square_of_the_answer() -> None:
+    """S/((c - J w^2)^2 + (d w)^2), at, below and above the resonance of 10 rad/s."""
+    omegas = np.array([0.0, 3.0, 10.0, 25.0])
+    [gear] = random_vibration(mounted(), 1, White(2.5), omegas=omegas)
+    assert gear.spectrum is not None
+    expected = 2.5 / ((200 - 2 * omegas**2) ** 2 + (3 * omegas) ** 2)
+    np.testing.assert_allclose(gear.spectrum.devices["mount"], expected, rtol=1e-12)
+
+
 def test_white_torque_on_two_free_masses() -> None:
     """As one mass Jr = J1 J2/(J1 + J2) under Jr/J1 of the torque; what drifts has no variance."""
     shaft = Spring({1: 1, 2: -1}, stiffness=100.0, damping=1.0, name="shaft")
@@ -74,6 +83,24 @@ def test_a_road_moves_a_mass_on_a_spring_and_a_damper() -> None:
     assert one.twist_rms == pytest.approx(0.013981935, rel=1e-7)
     assert np.isnan([one.twist_rate_rms, one.torque_rms, one.crossings]).all()
     assert gear.links["1"].rms == pytest.approx(0.01, rel=1e-12)  # of the road itself
+
+
+@pytest.mark.parametrize("ratio", [2.0, -0.4])
+def test_a_link_that_is_moved_through_a_pair_moves_by_the_ratio(ratio: float) -> None:
+    """A mass on a spring at the second link, which turns by 1/u: closed form of IN_BAND/u^2."""
+    shaft = Spring({2: 1, 3: -1}, stiffness=200.0, damping=3.0, name="shaft")
+    pair = Mechanism(1, 2, 0, ratio)
+    case = Transmission(3, [], [pair], [], springs=[shaft], inertias={3: 2.0}, output=3)
+    [gear] = random_vibration(case, 1, IN_BAND, by="motion")
+    corners = [point[0] for point in IN_BAND.points]
+
+    def of_mass(w: float) -> float:
+        passed = 200**2 + (3 * w) ** 2
+        spectrum = float(np.interp(w, corners, [point[1] for point in IN_BAND.points]))
+        return 2 * spectrum * passed / ((200 - 2 * w * w) ** 2 + (3 * w) ** 2)
+
+    exact = sum(quad(of_mass, *ends, epsrel=1e-11)[0] for ends in pairwise(corners))
+    assert gear.links["3"].rms ** 2 == pytest.approx(exact / ratio**2, rel=1e-8)
 
 
 def test_a_road_moves_a_quarter_of_a_vehicle() -> None:

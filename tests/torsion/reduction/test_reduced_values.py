@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-import pytest
+import math
 
+import numpy as np
+import pytest
+from scipy import linalg
+
+from tests.chance import count, seeded
 from tests.torsion.systems import with_planetary_set
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
+from vstatics.readers import loads
 from vstatics.torsion.reduction.reduced_scheme import gear_scheme
 from vstatics.torsion.reduction.reduced_values import NO_REACTION, reduce
 from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies
@@ -156,3 +162,58 @@ def test_a_rigid_set_with_inertia_on_all_its_links_is_a_stiff_spring() -> None:
     [step] = simplify(scheme, 3).steps
     assert step.omegas[0] == pytest.approx(expected[0], rel=0.003)
     assert step.omegas == pytest.approx(expected, rel=0.1)
+
+
+def test_planets_are_reduced_by_the_squares_of_their_speeds() -> None:
+    """Sun 30, ring 90 held, planets 30: the carrier has 1/4 of the speed of the sun.
+
+    About their axes planets have w_h + (w_h - w_r)*90/30 = -2 w_h seen from the housing, so
+    -1/2 of the sun; their orbit is that of the carrier.
+    """
+    case = loads(
+        "links: [sun, carrier]\noutput: carrier\ninertias: {sun: 0.2, carrier: 3.0}\n"
+        "elements:\n  P: {kind: planetary, sun: sun, ring: housing, carrier: carrier,\n"
+        "    teeth: {sun: 30, ring: 90}, planets: 3,\n"
+        "    planet: {inertia: 0.004, mass: 0.5, radius: 0.1}}\n"
+    )
+    [found] = reduce(case, "sun")
+    spin, orbit = 3 * 0.004 / 2**2, 3 * 0.5 * 0.1**2 / 4**2
+    assert found.inertias["P.planet"] == pytest.approx(spin + orbit)
+    assert found.inertias["sun"] == pytest.approx(0.2 + 3.0 / 4**2)
+
+
+def test_an_axle_over_the_mean_of_two_wheels_has_its_frequencies() -> None:
+    """Its twist has halves, which are not rounded."""
+    case = Transmission(
+        4, [], [], [], output=4, inertias={1: 0.2, 2: 0.5, 3: 0.8, 4: 40.0},
+        springs=[Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=900.0, name="axle"),
+                 Spring({2: 1, 4: -1}, stiffness=700.0, name="left"),
+                 Spring({3: 1, 4: -1}, stiffness=600.0, name="right")],
+    )  # fmt: skip
+    [scheme] = [gear_scheme(case, gear) for gear in case.gears]
+    assert isinstance(scheme, TorsionScheme)
+    rows = np.array([[1, -0.5, -0.5, 0], [0, 1, 0, -1], [0, 0, 1, -1]])
+    stiffness = rows.T @ np.diag([900.0, 700.0, 600.0]) @ rows
+    squares = linalg.eigh(stiffness, np.diag([0.2, 0.5, 0.8, 40.0]), eigvals_only=True)
+    assert natural_frequencies(scheme) == pytest.approx(np.sqrt(squares[1:]), rel=1e-11)
+
+
+def test_pairs_of_any_ratio_in_a_row_are_reduced_by_its_square() -> None:
+    """J/u^2, E u^2 and d/u^2 behind pairs of the ratio u together, forward or reversed."""
+    rng = seeded(3)
+    for _ in range(count(20, 1000)):
+        ratios = [rng.choice((1, -1)) * rng.uniform(0.3, 5) for _ in range(rng.randint(1, 4))]
+        links = len(ratios) + 2
+        case = Transmission(
+            links, [], [Mechanism(n, n + 1, 0, u) for n, u in enumerate(ratios, 1)], [],
+            output=links, inertias={1: 0.1, links - 1: 2.0, links: 9.0},
+            springs=[Spring({links - 1: 1, links: -1}, compliance=3e-4, damping=0.7, name="shaft")],
+        )  # fmt: skip
+        [found] = reduce(case, 1)
+        square = math.prod(ratios) ** 2
+        assert found.inertias == pytest.approx({"1": 0.1 + 2.0 / square, str(links): 9.0 / square})
+        assert found.compliances["shaft"] == pytest.approx(3e-4 * square)
+        scheme = gear_scheme(case, case.gears[0])
+        assert isinstance(scheme, TorsionScheme)
+        [spring] = scheme.springs
+        assert (spring.compliance, spring.damping) == pytest.approx((3e-4 * square, 0.7 / square))

@@ -14,7 +14,9 @@ from tests.chance import count, seeded
 from tests.torsion.systems import Array, branched, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import CaseError, Damping, Spring, Transmission
+from vstatics.torsion.vibration.eigen_pairs import order_of
 from vstatics.torsion.vibration.gear_modes import modes
+from vstatics.torsion.vibration.refined import Pencils
 
 
 def mounted(damping: Damping | float, stiffness: float = 100.0) -> Transmission:
@@ -253,3 +255,19 @@ def test_loss_factors_take_little_more_time_than_numbers() -> None:
         return min(took)
 
     assert seconds(plain.replace(springs=lost)) < 3 * seconds(plain)
+
+
+def test_eigenvalues_are_in_the_order_of_their_moduli_then_of_their_imaginary_parts() -> None:
+    """Below 1 rad/s, too."""
+    values = np.array([0.2j, -0.5j, 0.1j, -0.3 + 0.4j, -0.3 - 0.4j, 3.0, -2.0])
+    assert order_of(values).tolist() == [2, 0, 1, 4, 3, 6, 5]
+
+
+@pytest.mark.parametrize("damping", [1e6, 30.0, 20.0, 12.0, -1e6])
+def test_the_roots_of_a_shape_are_those_of_its_quadratic_equation(damping: float) -> None:
+    """s1 s2 = 100, s1 + s2 = -d: (s + d/2)^2 = d^2/4 - 100, to the last digits of both."""
+    one = Pencils(np.array([1.0]), np.array([[100.0]]), np.array([[[damping]]]))
+    smaller, larger = (complex(root[0]) for root in one.roots(np.array([[1.0 + 0j]])))
+    assert smaller * larger == pytest.approx(100, rel=1e-14)
+    assert smaller + larger == pytest.approx(-damping, rel=1e-14)
+    assert abs(smaller) <= abs(larger) * (1 + 1e-15)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal, localcontext
 from itertools import pairwise
 from typing import NamedTuple
 
+import numpy as np
 import pytest
+from scipy import linalg
 
 from tests.chance import count, seeded
 from tests.torsion.systems import chain
 from tests.torsion.vibration.test_gear_modes import only
-from vstatics import Spring, Transmission
+from vstatics import Mechanism, Spring, Transmission
 
 DIGITS, BITS = 300, 900
 """Of a square of a frequency: the smallest amplitudes are 1e-80 and less."""
@@ -121,3 +124,48 @@ def test_two_chains_side_by_side_have_nodes_of_their_own() -> None:
     apart = {round(mode.omega, 9): mode.nodes for case in (one, other) for mode in only(case).modes}
     assert found == apart
     assert sorted(found.values()) == [1, 1, 2]
+
+
+@pytest.mark.parametrize("seed", range(count(10, 300)))
+def test_modes_of_chains_that_are_not_connected_have_the_nodes_of_their_own(seed: int) -> None:
+    """Each chain is mounted at its first mass, so its n-th mode has n - 1 nodes."""
+    rng = seeded(seed)
+    springs, inertias, expected, link = [], {}, [], 0
+    for _ in range(rng.randint(2, 3)):
+        size = rng.randint(1, 3)
+        masses = [rng.uniform(0.5, 5) for _ in range(size)]
+        stiffness = np.zeros((size, size))
+        for n in range(size):
+            link, c = link + 1, rng.uniform(50, 500)
+            twist = {link: 1.0, **({link - 1: -1.0} if n else {})}
+            springs.append(Spring(twist, stiffness=c, name=f"s{link}"))
+            inertias[link] = masses[n]
+            row = np.eye(size)[n] - (np.eye(size)[n - 1] if n else 0)
+            stiffness += c * np.outer(row, row)
+        squares = linalg.eigh(stiffness, np.diag(masses), eigvals_only=True)
+        expected += [(math.sqrt(square), nodes) for nodes, square in enumerate(squares)]
+    gear = only(Transmission(link, [], [], [], springs=springs, inertias=inertias, output=link))
+    found = [(mode.omega, float(mode.nodes)) for mode in gear.modes]
+    assert found == [pytest.approx(one) for one in sorted(expected)]
+
+
+@pytest.mark.parametrize("seed", range(count(15, 300)))
+def test_a_body_that_moves_with_two_masses_leaves_no_chain(seed: int) -> None:
+    """Nodes are then the shafts whose ends turn against each other, in any number of a mode."""
+    rng = seeded(seed)
+    ratio = rng.choice((-3.0, -1.0, 0.4, 2.0, 3.0))
+    masses, rates = [rng.uniform(0.5, 5) for _ in range(3)], [rng.uniform(50, 500) for _ in "12"]
+    third = rng.uniform(1, 10)
+    case = Transmission(
+        4, [], [Mechanism(1, 2, 4, ratio)], [], output=3,
+        inertias=dict(enumerate([*masses, third], 1)),
+        springs=[Spring({n: 1, n + 1: -1}, stiffness=c) for n, c in enumerate(rates, 1)],
+    )  # fmt: skip
+    third_row = np.array([1, -ratio, 0]) / (1 - ratio)  # w1 - i w2 = (1 - i) w4
+    rows = np.array([[1, -1, 0], [0, 1, -1]])
+    _, shapes = linalg.eigh(
+        rows.T @ np.diag(rates) @ rows,
+        np.diag(masses) + third * np.outer(third_row, third_row),
+    )
+    expected = [int(np.sum(one[:-1] * one[1:] < 0)) for one in shapes.T[1:]]
+    assert [mode.nodes for mode in only(case).modes] == expected

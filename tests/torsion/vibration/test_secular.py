@@ -32,6 +32,12 @@ def test_two_poles_have_a_quadratic_equation(mode: int) -> None:
         assert x == pytest.approx(larger if mode else (9 + 21 * c) / larger, rel=1e-12)
 
 
+@pytest.mark.parametrize("above", [4.0, 4.0 * (1 + 1e-15)])
+def test_one_of_two_modes_of_one_frequency_is_not_changed(above: float) -> None:
+    """Of both, one shape can be chosen that does not twist the device."""
+    assert squares([1.0, 4.0, above], [2.0, 3.0, 1.0], DECADES, 1).tolist() == [4.0] * len(DECADES)
+
+
 def test_one_pole() -> None:
     """A mass of 4 on the device alone: ``omega^2 = c/4``, for any stiffness."""
     np.testing.assert_allclose(squares([0.0], [0.25], DECADES, 0), 0.25 / DECADES, rtol=1e-15)

@@ -13,7 +13,7 @@ from vstatics.cli.frame.cases import CalculatedCase, CaseOptions
 from vstatics.cli.frame.documents import is_a
 from vstatics.cli.frame.exit_status import DONE
 from vstatics.cli.frame.formats import Destination
-from vstatics.errors import ReadError, of_file
+from vstatics.errors import Problem, ReadError, not_allowed, of_file
 from vstatics.jobs.input_files import TABLE_BYTES
 from vstatics.statics.solve import solve
 
@@ -56,7 +56,8 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
     ReadError
         If the file has none, or can't be written.
     """
-    from vstatics.pictures.boxes.picture import render_boxes
+    from vstatics.pictures.boxes.picture import MOST_DRAWN_DIAGRAMS, render_boxes
+    from vstatics.synthesis.boxes.listing import drawn_boxes
     from vstatics.synthesis.boxes.reading import read_document
 
     if len(cases) > 1 or to.is_folder:
@@ -65,6 +66,7 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
     listing, _ = read_document(data, name)
     with files.problems_of_file(name):
         drawn = render_boxes(listing, form, style)
+        files.show(_contradictions(drawn_boxes(listing, MOST_DRAWN_DIAGRAMS), name))
     files.write_pages(drawn, to.output)
     return DONE
 
@@ -84,10 +86,12 @@ def report_boxes(
     ReadError
         If there is no box, the case of one can't be read, or the page can't be written.
     """
-    from vstatics.report.boxes import boxes_page
+    from vstatics.report.boxes import MOST_SHOWN_BOXES, boxes_page
+    from vstatics.synthesis.boxes.listing import drawn_boxes
 
     with files.problems_of_file(file):
         page = boxes_page(listing, document, digits, stamp)
+        files.show(_contradictions(drawn_boxes(listing, MOST_SHOWN_BOXES), file))
     files.write_data(files.encoded(page), output)
     return DONE
 
@@ -114,13 +118,23 @@ def calculated_boxes(
         )
     for box in _chosen_boxes(listing, asked):
         with files.problems_of_file(file):
+            allow = settings.telling.allow
             case = box.transmission()
+            case = case.replace(hushed=(*case.hushed, *allow))
+            doubts = not_allowed(_contradictions([box], file), allow)
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
         said = [of_file(one.id, name, f"gear {one.gear}: {one.text}") for one in results.messages]
-        problems = settings.telling.told(said)
+        problems = settings.telling.told([*doubts, *said])
         files.show(settings.telling.printed(problems))
         yield CalculatedCase(name, results, problems, telling=settings.telling)
+
+
+def _contradictions(boxes: Sequence[ListedBox], file: str) -> Iterator[Problem]:
+    """Warn of what boxes say otherwise than their cases."""
+    for box in boxes:
+        for message in box.contradictions():
+            yield of_file("W806", file, f"box {box.number}: {message}")
 
 
 def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:

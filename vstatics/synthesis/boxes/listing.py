@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, NamedTuple
 
-from vstatics.errors import ReadError
+from vstatics.errors import ReadError, listed
 from vstatics.model.transmission import Transmission
 from vstatics.readers import from_dict
+from vstatics.statics.solve import solve
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.structures.growth import SchemeCode
+from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 from vstatics.tables.answer import Count, Sometimes, Words, told
 from vstatics.writers.named import mapping
 
@@ -88,6 +90,49 @@ class ListedBox(NamedTuple):
             raise ReadError(
                 one._replace(message=f"{name}: {one.message}") for one in error.problems
             ) from None
+
+    def contradictions(self) -> Iterator[str]:
+        """Name what the box says about ratios and shift elements, and its case says otherwise.
+
+        Sets that its case has by other names are not compared; the ratios of its gears are.
+
+        Raises
+        ------
+        ReadError
+            If its case is not a case.
+        """
+        results = solve(self.transmission())
+        case = results.case
+        names = {
+            name: f"{pair}.{mesh}"
+            for pair, sets in self.ravigneaux.items()
+            for name, mesh in zip(sets, ("large_sun-ring", "small_sun-ring"), strict=False)
+        }
+        of_sets = {one.name: one.ratio for one in case.mechanisms}
+        for name, ratio in self.ratios.items():
+            of_case = of_sets.get(names.get(name, name), ratio)
+            if not _equal(ratio, of_case):
+                yield f"the ratio of set {name} is {ratio:.9g}, but {of_case:.9g} in its `case`"
+        of_gears = {
+            gear.name: ({case.shift_elements[one - 1].name for one in gear.engaged}, float(ratio))
+            for gear, ratio in zip(case.gears, results.ratio, strict=True)
+        }
+        if {*of_gears} != {*self.gears}:
+            both = listed([*self.gears]), listed([*of_gears])
+            yield f"its gears are {both[0]}, but {both[1]} in its `case`"
+        for name in [one for one in self.gears if one in of_gears]:
+            gear, (engaged, ratio) = self.gears[name], of_gears[name]
+            if {*gear.engaged} != engaged:
+                both = listed(sorted(gear.engaged)), listed(sorted(engaged))
+                yield f"gear {name} engages {both[0]}, but {both[1]} in its `case`"
+            elif not _equal(gear.ratio, ratio):
+                yield f"the ratio of gear {name} is {gear.ratio:.9g}, but {ratio:.9g} in its `case`"
+
+
+def _equal(ratio: float, other: float) -> bool:
+    return math.isclose(ratio, other, rel_tol=SAME_BOX_RATIO) or (
+        math.isnan(ratio) and math.isnan(other)
+    )
 
 
 def listed_box(number: int, ranked: RankedBox) -> ListedBox:

@@ -58,7 +58,8 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
         message = f"not JSON: {error.msg}; expected {ASKED}"
         raise ReadError("E803", message, place=place) from None
     except (ValueError, RecursionError) as error:
-        raise ReadError([of_file("E804", file, f"not JSON that can be read: {error}")]) from None
+        told = "nested too deeply" if isinstance(error, RecursionError) else error
+        raise ReadError([of_file("E804", file, f"not JSON that can be read: {told}")]) from None
     try:
         return listing_of(document), document
     except ReadError as error:

@@ -319,6 +319,24 @@ def test_a_search_that_is_stopped_goes_on(searched: Searched, output: str) -> No
     assert json.loads(document.read_text(encoding="utf-8"))["searched"] == 600
 
 
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ("--gears", 2, "--spread", "2:4", "--steps", "1.2:4"),
+        ("--ratios", "3:3.5,1", "--planar", "--single", "--brakes", 1, "--bounds", "1.5:3"),
+    ],
+)
+def test_any_search_that_is_stopped_goes_on(searched: Searched, asked: tuple[object, ...]) -> None:
+    """What is searched for is compared with its description in JSON, which has no tuples."""
+    searched.stop_at = 3
+    command = ("synth", "box", *ASKED[:6], *asked, "-o", "found.json", "-q", "-j", 1)
+    assert vstatics(*command).status == 130
+    searched.stop_at = None
+    searched.pieces.clear()
+    assert "another search" not in vstatics(*command, "--resume").err
+    assert searched.pieces == [3, 4, 5]
+
+
 def test_other_filters_take_up_what_is_found(searched: Searched) -> None:
     stopped(searched, "found.json")
     searched.pieces.clear()
