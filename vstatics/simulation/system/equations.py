@@ -324,12 +324,15 @@ class Equations:
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Change of each torque with its rate, in a state [N*m*s/rad]."""
+        """Change of each torque with its rate, in a state [N*m*s/rad].
+
+        Torques that see the box are left out: `slopes_by_state` has all of their changes.
+        """
         rates, _ = self.rates(time, state)
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
         limited = self.layout.springs + np.flatnonzero(self.limited)
-        for port in {*self.ports.bending}.difference(limited.tolist()):
+        for port in {*self.ports.bending}.difference(limited.tolist(), self.seeing):
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -329,7 +328,7 @@ class Ports:
         assert contact.friction is not None  # noqa: S101 - it has corners
         value, slope = friction_points(contact.friction).piece(piece)
         if contact.programme.look is not None:
-            self._controlled(port, contact.programme, SIGNS[state] * value, slope)
+            self._controlled(port, contact.programme, SIGNS[state], (SIGNS[state] * value, slope))
             return
         curve = contact.programme.curve
         if isinstance(curve, Points) and not curve.piece(curve.piece_at(time))[1]:
@@ -365,24 +364,41 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
         self.senses_rate[port] = True
 
-    def _controlled(self, port: int, programme: Programme, value: float, slope: float) -> None:
-        """What slips with a capacity that sees something, and a coefficient over the slip."""
+    def _controlled(
+        self, port: int, programme: Programme, side: float, friction: tuple[float, float]
+    ) -> None:
+        """What slips with a capacity that sees something, and a coefficient over the slip.
+
+        Behind the end of the slip, where only trials come, the torque by the slip goes on as its
+        image in the point there: else it would rise again, and hold back no trial.
+        """
+        value, slope = friction
+        looks = [one for one in (programme.look, programme.rub) if one]
+        places = (*[port] * bool(slope), *(place for one in looks for place in one.places))
 
         def torque(time: float, seen: Sequence[float]) -> float:
             return programme.seen_at(time, seen) * (value + slope * seen[port])
 
+        def mirrored(time: float, seen: Sequence[float]) -> float:
+            if not seen[port] * side < 0:
+                return torque(time, seen)
+            at_end, image = [*seen], [*seen]
+            at_end[port], image[port] = 0.0, -seen[port]
+            return 2 * torque(time, at_end) - torque(time, image)
+
         def torques(times: Floats, seen: Floats) -> Floats:
             made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
+            for at in np.flatnonzero(seen[port] * side < 0) if port in places else ():
+                made[at] = mirrored(float(times[at]), seen[:, at].tolist())
             return made
 
-        looks = (one for one in (programme.look, programme.rub) if one)
-        places = chain([port] * bool(slope), *(one.places for one in looks))
-        self.looks.append((port, Look(torque, torques, tuple(places))))
+        self.looks.append((port, Look(mirrored if port in places else torque, torques, places)))
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
         if programme.look is not None:
-            self._controlled(port, programme, sign, 0.0)
+            is_contact = port < self.layout.springs  # the slip of a spring ends elsewhere
+            self._controlled(port, programme, sign * is_contact, (sign, 0.0))
             return
         if isinstance(curve, Points):
             value, slope = curve.piece(curve.piece_at(time))
