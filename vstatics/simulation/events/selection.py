@@ -215,7 +215,8 @@ class ModeSelection:
 
     def _equations(self, states: States, at: Instant) -> Equations:
         structure = self.structure(states.held, states.meshes)
-        return Equations(self.system, structure, states, at.time)
+        rounding = STANDING * max(1.0, largest(at.speeds))
+        return Equations(self.system, structure, states, at.time, rounding)
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes

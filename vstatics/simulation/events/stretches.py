@@ -24,6 +24,7 @@ from vstatics.simulation.tolerances import (
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
+    ROUNDED_SUM,
     SAME_END,
     SAME_TIME,
     SHORTEST_PART,
@@ -303,6 +304,8 @@ class Closed:
         by_rate, by_state = self.known = self._slopes(time, state)
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
+        self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
+        """What rounding of the state leaves of the torques that see it."""
         try:
             self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
@@ -453,7 +456,7 @@ class Closed:
             if not np.isfinite(now).all():
                 return None
             given = now @ to_series
-            limit = FITTING_TORQUE * max(self.large, largest(now))
+            limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
             if self._keep(given, limit):
                 before = None
             given[~self.kept] = 0.0

@@ -36,7 +36,12 @@ from vstatics.simulation.system.curves import (
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.sight import following, looking
+from vstatics.simulation.tolerances import STANDING
 
+_FINE = 0.1
+"""Part of a slip over which its torque does not bend."""
+_FAR = 1e6
+"""A slip is far from its end that is larger than rounding by this factor."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
 """States of mechanisms that move and lose power."""
 
@@ -72,11 +77,15 @@ class Ports:
     states : States
     time : float
         At which the piece of time begins. [s]
+    rounding : float
+        A slip that is 0 but for rounding. [rad/s]
     """
 
-    def __init__(self, system: MotionSystem, states: States, time: float) -> None:
+    def __init__(
+        self, system: MotionSystem, states: States, time: float, rounding: float = STANDING
+    ) -> None:
         layout = self.layout = system.layout
-        self.system = system
+        self.system, self.rounding = system, rounding
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
@@ -91,6 +100,8 @@ class Ports:
         """Port, its torque by the time alone, and by what that is multiplied."""
         self.looks: list[tuple[int, Look]] = []
         """Port, its torque by the time and all that is seen."""
+        self.ending: list[int] = []
+        """Ports whose torque sees their own slip, with an end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
         """Springs at limits that see something, with the sign of the torque."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
@@ -166,6 +177,11 @@ class Ports:
                     self.senses_rate[port] = spring.viscous != 0
             elif state not in ("open", "parted"):
                 self._limited(index, SIGNS[state], states, time)
+
+    def finest(self, rates: Floats) -> float:
+        """Return a change of rates over which no torque near the end of its slip bends [rad/s]."""
+        nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
+        return _FINE * math.hypot(nearest, self.rounding)
 
     def torques(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
@@ -369,30 +385,37 @@ class Ports:
     ) -> None:
         """What slips with a capacity that sees something, and a coefficient over the slip.
 
-        Behind the end of the slip, where only trials come, the torque by the slip goes on as its
-        image in the point there: else it would rise again, and hold back no trial.
+        Where its own slip is hardly above rounding, the torque goes to its value at 0 as that of a
+        damper, and on behind the end of the slip, where only trials come. So no law is steeper
+        than numbers can follow (a root is, at 0), and none holds back what comes from behind.
         """
         value, slope = friction
         looks = [one for one in (programme.look, programme.rub) if one]
         places = (*[port] * bool(slope), *(place for one in looks for place in one.places))
+        rounding, far = self.rounding, self.rounding * _FAR
 
         def torque(time: float, seen: Sequence[float]) -> float:
             return programme.seen_at(time, seen) * (value + slope * seen[port])
 
-        def mirrored(time: float, seen: Sequence[float]) -> float:
-            if not seen[port] * side < 0:
+        def near_end(time: float, seen: Sequence[float]) -> float:
+            slip = side * seen[port]
+            if slip >= far:
                 return torque(time, seen)
-            at_end, image = [*seen], [*seen]
-            at_end[port], image[port] = 0.0, -seen[port]
-            return 2 * torque(time, at_end) - torque(time, image)
+            at_end, beside, size = [*seen], [*seen], math.hypot(slip, rounding)
+            at_end[port], beside[port] = 0.0, side * size
+            end = torque(time, at_end)
+            return end + (torque(time, beside) - end) * slip / size
 
         def torques(times: Floats, seen: Floats) -> Floats:
             made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
-            for at in np.flatnonzero(seen[port] * side < 0) if port in places else ():
-                made[at] = mirrored(float(times[at]), seen[:, at].tolist())
+            for at in np.flatnonzero(side * seen[port] < far) if ends else ():
+                made[at] = near_end(float(times[at]), seen[:, at].tolist())
             return made
 
-        self.looks.append((port, Look(mirrored if port in places else torque, torques, places)))
+        ends = bool(side) and port in places
+        if ends:
+            self.ending.append(port)
+        self.looks.append((port, Look(near_end if ends else torque, torques, places)))
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
