@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import count
 from random import Random
 from typing import Any, NamedTuple
 
@@ -25,6 +26,8 @@ BACK = 1e-6
 """Time in which the reference brings a state back to its limit [s]."""
 CAPACITY = 400.0
 """Of the case. [N*m]"""
+_MOST_CALLS = 50_000
+"""Calls of the equations after which another tolerance is tried."""
 BETWEEN = {"C": ("a", "b"), "B": ("b", "")}
 """Links of each shift element; no second one: the housing."""
 
@@ -257,19 +260,44 @@ class Writer:
         )
 
 
+class _TooManyCalls(Exception):  # noqa: N818 - it never leaves the module
+    """More calls than a solver needs which gets on."""
+
+
 def integrated(given: Smooth) -> np.ndarray:
-    """Speeds at the end, by LSODA of ODEPACK, from one command to the next."""
-    change = _equations(given)
+    """Speeds at the end, by LSODA of ODEPACK, from one command to the next.
+
+    Where it does not get on, as its steps follow the rounding of a slip that is held, the
+    tolerance is larger, and Radau is the last.
+    """
+    for method, tolerance in (("LSODA", 1e-10), ("LSODA", 1e-8)):
+        try:
+            return _integrated(given, method, tolerance, _MOST_CALLS)
+        except _TooManyCalls:
+            continue
+    return _integrated(given, "Radau", 1e-8, math.inf)
+
+
+def _integrated(given: Smooth, method: Any, tolerance: float, most: float) -> np.ndarray:
+    """Speeds at the end by a solver of scipy."""
+    change, calls = _equations(given), count()
+
+    def counted(t: float, y: np.ndarray, numbers: dict[str, float]) -> list[float]:
+        if next(calls) > most:
+            raise _TooManyCalls
+        return change(numbers, t, y)
+
     y = np.array(
         [*given.start, *[0.0] * len(given.springs), *(one[1] for one in given.states.values())]
     )
     ends = [*(time for time, _ in given.commands[1:]), given.duration]
-    values: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     for (begin, changed), end in zip(given.commands, ends, strict=True):
-        values |= changed
+        numbers = numbers | changed
         found = solve_ivp(
-            partial(change, values), (begin, end), y, "LSODA", rtol=1e-10, atol=1e-10, max_step=0.01
-        )
+            counted, (begin, end), y, method, args=(numbers,), rtol=tolerance, atol=tolerance,
+            max_step=0.01,
+        )  # fmt: skip
         assert found.status == 0, found.message
         y = found.y[:, -1]
     return np.asarray(y[: len(given.inertias)])
