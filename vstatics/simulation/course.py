@@ -58,6 +58,7 @@ _MOST_EVENTS = 100_000
 _PATIENCE = 500
 """Events after which it is asked whether they lead anywhere."""
 _MOST_STEPS_AT_ONCE = 1000
+_CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
 class EventRun:
@@ -268,10 +269,7 @@ class EventRun:
                 why = "switches to and fro faster and faster, so the run does not reach its end"
             else:
                 continue
-            message = (
-                f"at {found.time:.9g} s {quoted(corner.text)} {why}; replace the jump with a ramp, "
-                "or switch with a hysteresis in a sequence"
-            )
+            message = f"at {found.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}"
             raise CaseError("E601", message, corner.path)
 
     def _count(self, found: MarginEnd) -> None:
@@ -291,8 +289,8 @@ class EventRun:
         name = self._name(watch)
         if watch.kind in FOLLOWING:
             return (
-                f"at {time:.9g} s {name} is met without end, so the run comes no further; replace "
-                "what jumps there with a ramp, or switch with a hysteresis in a sequence"
+                f"at {time:.9g} s {name} is met without end, so the run comes no further; "
+                f"{_CURE_OF_JUMPS}"
             )
         return (
             f"at {time:.9g} s {name} changes without end between sticking and slipping: there is "
@@ -311,13 +309,7 @@ class EventRun:
             except NoChoice:
                 selected = self.selection.select(at, before, scales, (), met)
         except NoChoice:
-            _, choices = self.selection.choices.at(at, before, self.scales, met)
-            names = [self._name_of(kind, index) for kind, index, _ in choices if kind != "pieces"]
-            message = (
-                f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
-                f"fits for {', '.join(names) or 'the speeds as they are'}"
-            )
-            raise CaseError("E602", message) from None
+            raise self._no_state() from None
         except np.linalg.LinAlgError:
             message = f"at {at.time:.9g} s the equations of motion are singular"
             raise CaseError("E603", message) from None
@@ -327,6 +319,27 @@ class EventRun:
             states = selected.margins.equations.states
             self._look_beside(ModesAsked(at, before, scales, [*self.left, states], met), states)
         return selected
+
+    def _no_state(self) -> CaseError:
+        """Return the error about an instant without an admissible state."""
+        at = self.at
+        met = self.meetings.latest(at.time)
+        jumps = (
+            self.corners[one.corner] for one in met if self.corners[one.corner].jumps[one.number]
+        )
+        if corner := next(jumps, None):
+            message = (
+                f"at {at.time:.9g} s no state is admissible on either side of the jump of "
+                f"{quoted(corner.text)}; {_CURE_OF_JUMPS}"
+            )
+            return CaseError("E601", message, corner.path)
+        _, choices = self.selection.choices.at(at, self.before, self.scales, self.met)
+        names = [self._name_of(kind, index) for kind, index, _ in choices if kind != "pieces"]
+        message = (
+            f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
+            f"fits for {', '.join(names) or 'the speeds as they are'}"
+        )
+        return CaseError("E602", message)
 
     def _look_beside(self, asked: ModesAsked, states: States) -> None:
         """Note what could break away as well as what does."""

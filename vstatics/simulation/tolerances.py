@@ -75,6 +75,8 @@ EXACT_SIDES = 1e-13
 """A comparison turns where it is passed by this part of what is compared."""
 ROUNDED_INPUT = 1e-14
 """Part of the largest of its kind by which a number that a formula sees is uncertain."""
+ROUNDED_SUM = 1e-15
+"""Part of the sizes of its terms that rounding leaves of a sum which is 0."""
 PASSED_LIMIT = 1e-10
 """A limit is passed by more than this part of the largest torque."""
 FALLING_MARGIN = 1e-12

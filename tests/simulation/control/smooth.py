@@ -1,64 +1,98 @@
 """Random scenarios that rest on corners of their formulas and leave them smoothly.
 
-Their motion is also integrated by scipy, by equations that are written here: two inertias, a clutch
-between them, a brake on the second, torques, states. Formulas are texts that Python evaluates as
-well. Friction is ``capacity tanh(slip/e)`` there, so speeds differ from those of dry friction by a few e.
+Their motion is also integrated by scipy, by equations that are written here: inertias in a row,
+clutches and springs between them, brakes, torques, states. Formulas are texts that Python evaluates
+as well. Friction is ``capacity tanh(slip/e)`` there, so speeds differ from those of dry friction by
+a few e.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import count
 from random import Random
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 CREEP = 2e-6
 """Slip at which friction is three quarters of its capacity in the reference [rad/s]."""
-FUNCTIONS = {"exp": math.exp, "min": min, "max": max, "abs": abs, "__builtins__": {}}
+FUNCTIONS = {"exp": math.exp, "tanh": math.tanh, "min": min, "max": max, "abs": abs}
 BACK = 1e-6
 """Time in which the reference brings a state back to its limit [s]."""
 CAPACITY = 400.0
 """Of the case. [N*m]"""
+_MOST_CALLS = 50_000
+"""Calls of the equations after which another tolerance is tried."""
+BETWEEN = {"C": ("a", "b"), "B": ("b", "")}
+"""Links of each shift element; no second one: the housing."""
+
+
+class RowSpring(NamedTuple):
+    """A spring of a random scenario."""
+
+    first: str
+    second: str
+    stiffness: float
+    """[N*m/rad]"""
+    damping: float
+    """[N*m*s/rad]"""
 
 
 class Smooth(NamedTuple):
     """A random scenario."""
 
     duration: float
-    inertias: tuple[float, float]
-    start: tuple[float, float]
+    inertias: tuple[float, ...]
+    """Of the links a, b, ..."""
+    start: tuple[float, ...]
     states: dict[str, tuple[str, float, float, float]]
     """Rate, start, least and largest value."""
     tables: dict[str, list[list[float]]]
     controls: dict[str, str]
     torques: dict[str, str]
-    command: tuple[float, float, float]
-    """Its first value, the time at which a sequence changes it, its value then."""
+    commands: list[tuple[float, dict[str, float]]]
+    """Numbers that are set, with the time from which on they are; the first ones at 0."""
+    sequences: dict[str, str]
+    """Steps that set them."""
+    elements: Mapping[str, tuple[str, str]] = BETWEEN
+    springs: Mapping[str, RowSpring] = {}
+
+    @property
+    def links(self) -> str:
+        """The names of the links, each a letter."""
+        return "abcdef"[: len(self.inertias)]
 
     @property
     def case(self) -> str:
         """The case, as it is written."""
-        first, second = self.inertias
-        return f"""links: [a, b]
-inertias: {{a: {first}, b: {second}}}
-shift_elements:
-  C: {{links: [a, b], capacity: {CAPACITY} N*m}}
-  B: {{links: [b, housing], capacity: {CAPACITY} N*m}}
-"""
+        inertias = ", ".join(map("{}: {}".format, self.links, self.inertias))
+        lines = [f"links: [{', '.join(self.links)}]", f"inertias: {{{inertias}}}"]
+        lines.append("shift_elements:")
+        for name, (first, second) in self.elements.items():
+            ends = f"{first}, {second or 'housing'}"
+            lines.append(f"  {name}: {{links: [{ends}], capacity: {CAPACITY} N*m}}")
+        if self.springs:
+            lines.append("springs:")
+        for name, (first, second, stiffness, damping) in self.springs.items():
+            numbers = f"stiffness: {stiffness}, damping: {damping}"
+            lines.append(f"  {name}: {{links: [{first}, {second}], {numbers}}}")
+        return "\n".join(lines) + "\n"
 
     @property
     def scenario(self) -> str:
         """The scenario, as it is written, but for its case."""
-        lines = [f"duration: {self.duration}"]
-        lines.append(f"start: {{speeds: {{a: {self.start[0]}, b: {self.start[1]}}}}}")
-        lines.append(f"set: {{command: {self.command[0]}}}")
+        speeds = ", ".join(map("{}: {}".format, self.links, self.start))
+        lines = [f"duration: {self.duration}", f"start: {{speeds: {{{speeds}}}}}"]
+        _, first = self.commands[0]
+        lines.append(f"set: {{{', '.join(f'{name}: {one}' for name, one in first.items())}}}")
         if self.tables:
             lines += ["tables:", *(f"  {name}: {one}" for name, one in self.tables.items())]
-        lines.append("states:")
+        lines.append("states:" if self.states else "states: {}")
         for name, (rate, start, least, most) in self.states.items():
             limits = f", min: {least}" * math.isfinite(least) + f", max: {most}" * math.isfinite(
                 most
@@ -67,15 +101,14 @@ shift_elements:
         for key, texts in (("controls", self.controls), ("torques", self.torques)):
             lines.append(f"{key}:")
             lines += [f'  {name}: "{text}"' for name, text in texts.items()]
-        _, time, value = self.command
         lines.append("sequences:")
-        lines.append(f'  go: [{{when: "t >= {time}", set: {{command: {value}}}}}]')
+        lines += [f"  {name}: {steps}" for name, steps in self.sequences.items()]
         return "\n".join(lines) + "\n"
 
 
 def smooth(rng: Random) -> Smooth:
     """A random scenario."""
-    many = _Writer(rng)
+    many = Writer(rng)
     states, tables = many.states(), many.tables
     controls = {"C": many.formula(many.capacity, rng.choice([0, 1, 1, 2]))}
     controls["B"] = many.formula(many.capacity, rng.randrange(2)) if rng.random() < 0.3 else "0"
@@ -83,11 +116,13 @@ def smooth(rng: Random) -> Smooth:
     torques["b"] = (many.formula(many.torque, 0) if rng.random() < 0.3 else "0") + many.load("b")
     start = rng.choice([(0.0, 0.0), (0.0, 0.0), (10.0, 10.0), (60.0, 0.0), (20.0, -5.0)])
     inertias = round(rng.uniform(0.3, 3), 2), round(rng.uniform(0.3, 5), 2)
-    command = 0.0, round(rng.uniform(0.1, 0.5), 2), float(rng.choice([1, 3, 50]))
-    return Smooth(0.6, inertias, start, states, tables, controls, torques, command)
+    time, command = round(rng.uniform(0.1, 0.5), 2), float(rng.choice([1, 3, 50]))
+    commands = [(0.0, {"command": 0.0}), (time, {"command": command})]
+    steps = {"go": f'[{{when: "t >= {time}", set: {{command: {command}}}}}]'}
+    return Smooth(0.6, inertias, start, states, tables, controls, torques, commands, steps)
 
 
-class _Writer:
+class Writer:
     """Writes random formulas."""
 
     def __init__(self, rng: Random) -> None:
@@ -96,6 +131,7 @@ class _Writer:
         self.tables: dict[str, list[list[float]]] = {}
 
     def number(self, low: float, high: float) -> float:
+        """Return a number between two."""
         return round(self.rng.uniform(low, high), 2)
 
     def states(self) -> dict[str, tuple[str, float, float, float]]:
@@ -182,9 +218,11 @@ class _Writer:
         )
 
     def formula(self, kind: Any, depth: int) -> str:
+        """Return a formula of a kind, so deep."""
         return str(kind(self.shape(depth)))
 
     def capacity(self, shape: str) -> str:
+        """Return the control of a clutch."""
         rng = self.rng
         size = rng.choice([30, 80, 300])
         return rng.choice(
@@ -199,6 +237,7 @@ class _Writer:
         )
 
     def torque(self, shape: str) -> str:
+        """Return an outside torque."""
         rng = self.rng
         size = rng.choice([10, 60, 200])
         return rng.choice(
@@ -212,6 +251,7 @@ class _Writer:
         )
 
     def load(self, link: str) -> str:
+        """Return the load on a link, or nothing."""
         rng = self.rng
         if rng.random() < 0.5:
             return ""
@@ -220,77 +260,101 @@ class _Writer:
         )
 
 
+class _TooManyCalls(Exception):  # noqa: N818 - it never leaves the module
+    """More calls than a solver needs which gets on."""
+
+
 def integrated(given: Smooth) -> np.ndarray:
-    """Speeds at the end, by an implicit solver of scipy."""
-    names = [*given.states]
-    codes = {
-        key: compile(text.replace("^", "**"), key, "eval")
-        for key, text in (
-            *((f"rate {name}", one[0]) for name, one in given.states.items()),
-            *((f"control {name}", text) for name, text in given.controls.items()),
-            *((f"torque {name}", text) for name, text in given.torques.items()),
-        )
-    }
-    tables = {
-        name: partial(_straight, [tuple(point) for point in points])
-        for name, points in given.tables.items()
-    }
+    """Speeds at the end, by LSODA of ODEPACK, from one command to the next.
 
-    def change(time: float, y: np.ndarray, command: float) -> list[float]:
-        speeds = {"a": float(y[0]), "b": float(y[1])}
-        values = {
-            name: min(max(float(value), given.states[name][2]), given.states[name][3])
-            for name, value in zip(names, y[2:], strict=True)
-        }
-        slips = {"C": speeds["a"] - speeds["b"], "B": speeds["b"]}
-        words = {"t": time, "command": command, "slip": slips.__getitem__, **values}
+    Where it does not get on, as its steps follow the rounding of a slip that is held, the
+    tolerance is larger, and Radau is the last.
+    """
+    for method, tolerance in (("LSODA", 1e-10), ("LSODA", 1e-8)):
+        try:
+            return _integrated(given, method, tolerance, _MOST_CALLS)
+        except _TooManyCalls:
+            continue
+    return _integrated(given, "Radau", 1e-8, math.inf)
 
-        def told(key: str, speed: Any = speeds.__getitem__) -> float:
-            seen = {**FUNCTIONS, **tables, **words, "speed": speed}
-            return float(eval(codes[key], seen))  # noqa: S307 - it is written above
 
-        friction = {
-            name: min(max(told(f"control {name}"), 0.0), CAPACITY) * math.tanh(slips[name] / CREEP)
-            for name in slips
-        }
-        rates = [
-            told(f"rate {name}") + (values[name] - value) / BACK
-            for name, value in zip(names, y[2:].tolist(), strict=True)
-        ]
-        first, second = (told(f"torque {link}", OwnSpeed(speeds[link], speeds)) for link in "ab")
-        return [
-            (first - friction["C"]) / given.inertias[0],
-            (second + friction["C"] - friction["B"]) / given.inertias[1],
-            *rates,
-        ]
+def _integrated(given: Smooth, method: Any, tolerance: float, most: float) -> np.ndarray:
+    """Speeds at the end by a solver of scipy."""
+    change, calls = _equations(given), count()
 
-    y = np.array([*given.start, *(one[1] for one in given.states.values())])
-    before, time, after = given.command
-    for begin, end, command in ((0.0, time, before), (time, given.duration, after)):
+    def counted(t: float, y: np.ndarray, numbers: dict[str, float]) -> list[float]:
+        if next(calls) > most:
+            raise _TooManyCalls
+        return change(numbers, t, y)
+
+    y = np.array(
+        [*given.start, *[0.0] * len(given.springs), *(one[1] for one in given.states.values())]
+    )
+    ends = [*(time for time, _ in given.commands[1:]), given.duration]
+    numbers: dict[str, float] = {}
+    for (begin, changed), end in zip(given.commands, ends, strict=True):
+        numbers = numbers | changed
         found = solve_ivp(
-            change, (begin, end), y, "Radau", args=(command,), rtol=1e-9, atol=1e-9, max_step=0.01
-        )
+            counted, (begin, end), y, method, args=(numbers,), rtol=tolerance, atol=tolerance,
+            max_step=0.01,
+        )  # fmt: skip
+        assert found.status == 0, found.message
         y = found.y[:, -1]
-    return np.asarray(y[:2])
+    return np.asarray(y[: len(given.inertias)])
 
 
-def _straight(points: Sequence[tuple[float, ...]], at: float) -> float:
+def _equations(given: Smooth) -> Callable[..., list[float]]:
+    """The changes of speeds, twists and states, as a function that Python has compiled."""
+    slips = {
+        name: f"({first} - {second or '0.0'})" for name, (first, second) in given.elements.items()
+    }
+    links = given.links
+    names = [*links, *(f"twist_{name}" for name in given.springs), *given.states]
+    lines = ["def change(numbers, t, y):", f"    {', '.join(names)}, = y.tolist()"]
+    lines += [f"    {name} = numbers['{name}']" for name in given.commands[0][1]]
+    for name, (_, _, least, most) in given.states.items():
+        lines.append(f"    free_{name}, {name} = {name}, min(max({name}, {least}), {most})")
+    sums = {link: [f"({_plain(text, slips, link)})"] for link, text in given.torques.items()}
+    for name, control in given.controls.items():
+        held = f"min(max({_plain(control, slips)}, 0.0), {CAPACITY})"
+        lines.append(f"    friction_{name} = {held}*tanh({slips[name]}/{CREEP})")
+        for sign, link in zip("-+", given.elements[name], strict=True):
+            sums.setdefault(link, []).append(f"{sign} friction_{name}")
+    rates = []
+    for name, spring in given.springs.items():
+        rates.append(f"{spring.first} - {spring.second}")
+        torque = f"{spring.stiffness}*twist_{name} + {spring.damping}*({rates[-1]})"
+        sums.setdefault(spring.first, []).append(f"- ({torque})")
+        sums.setdefault(spring.second, []).append(f"+ ({torque})")
+    for name, (rate, *_) in given.states.items():
+        rates.append(f"{_plain(rate, slips)} + ({name} - free_{name})/{BACK}")
+    speeds = [
+        f"({' '.join(sums.get(link, ['0.0']))})/{inertia}"
+        for link, inertia in zip(links, given.inertias, strict=True)
+    ]
+    lines.append(f"    return [{', '.join([*speeds, *rates])}]")
+    known: dict[str, Any] = {**FUNCTIONS, "inf": math.inf}
+    for name, points in given.tables.items():
+        known[name] = partial(_straight, [(x, value) for x, value in points])
+    exec("\n".join(lines), known)  # noqa: S102 - it is written above
+    change: Callable[..., list[float]] = known["change"]
+    return change
+
+
+def _plain(text: str, slips: Mapping[str, str], link: str = "") -> str:
+    """A formula as Python has it, with the speeds of links by their names."""
+    text = re.sub(r"slip\('(\w+)'\)", lambda found: slips[found[1]], text.replace("^", "**"))
+    text = re.sub(r"speed\('(\w+)'\)", r"\1", text)
+    return re.sub(r"\bspeed\b", link, text)
+
+
+def _straight(points: Sequence[tuple[float, float]], at: float) -> float:
     """Interpolate linearly between points, with the end values outside."""
-    places, values = zip(*points, strict=True)
-    return float(np.interp(at, np.array(places), np.array(values)))
-
-
-class OwnSpeed(float):
-    """The speed of a link itself, which may be called for that of another one."""
-
-    speeds: dict[str, float]
-
-    def __new__(cls, value: float, speeds: dict[str, float]) -> Self:
-        """Know the speeds of all links."""
-        made = super().__new__(cls, value)
-        made.speeds = speeds
-        return made
-
-    def __call__(self, link: str) -> float:
-        """Return the speed of a link."""
-        return self.speeds[link]
+    before, value = points[0]
+    if at <= before:
+        return value
+    for place, following in points[1:]:
+        if at <= place:
+            return value + (following - value) * (at - before) / (place - before)
+        before, value = place, following
+    return value

@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 from tests.chance import count, seeded, some
 from tests.simulation.control.repository import closed_loops, ramped, tables
 from tests.simulation.control.smooth import integrated, smooth
+from tests.simulation.control.smooth_rows import smooth_row
 from tests.simulation.control.written import TWO_WHEELS, simulated, written
 from vstatics import readers
 from vstatics.simulation.run import simulate
@@ -203,6 +204,29 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     assert f"`{text}` switches to and fro without end" in motion.stopped.message
 
 
+@pytest.mark.parametrize("threshold", [10, *some([9.99, 5, 20])])
+def test_an_undamped_limit_that_jumps_with_its_own_slip_is_reported(threshold: float) -> None:
+    """Below the jump the twist falls to the lower limit at once, and the slip grows again."""
+    text = f"400 + 500*(speed('wheel') - speed('road') > {threshold})"
+    motion = simulate(
+        written(
+            f"""duration: 2
+start: {{speeds: {{wheel: 0, road: 0}}}}
+torques: {{wheel: [[0, 0], [1, 900]]}}
+limits: {{tyre: "{text}"}}
+""",
+            """links: [wheel, road]
+inertias: {wheel: 1.2, road: 40}
+springs: {tyre: {links: [wheel, road], stiffness: 20000}}
+""",
+        )
+    )
+    assert motion.stopped is not None
+    assert (motion.stopped.id, motion.stopped.path) == ("E601", ("limits", "tyre"))
+    assert text[:30] in motion.stopped.message
+    assert "replace the jump with a ramp" in motion.stopped.message
+
+
 @pytest.mark.slow
 def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
     """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
@@ -254,11 +278,17 @@ torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
 
 
 @pytest.mark.parametrize(
-    "seed",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n != 2)) for n in range(count(300, 3000))],
+    ("kind", "seed"),
+    [
+        pytest.param(kind, n, marks=[pytest.mark.slow] * (n != 2))
+        for kind, few in ((smooth, 300), (smooth_row, 100))
+        for n in range(count(few, 10 * few))
+    ],
 )
-def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(seed: int) -> None:
-    given = smooth(seeded(seed))
+def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(
+    kind: Any, seed: int
+) -> None:
+    given = kind(seeded(seed))
     motion = simulated(given.scenario, given.case)
     speeds = integrated(given)
     assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-4 * max(1, np.abs(speeds).max()))

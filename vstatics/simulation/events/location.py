@@ -237,7 +237,9 @@ class Finder:
             return first
         if values[-1] >= 0:
             return last
-        if self.margins.watches[index].kind not in ("split", *FOLLOWING):  # smooth: a polynomial
+        kind = self.margins.watches[index].kind
+        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # with what a limit sees
+        if not jumps and kind not in ("split", *FOLLOWING):  # smooth: a polynomial
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
             def near(part: float) -> float:

@@ -62,6 +62,12 @@ class CornerMeetings:
         if self.counts[place].bit_count() == 1:
             self.doublings.setdefault(place, []).append(time)
 
+    def latest(self, time: float) -> list[CornerPlace]:
+        """Return the corners that were met right before a time [s], the last one first."""
+        met = {place: times[-1] for place, times in self.times.items()}
+        near = (place for place in met if time - met[place] <= AHEAD * self.span)
+        return sorted(near, key=met.__getitem__, reverse=True)
+
     def hastens(self, place: CornerPlace, time: float, end: float) -> bool:
         """Return whether a jump is met ever faster, so that no run reaches the end.
 

@@ -79,8 +79,11 @@ class ModeSearch:
         """
         changes: dict[int, Any] = {}
         least, spare = len(self.choices) + 1, _IN_VAIN
+        singly: set[Changed] = set()
         for _ in range(_MOST_PIVOTS):
             self.changed = tuple(sorted(changes.items()))
+            if self.changed in singly:  # from here on it would go round
+                return
             yield self._with(self.changed)
             turned = dict(reversed(self.turned))
             if not turned:  # nothing of it can be changed
@@ -91,6 +94,7 @@ class ModeSearch:
                 spare -= 1
             else:
                 turned = dict([max(turned.items())])
+                singly.add(self.changed)
             changes = self._changes({**changes, **turned})
 
     def _near(self, guess: States | None) -> Iterator[States]:

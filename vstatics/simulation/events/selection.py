@@ -37,6 +37,8 @@ from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INER
 _AMPLE = 1e300
 _NEARER = (1.0, 1e-2, 1e-4)
 """So much nearer is looked ahead where that finds nothing: in the end what comes is one instant."""
+_MOST_TURNED = 8
+"""Times that a slip is sought which the torques that see it do not turn back."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
@@ -213,7 +215,8 @@ class ModeSelection:
 
     def _equations(self, states: States, at: Instant) -> Equations:
         structure = self.structure(states.held, states.meshes)
-        return Equations(self.system, structure, states, at.time)
+        rounding = STANDING * max(1.0, largest(at.speeds))
+        return Equations(self.system, structure, states, at.time, rounding)
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
@@ -298,7 +301,7 @@ class ModeSelection:
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
         if margins.sees or equations.ports.looks:  # torques follow what they see
-            ahead = state + self.within * equations.derivative(later, ahead)
+            ahead = self._seen(margins, later, state, ahead)
         then = _finite(margins.at(later, ahead)[:count])
         structure, motions = equations.structure, np.abs(state[: equations.motions])
         acting = np.abs(equations.acting(later, ahead)[1])
@@ -309,6 +312,23 @@ class ModeSelection:
         twisted = self.within * largest(equations.ports.stiffness) * largest(speeds)
         sizes = LargeSizes(largest(speeds), max(largest(torques), sprung, twisted))
         return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
+
+    def _seen(self, margins: Margins, later: float, state: Floats, ahead: Floats) -> Floats:
+        """The state a little later by torques that follow what they see then.
+
+        A law that is steep at rest may turn back what slips too little to be seen so far from it:
+        such a slip begins if it does where it is 0.
+        """
+        slips = slice(len(margins.slipping))
+        for _ in range(_MOST_TURNED):
+            seen, ahead = ahead, state + self.within * margins.equations.derivative(later, ahead)
+            before, then = (margins.at(later, one)[slips] for one in (seen, ahead))
+            turned = (before > 0) & (then < 0)
+            if not turned.any():
+                return ahead
+            share = (before[turned] / (before - then)[turned]).min()
+            ahead = seen + share * (ahead - seen)
+        return state + self.within * margins.equations.derivative(later, ahead)
 
 
 class SelectionAhead(ModeSelection):

@@ -24,6 +24,7 @@ from vstatics.simulation.tolerances import (
     FITTING_TORQUE,
     LEAST_MASS,
     NOT_ZERO,
+    ROUNDED_SUM,
     SAME_END,
     SAME_TIME,
     SHORTEST_PART,
@@ -37,6 +38,16 @@ _TERMS = 22
 class Exponential:
     """``exp(A s)`` for s from 0 to 1: by its series, after so many halvings.
 
+    Parameters
+    ----------
+    matrix : ndarray
+        A.
+    nodes : ndarray, optional
+        Parts of the time for which it is wanted again and again.
+    rows : int, optional
+        Number of the first rows, which alone are wanted there. Below them, A is 0 but for some of
+        the numbers next to its diagonal, as in chains of derivatives: this saves most of the work.
+
     Examples
     --------
     >>> decay = Exponential(np.array([[-3.0]]))
@@ -47,28 +58,54 @@ class Exponential:
     def __init__(self, matrix: Floats, nodes: Floats = _NONE, rows: int | None = None) -> None:
         norm = largest(np.abs(matrix).sum(axis=0))
         self.halvings = max(0, int(np.ceil(np.log2(norm / 2.0)))) if norm > 2.0 else 0
-        step = matrix / 2.0**self.halvings
-        terms = [np.eye(len(matrix))]
+        self.step = matrix / 2.0**self.halvings
+        self.dense = len(matrix) if rows is None else rows
+        orders = np.arange(len(matrix)) - np.arange(self.dense, len(matrix))[:, None]
+        self.doubling = 2.0 ** np.clip(orders, 0, _ORDERS)
+        """Factors of the numbers of chains in the exponential for twice the time."""
+        chained = np.eye(len(matrix))[self.dense :]
+        terms, lower = [np.eye(len(matrix))[: self.dense]], [chained]
+        next_one = np.append(0.0, np.diag(self.step, 1))
+        next_one[: self.dense + 1] = 0.0
         for number in range(1, _TERMS + 1):
-            terms.append(terms[-1] @ step / number)
+            term = terms[-1][:, : self.dense] @ self.step[: self.dense]
+            term += np.roll(terms[-1], 1, axis=1) * next_one
+            terms.append(term / number)
+            chained = np.roll(chained, 1, axis=1) * next_one / number
+            lower.append(chained)
         self.series = np.array(terms)
-        self.halved = [self.series[::-1].sum(axis=0)]  # small ones first: they would be rounded off
+        # small ones first: they would be rounded off
+        self.halved = [np.vstack([self.series[::-1].sum(axis=0), sum(reversed(lower))])]
         """For 1, 1/2, 1/4, ... down to that of the series."""
         for _ in range(self.halvings):
-            self.halved.insert(0, self.halved[0] @ self.halved[0])
+            self.halved.insert(0, self._squared(self.halved[0]))
         self.doubled = [self.halved[0]]
         """For 1, 2, 4, ..."""
-        self.nodes = self.at(nodes, rows)
+        self.nodes = self.at(nodes)
         """For the parts of the time that are asked for again and again, so many rows."""
 
-    def at(self, parts: Floats, rows: int | None = None) -> Floats:
-        """For parts of the time, each 0 to 1: the first rows, or all; shape (parts, rows, size)."""
+    def _squared(self, exponential: Floats) -> Floats:
+        """Return the exponential for twice the time."""
+        first = self._product(exponential[: self.dense], exponential)
+        return np.vstack([first, exponential[self.dense :] * self.doubling])
+
+    def _product(self, rows: Floats, exponential: Floats) -> Floats:
+        """Return first rows of a matrix, or of several, times an exponential."""
+        dense = self.dense
+        made: Floats = rows[..., :dense] @ exponential[:dense]
+        given, chains = rows[..., dense:], exponential[dense:, dense:]
+        for order in range(min(_ORDERS, len(chains))):
+            made[..., dense + order :] += given[..., : len(chains) - order] * chains.diagonal(order)
+        return made
+
+    def at(self, parts: Floats) -> Floats:
+        """For parts of the time, each 0 to 1: the first rows; shape (parts, rows, size)."""
         steps, rest = self._split(parts)
-        factors = rest[:, None] ** np.arange(len(self.series))
-        series = self.series[:, :rows]
+        series = self.series
+        factors = rest[:, None] ** np.arange(len(series))
         made = (factors @ series.reshape(len(series), -1)).reshape(len(parts), *series.shape[1:])
         for halved, far in steps:
-            made[far] = made[far] @ halved
+            made[far] = self._product(made[far], halved)
         return np.asarray(made)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
@@ -79,7 +116,7 @@ class Exponential:
             made[:, far] = halved @ made[:, far]
         term, enough = made, ENOUGH_TERMS * largest(made)
         for number in range(1, _TERMS + 1):
-            term = (self.series[1] @ term) * (rest / number)
+            term = (self.step @ term) * (rest / number)
             made = made + term
             if largest(term) <= enough:
                 break
@@ -101,7 +138,7 @@ class Exponential:
         made, level = first[:, None], 0
         while made.shape[1] < count:
             if level == len(self.doubled):
-                self.doubled.append(self.doubled[-1] @ self.doubled[-1])
+                self.doubled.append(self._squared(self.doubled[-1]))
             made = np.hstack([made, self.doubled[level] @ made])
             level += 1
         return made[:, :count]
@@ -264,11 +301,11 @@ class Closed:
     def _straighten(self, time: float, state: Floats) -> None:
         """Make the matrix with the slopes that torques have in a state."""
         equations = self.equations
-        by_rate = equations.slopes_by_rate(time, state)
+        by_rate, by_state = self.known = self._slopes(time, state)
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
-        by_state = equations.slopes_by_state(time, state)
         self.by_state = by_state[self.bending]
-        self.stiff = equations.strut_slopes(state)
+        self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
+        """What rounding of the state leaves of the torques that see it."""
         try:
             self.affine = Affine(equations, by_rate, by_state)
         except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
@@ -281,13 +318,18 @@ class Closed:
         self.rates: Complex | None = None
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
+    def _slopes(self, time: float, state: Floats) -> tuple[Floats, Floats]:
+        """Return the slopes of torques and of rates of values: by rates, by the state."""
+        equations = self.equations
+        return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
+
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
-        """Whether the slopes in a state are others than those in the matrix."""
-        slopes = self.equations.slopes_by_rate(time, state)[self.bending[: self.torques]]
-        slopes = np.append(slopes, self.equations.strut_slopes(state))
-        before = np.append(self.slopes, self.stiff)
-        largest = np.maximum(np.abs(slopes), np.abs(before))
-        return bool((np.abs(slopes - before) > 0.05 * largest).any())
+        """Return whether the slopes in a state differ from the slopes in the matrix."""
+        now, before = (
+            np.hstack([*map(np.ravel, one)]) for one in (self._slopes(time, state), self.known)
+        )
+        sizes = np.maximum(np.abs(now), np.abs(before))
+        return bool((np.abs(now - before) > 0.05 * sizes).any())
 
     def _balanced(self) -> Floats:
         """Factors by which speeds and twists count alike: square roots of their energies."""
@@ -414,7 +456,7 @@ class Closed:
             if not np.isfinite(now).all():
                 return None
             given = now @ to_series
-            limit = FITTING_TORQUE * max(self.large, largest(now))
+            limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
             if self._keep(given, limit):
                 before = None
             given[~self.kept] = 0.0
@@ -445,7 +487,7 @@ class Closed:
     ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
         size = self.size
-        first = np.zeros(len(exponential.series[0]))
+        first = np.zeros(len(exponential.step))
         first[:size] = self.balance * state[:size]
         first[size] = parts.begin
         first[size + 1] = 1.0

@@ -30,6 +30,7 @@ from vstatics.simulation.tolerances import (
     NEWTON_STEP,
     NO_SENSE,
     SIGHT,
+    STANDING,
     STRAIGHT_BALANCE,
 )
 
@@ -44,6 +45,16 @@ _LIMIT_ROUNDS = 8
 class Equations:
     """What holds between two events, on one piece of time.
 
+    Parameters
+    ----------
+    system : MotionSystem
+    structure : MotionStructure
+    states : States
+    time : float
+        From when on they hold. [s]
+    rounding : float
+        A slip that is 0 but for rounding. [rad/s]
+
     Raises
     ------
     CaseError
@@ -51,13 +62,18 @@ class Equations:
     """
 
     def __init__(
-        self, system: MotionSystem, structure: MotionStructure, states: States, time: float
+        self,
+        system: MotionSystem,
+        structure: MotionStructure,
+        states: States,
+        time: float,
+        rounding: float = STANDING,
     ) -> None:
         layout = self.layout = system.layout
         self.system, self.structure, self.states = system, structure, states
         self.time = time
         """From when on they hold. [s]"""
-        self.ports = Ports(system, states, time)
+        self.ports = Ports(system, states, time, rounding)
         self.motions = structure.free.shape[1]
         self.springs = len(system.springs)
         self.twists = slice(self.motions, self.motions + self.springs)
@@ -170,7 +186,8 @@ class Equations:
         speeds = np.zeros(self.light)
         left = rest(speeds)
         for _ in range(_NEWTON):
-            step = DIFFERENCE_STEP * max(1.0, largest(speeds))
+            finest = ports.finest(rates + structure.light_rates @ speeds)
+            step = min(DIFFERENCE_STEP * max(1.0, largest(speeds)), finest)
             changes = np.empty((self.light, self.light))
             for index in range(self.light):
                 moved = speeds.copy()
@@ -180,9 +197,15 @@ class Equations:
                 change = np.linalg.solve(changes, left)
             except np.linalg.LinAlgError:
                 return np.full(self.light, np.nan)
-            speeds = speeds - change
-            left = rest(speeds)
-            if largest(change) <= NEWTON_STEP * max(1.0, largest(speeds)):
+            after, share = rest(speeds - change), 1.0
+            least = NEWTON_STEP * max(1.0, largest(speeds))
+            while not largest(after) <= (1 - share / 2) * largest(left):
+                share /= 2  # a law that is steep at rest leads as far to the other side
+                if share * largest(change) <= least:
+                    break
+                after = rest(speeds - share * change)
+            speeds, left = speeds - share * change, after
+            if share * largest(change) <= least:
                 break
         return speeds
 
@@ -324,12 +347,15 @@ class Equations:
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Change of each torque with its rate, in a state [N*m*s/rad]."""
+        """Change of each torque with its rate, in a state [N*m*s/rad].
+
+        Torques that see the box are left out: `slopes_by_state` has all of their changes.
+        """
         rates, _ = self.rates(time, state)
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
         slopes = self.ports.by_rate.copy()
         limited = self.layout.springs + np.flatnonzero(self.limited)
-        for port in {*self.ports.bending}.difference(limited.tolist()):
+        for port in {*self.ports.bending}.difference(limited.tolist(), self.seeing):
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step
@@ -364,9 +390,11 @@ class Equations:
             return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
 
         rows = [*looks, *range(first, len(made))]
-        now = seen(state)
+        now, finest = seen(state), self.ports.finest(self.rates(time, state)[0])
         for index in range(self.works.start):
             step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
+            if index < self.motions:
+                step = min(step, finest)
 
             def moved(length: float, index: int = index) -> Floats:
                 near = state.copy()

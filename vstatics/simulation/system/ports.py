@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,7 +36,12 @@ from vstatics.simulation.system.curves import (
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.sight import following, looking
+from vstatics.simulation.tolerances import STANDING
 
+_FINE = 0.1
+"""Part of a slip over which its torque does not bend."""
+_FAR = 1e6
+"""A slip is far from its end that is larger than rounding by this factor."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
 """States of mechanisms that move and lose power."""
 
@@ -73,11 +77,15 @@ class Ports:
     states : States
     time : float
         At which the piece of time begins. [s]
+    rounding : float
+        A slip that is 0 but for rounding. [rad/s]
     """
 
-    def __init__(self, system: MotionSystem, states: States, time: float) -> None:
+    def __init__(
+        self, system: MotionSystem, states: States, time: float, rounding: float = STANDING
+    ) -> None:
         layout = self.layout = system.layout
-        self.system = system
+        self.system, self.rounding = system, rounding
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
@@ -92,6 +100,8 @@ class Ports:
         """Port, its torque by the time alone, and by what that is multiplied."""
         self.looks: list[tuple[int, Look]] = []
         """Port, its torque by the time and all that is seen."""
+        self.ending: list[int] = []
+        """Ports whose torque sees their own slip, with an end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
         """Springs at limits that see something, with the sign of the torque."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
@@ -167,6 +177,11 @@ class Ports:
                     self.senses_rate[port] = spring.viscous != 0
             elif state not in ("open", "parted"):
                 self._limited(index, SIGNS[state], states, time)
+
+    def finest(self, rates: Floats) -> float:
+        """Return a change of rates over which no torque near the end of its slip bends [rad/s]."""
+        nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
+        return _FINE * math.hypot(nearest, self.rounding)
 
     def torques(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
@@ -329,7 +344,7 @@ class Ports:
         assert contact.friction is not None  # noqa: S101 - it has corners
         value, slope = friction_points(contact.friction).piece(piece)
         if contact.programme.look is not None:
-            self._controlled(port, contact.programme, SIGNS[state] * value, slope)
+            self._controlled(port, contact.programme, SIGNS[state], (SIGNS[state] * value, slope))
             return
         curve = contact.programme.curve
         if isinstance(curve, Points) and not curve.piece(curve.piece_at(time))[1]:
@@ -365,24 +380,48 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
         self.senses_rate[port] = True
 
-    def _controlled(self, port: int, programme: Programme, value: float, slope: float) -> None:
-        """What slips with a capacity that sees something, and a coefficient over the slip."""
+    def _controlled(
+        self, port: int, programme: Programme, side: float, friction: tuple[float, float]
+    ) -> None:
+        """What slips with a capacity that sees something, and a coefficient over the slip.
+
+        Where its own slip is hardly above rounding, the torque goes to its value at 0 as that of a
+        damper, and on behind the end of the slip, where only trials come. So no law is steeper
+        than numbers can follow (a root is, at 0), and none holds back what comes from behind.
+        """
+        value, slope = friction
+        looks = [one for one in (programme.look, programme.rub) if one]
+        places = (*[port] * bool(slope), *(place for one in looks for place in one.places))
+        rounding, far = self.rounding, self.rounding * _FAR
 
         def torque(time: float, seen: Sequence[float]) -> float:
             return programme.seen_at(time, seen) * (value + slope * seen[port])
 
+        def near_end(time: float, seen: Sequence[float]) -> float:
+            slip = side * seen[port]
+            if slip >= far:
+                return torque(time, seen)
+            at_end, beside, size = [*seen], [*seen], math.hypot(slip, rounding)
+            at_end[port], beside[port] = 0.0, side * size
+            end = torque(time, at_end)
+            return end + (torque(time, beside) - end) * slip / size
+
         def torques(times: Floats, seen: Floats) -> Floats:
             made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
+            for at in np.flatnonzero(side * seen[port] < far) if ends else ():
+                made[at] = near_end(float(times[at]), seen[:, at].tolist())
             return made
 
-        looks = (one for one in (programme.look, programme.rub) if one)
-        places = chain([port] * bool(slope), *(one.places for one in looks))
-        self.looks.append((port, Look(torque, torques, tuple(places))))
+        ends = bool(side) and port in places
+        if ends:
+            self.ending.append(port)
+        self.looks.append((port, Look(near_end if ends else torque, torques, places)))
 
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
         if programme.look is not None:
-            self._controlled(port, programme, sign, 0.0)
+            is_contact = port < self.layout.springs  # the slip of a spring ends elsewhere
+            self._controlled(port, programme, sign * is_contact, (sign, 0.0))
             return
         if isinstance(curve, Points):
             value, slope = curve.piece(curve.piece_at(time))

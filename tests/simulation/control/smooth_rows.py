@@ -1,0 +1,64 @@
+"""Random scenarios of inertias in a row, with springs, several clutches and sequences.
+
+They are written and integrated as those of two links, see `smooth`.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from random import Random
+
+from tests.simulation.control.smooth import RowSpring, Smooth, Writer
+
+NO_LIMITS = -float("inf"), float("inf")
+
+
+def smooth_row(rng: Random) -> Smooth:
+    """A random scenario of three or four links.
+
+    Up to three sequences act at one instant: by the time, by a state, and by a number that another
+    one of them has set. The first one acts again a little later.
+    """
+    links = "abcd"[: rng.randint(3, 4)]
+    springs: dict[str, RowSpring] = {}
+    elements: dict[str, tuple[str, str]] = {}
+    for first, second in pairwise(links):
+        if elements and rng.random() < 0.5:
+            numbers = rng.choice([60.0, 800.0, 9000.0]), rng.choice([0.5, 4.0, 30.0])
+            springs[f"s{first}"] = RowSpring(first, second, *numbers)
+        else:
+            elements["CDE"[len(elements)]] = first, second
+    if rng.random() < 0.5:
+        elements["B"] = rng.choice(links), ""
+    if rng.random() < 0.3:
+        elements["F"] = "a", "c"
+    many = Writer(rng)
+    states = many.states()
+    time, value = round(rng.uniform(0.1, 0.3), 2), float(rng.choice([1, 3, 50]))
+    again, later = round(rng.uniform(0.05, 0.2), 2), float(rng.choice([0, 1, 2]))
+    states["clock"] = ("1", 0.0, *NO_LIMITS)
+    names = ["second", "third"][: rng.randrange(3)]
+    many.names += names
+    steps = {
+        "go": f'[{{when: "t >= {time}", set: {{command: {value}}}}}, '
+        f"{{wait: {again}, set: {{command: {later}}}}}]"
+    }
+    first_values, then = dict.fromkeys(["command", *names], 0.0), {"command": value}
+    for name, when in zip(names, (f"clock >= {time}", "command > 0.5"), strict=False):
+        then[name] = many.number(0.1, 1)
+        steps[f"and_{name}"] = f'[{{when: "{when}", set: {{{name}: {then[name]}}}}}]'
+    commands = [(0.0, first_values), (time, then), (time + again, {"command": later})]
+    controls, torques = {}, {}
+    for name in elements:
+        control = many.formula(many.capacity, rng.choice([0, 1, 1, 2]))
+        controls[name] = control.replace("slip('C')", f"slip('{rng.choice([*elements])}')")
+    for link in links:
+        given = many.formula(many.torque, rng.choice([0, 1])) if rng.random() < 0.5 else "0"
+        torques[link] = given + many.load(link)
+    inertias = tuple(many.number(0.3, 4) for _ in links)
+    start = rng.choice([0.0, 0.0, 10.0, 60.0])
+    speeds = tuple(start if link == "a" or start < 60 else 0.0 for link in links)
+    return Smooth(
+        0.6, inertias, speeds, states, many.tables, controls, torques, commands, steps, elements,
+        springs,
+    )  # fmt: skip
