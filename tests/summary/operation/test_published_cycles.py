@@ -34,8 +34,9 @@ SPEEDS = {
     "mi/h": Fraction(1609344, 3600000),
 }
 GRADES = {"grade": 1, "Grade [-]": 1, "grade [%]": 100, "Gradient (%)": 100, "cycGrade": 1}
+IN_SECONDS = ("Seconds", "sec", "Sec", "s", "SECS", "second")
 IMPLIED = {"cycSecs": "s", "<t>": "s", "cycMps": "m/s", "mps": "m/s", "<v>": "km/h"} | {
-    "Seconds": "s",
+    **dict.fromkeys(IN_SECONDS, "s"),
     "MPH": "mph",
     "km/h": "km/h",
     "m/s": "m/s",
@@ -58,7 +59,17 @@ class Layout:
         self.separator = rng.choice(",;\t")
         self.comma = self.separator != "," and rng.random() < 0.4
         time, time_unit = self.heading(
-            ["time", "Time", "TIME", "t", "Test Time", "Elapsed_Time", "cycSecs", "<t>", "Seconds"],
+            [
+                "time",
+                "Time",
+                "TIME",
+                "t",
+                "Test Time",
+                "Elapsed_Time",
+                "cycSecs",
+                "<t>",
+                *IN_SECONDS,
+            ],
             TIMES,
         )
         speed, speed_unit = self.heading(

@@ -18,6 +18,7 @@ from vstatics.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
 _TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
+_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # FASTSim, VECTO
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
@@ -30,8 +31,7 @@ COLUMNS = (
     TableColumn(
         "time",
         "time",
-        aliases=dict.fromkeys(_TIMES, "")
-        | dict.fromkeys(("seconds", "secs", "cycsecs", "<t>"), "s"),  # FASTSim, VECTO
+        aliases=dict.fromkeys(_TIMES, "") | dict.fromkeys(_SECONDS, "s"),
     ),
     TableColumn(
         "speed",
