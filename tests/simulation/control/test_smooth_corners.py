@@ -204,10 +204,17 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     assert f"`{text}` switches to and fro without end" in motion.stopped.message
 
 
-@pytest.mark.parametrize("threshold", [10, *some([9.99, 5, 20])])
-def test_an_undamped_limit_that_jumps_with_its_own_slip_is_reported(threshold: float) -> None:
-    """Below the jump the twist falls to the lower limit at once, and the slip grows again."""
-    text = f"400 + 500*(speed('wheel') - speed('road') > {threshold})"
+JUMPS_OF_LIMITS = [
+    "400 + 500*(speed('wheel') - speed('road') > 10)",
+    *some([f"400 + 500*(speed('wheel') - speed('road') > {n})" for n in (9.99, 5, 20)]),
+    "300 + 500*(twist('tyre') < 0.02)",
+    *some(["300 + 500*(abs(twist('tyre')) < 0.02)", "250 + 400*(twist('tyre') < 0.017)"]),
+]
+
+
+@pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
+def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
+    """On each side of the jump, the twist goes to the other side at once."""
     motion = simulate(
         written(
             f"""duration: 2
