@@ -48,6 +48,7 @@ from vstatics.simulation.tolerances import (
     LEAST_RTOL,
     NO_PROGRESS,
     SAME_INSTANT,
+    SIGHT,
     STANDING,
 )
 
@@ -572,10 +573,25 @@ class EventRun:
             kind = "locks"
         elif {before, after} == {*SIGNS}:
             kind = "reverses" if self._has_slipped(device) else "slips"
+            if kind == "slips" and self._is_slipping(device, time):
+                return
         if kind is not None:
             event = event_of(time, device, kind)
             event = released(event) if after == "open" else event
             self.record.events.append(slid_back(event) if after == "-" else event)
+
+    def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
+        """Return whether a device began to slip right before a time [s], to whichever side.
+
+        Where its slip is too small to be seen ahead, the first side may be the wrong one.
+        """
+        near = SIGHT * self.span
+        events = reversed(self.record.events)
+        of_device = (one for one in events if one.element == device.name)
+        last = next(of_device, None)
+        if last is None:
+            return time <= near
+        return last.event == "slips" and time - last.time <= near
 
     def _has_slipped(self, device: Contact | Elastic) -> bool:
         """Whether a device slipped since the last event: without capacity it can also rest."""
