@@ -143,7 +143,7 @@ class ModeSelection:
                 found = self._admissible(joined, at, scales)
                 if found is not None and found.margins.equations.states not in left:
                     return found
-            failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+            failing = [watch for watch in failing if self._may_change(watch, states)]
             tried[states] = failing
             search.fails(states, failing, self._released(states, at, choices))
         if spare is not None:
@@ -202,12 +202,11 @@ class ModeSelection:
                 meshes[index] = next(one for one in moving if one[0] == sign(speed))
         return states._replace(meshes=tuple(meshes))
 
-    def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
+    def _may_change(self, watch: Watch, states: States) -> bool:
         """Whether a mesh that fails could move at all, with what sticks besides meshes."""
         if KIND_OF.get(watch.kind) != "meshes":
             return True
-        free = {index for kind, index, _ in choices if kind == "meshes"}
-        meshes = tuple("" if index in free else one for index, one in enumerate(states.meshes))
+        meshes = tuple("" if state == "stick" else state for state in states.meshes)
         try:
             motions = self.structure(states.held, meshes)
         except np.linalg.LinAlgError:
@@ -320,7 +319,11 @@ class ModeSelection:
             return []
         ahead, then, least = self._ahead(margins, time, state)
         falls = near & (then - now < -least)
-        return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
+        sizes = np.where(falls, then / units, np.inf)
+        failing = _failed(margins, time + self.within, ahead, sizes)
+        # friction of a mesh that others hold still is as small as its torque, and none is needed
+        states = margins.equations.states
+        return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
         """The state a little later, its margins, and of these the least changes that count.
