@@ -40,7 +40,7 @@ from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
-from vstatics.simulation.system.sight import control_path, corners
+from vstatics.simulation.system.sight import Corner, control_path, corners
 from vstatics.simulation.tolerances import (
     AHEAD,
     AHEAD_OF_STOP,
@@ -48,6 +48,7 @@ from vstatics.simulation.tolerances import (
     LEAST_RTOL,
     NO_PROGRESS,
     SAME_INSTANT,
+    SIGHT,
     STANDING,
 )
 
@@ -323,23 +324,31 @@ class EventRun:
     def _no_state(self) -> CaseError:
         """Return the error about an instant without an admissible state."""
         at = self.at
-        met = self.meetings.latest(at.time)
-        jumps = (
-            self.corners[one.corner] for one in met if self.corners[one.corner].jumps[one.number]
-        )
-        if corner := next(jumps, None):
+        _, choices = self.selection.choices.at(at, self.before, self.scales, self.met)
+        named = [(kind, index) for kind, index, _ in choices if kind != "pieces"]
+        if corner := self._jump_of(named):
             message = (
                 f"at {at.time:.9g} s no state is admissible on either side of the jump of "
                 f"{quoted(corner.text)}; {_CURE_OF_JUMPS}"
             )
             return CaseError("E601", message, corner.path)
-        _, choices = self.selection.choices.at(at, self.before, self.scales, self.met)
-        names = [self._name_of(kind, index) for kind, index, _ in choices if kind != "pieces"]
+        names = [self._name_of(kind, index) for kind, index in named]
         message = (
             f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
             f"fits for {', '.join(names) or 'the speeds as they are'}"
         )
         return CaseError("E602", message)
+
+    def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
+        """Return a formula whose jump was met now, or before by what has no admissible state."""
+        now = self.meetings.latest(self.at.time)
+        earlier = [place for place in self.meetings.times if place not in now]
+        paths = {self._path_of(*one) for one in choices}
+        for place in (*now, *earlier):
+            corner = self.corners[place.corner]
+            if corner.jumps[place.number] and (place in now or corner.path in paths):
+                return corner
+        return None
 
     def _look_beside(self, asked: ModesAsked, states: States) -> None:
         """Note what could break away as well as what does."""
@@ -505,7 +514,7 @@ class EventRun:
 
     def _path(self, watch: Watch) -> Path:
         """The key of the scenario to which a watch belongs, as far as it has one."""
-        scenario, system = self.system.scenario, self.system
+        scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
             return self.corners[self.watched[watch.of][0].corner].path
@@ -513,10 +522,15 @@ class EventRun:
             return "states", scenario.states[watch.of].name
         if watch.kind == "awaited":
             return self.sequences.going[watch.of].path
-        if kind == "contacts" and system.contacts[watch.of].switch:
-            return "torques", self._name(watch)
+        return self._path_of(kind, watch.of) if kind else ()
+
+    def _path_of(self, kind: Kind, index: int) -> Path:
+        """The key of the scenario to which a choice belongs, as far as it has one."""
+        scenario, system = self.system.scenario, self.system
+        if kind == "contacts" and system.contacts[index].switch:
+            return "torques", self._name_of(kind, index)
         if kind in ("contacts", "springs"):
-            device = system.contacts[watch.of] if kind == "contacts" else system.springs[watch.of]
+            device = system.contacts[index] if kind == "contacts" else system.springs[index]
             key, name = path = control_path(device)
             given: Collection[int] = scenario.controls or ()
             parts: Sequence[ShiftElement | Spring] = system.case.shift_elements
@@ -559,10 +573,25 @@ class EventRun:
             kind = "locks"
         elif {before, after} == {*SIGNS}:
             kind = "reverses" if self._has_slipped(device) else "slips"
+            if kind == "slips" and self._is_slipping(device, time):
+                return
         if kind is not None:
             event = event_of(time, device, kind)
             event = released(event) if after == "open" else event
             self.record.events.append(slid_back(event) if after == "-" else event)
+
+    def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
+        """Return whether a device began to slip right before a time [s], to whichever side.
+
+        Where its slip is too small to be seen ahead, the first side may be the wrong one.
+        """
+        near = SIGHT * self.span
+        events = reversed(self.record.events)
+        of_device = (one for one in events if one.element == device.name)
+        last = next(of_device, None)
+        if last is None:
+            return time <= near
+        return last.event == "slips" and time - last.time <= near
 
     def _has_slipped(self, device: Contact | Elastic) -> bool:
         """Whether a device slipped since the last event: without capacity it can also rest."""

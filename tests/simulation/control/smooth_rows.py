@@ -5,7 +5,7 @@ They are written and integrated as those of two links, see `smooth`.
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import combinations, pairwise
 from random import Random
 
 from tests.simulation.control.smooth import RowSpring, Smooth, Writer
@@ -61,4 +61,43 @@ def smooth_row(rng: Random) -> Smooth:
     return Smooth(
         0.6, inertias, speeds, states, many.tables, controls, torques, commands, steps, elements,
         springs,
+    )  # fmt: skip
+
+
+def smooth_loop(rng: Random) -> Smooth:
+    """A random scenario of links in loops of clutches.
+
+    More clutches can stick than slips can differ. Capacities grow from 0 or are 0, and torques grow
+    from 0.
+    """
+    links = "abcd"[: rng.randint(3, 4)]
+    pairs = [*combinations(links, 2)]
+    elements = dict(zip("CDEFGH", rng.sample(pairs, rng.randint(3, len(pairs))), strict=False))
+    if rng.random() < 0.5:
+        elements["B"] = rng.choice(links), ""
+    many = Writer(rng)
+    states = many.states()
+    shapes = ["0", "min(t, 0.3)", "t^2", *many.names]
+    controls = {}
+    for name in elements:
+        grip = rng.choice([20, 100, 300])
+        seen = rng.choice([*elements])
+        controls[name] = rng.choice(
+            [
+                f"{grip}*({rng.choice(shapes)})",
+                f"{grip}*abs(slip('{seen}'))",
+                f"{many.number(0, 9)}",
+                f"{grip}*abs(slip('{seen}'))/9 + {grip}*({rng.choice(shapes)})",
+            ]
+        )
+    torques = dict.fromkeys(links, "0")
+    for link in rng.sample(links, rng.randint(1, 2)):
+        torques[link] = f"{rng.choice([-90, 20, 60])}*({rng.choice(shapes)})" + many.load(link)
+    inertias = tuple(many.number(0.3, 4) for _ in links)
+    start = rng.choice([0.0, 0.0, 10.0])
+    commands = [(0.0, {"command": 0.0}), (0.2, {"command": 1.0})]
+    steps = {"go": '[{when: "t >= 0.2", set: {command: 1}}]'}
+    return Smooth(
+        0.6, inertias, (start,) * len(links), states, {}, controls, torques, commands, steps,
+        elements,
     )  # fmt: skip

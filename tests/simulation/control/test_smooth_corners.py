@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 from tests.chance import count, seeded, some
 from tests.simulation.control.repository import closed_loops, ramped, tables
 from tests.simulation.control.smooth import integrated, smooth
-from tests.simulation.control.smooth_rows import smooth_row
+from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
 from tests.simulation.control.written import TWO_WHEELS, simulated, written
 from vstatics import readers
 from vstatics.simulation.run import simulate
@@ -204,10 +204,17 @@ def test_a_jump_to_which_the_motion_returns_without_end_is_reported(
     assert f"`{text}` switches to and fro without end" in motion.stopped.message
 
 
-@pytest.mark.parametrize("threshold", [10, *some([9.99, 5, 20])])
-def test_an_undamped_limit_that_jumps_with_its_own_slip_is_reported(threshold: float) -> None:
-    """Below the jump the twist falls to the lower limit at once, and the slip grows again."""
-    text = f"400 + 500*(speed('wheel') - speed('road') > {threshold})"
+JUMPS_OF_LIMITS = [
+    "400 + 500*(speed('wheel') - speed('road') > 10)",
+    *some([f"400 + 500*(speed('wheel') - speed('road') > {n})" for n in (9.99, 5, 20)]),
+    "300 + 500*(twist('tyre') < 0.02)",
+    *some(["300 + 500*(abs(twist('tyre')) < 0.02)", "250 + 400*(twist('tyre') < 0.017)"]),
+]
+
+
+@pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
+def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
+    """On each side of the jump, the twist goes to the other side at once."""
     motion = simulate(
         written(
             f"""duration: 2
@@ -277,11 +284,36 @@ torques: {a: "60*abs(m(t) - abs(speed('a') - speed('b'))/50)"}
     assert motion.speeds == pytest.approx(0.0, abs=1e-12)
 
 
+def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() -> None:
+    """C and D hold a and d together, so E has no slip, and F no capacity.
+
+    Of the torque 30 t on c, the other links take three quarters, which H passes on up to 3 N*m.
+    """
+    motion = simulated(
+        """duration: 0.5
+start: {speeds: {a: 5, b: 5, c: 5, d: 5}}
+controls: {C: 50, D: "40 + t", E: "abs(slip('H'))", F: "20*abs(slip('E'))", H: 3}
+torques: {c: [[0, 0], [1, 30]]}
+""",
+        """links: [a, b, c, d]
+inertias: {a: 1, b: 1, c: 1, d: 1}
+shift_elements: {C: [a, b], D: [b, d], E: [a, d], F: [a, c], H: [c, d]}
+""",
+    )
+    begin, end = 3 / 0.75 / 30, 0.5
+    others = 15 * begin**2 / 4 + 3 / 3 * (end - begin)
+    last = 15 * begin**2 / 4 + 15 * (end**2 - begin**2) - 3 * (end - begin)
+    assert [(one.element, one.event) for one in motion.events] == [("F", "slips"), ("H", "slips")]
+    assert [one.time for one in motion.events] == pytest.approx([begin] * 2, abs=1e-9)
+    speeds = [5 + others, 5 + others, 5 + last, 5 + others]
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("kind", "seed"),
     [
         pytest.param(kind, n, marks=[pytest.mark.slow] * (n != 2))
-        for kind, few in ((smooth, 300), (smooth_row, 100))
+        for kind, few in ((smooth, 300), (smooth_row, 100), (smooth_loop, 60))
         for n in range(count(few, 10 * few))
     ],
 )
@@ -291,7 +323,8 @@ def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(
     given = kind(seeded(seed))
     motion = simulated(given.scenario, given.case)
     speeds = integrated(given)
-    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-4 * max(1, np.abs(speeds).max()))
+    accuracy = 1e-3 if kind is smooth_loop else 1e-4  # of creep, which laws of slip take up there
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=accuracy * max(1, np.abs(speeds).max()))
 
 
 LOOPS = closed_loops()

@@ -16,6 +16,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.simulation.boxes import capacity
+from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
 from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
@@ -144,3 +145,34 @@ def test_any_cascade_runs(seed: int) -> None:
     inertias |= {1: 10 ** random.uniform(-1, 0), end: 10 ** random.uniform(-1, 1)}
     torques = random.choice([-1, 1]) * random.uniform(20, 200), random.uniform(-2000, 2000)
     assert runs(closing(sets, inertias, *torques), sets)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("torque", [140, 149, 150, 151, 160])
+def test_sets_that_are_locked_up_carry_torques_that_pass_zero(torque: float) -> None:
+    """The torque of a locked-up set passes 0 with the friction that it could take."""
+    count_of_sets = 8
+    sets, names = range(count_of_sets), range(count_of_sets + 1)
+    rows = [f"links: [{', '.join([f'c{n}' for n in names] + [f'r{n}' for n in sets])}]"]
+    inertias = {f"{kind}{n}": 0.05 for kind in "cr" for n in sets} | {"c0": 0.3, "c8": 80}
+    rows.append(f"inertias: {{{', '.join(f'{name}: {one}' for name, one in inertias.items())}}}")
+    rows.append("mechanisms:")
+    for n in sets:
+        links_of_set = f"first: c{n}, second: r{n}, third: c{n + 1}"
+        rows.append(f"  P{n}: {{{links_of_set}, ratio: {-2 - 0.1 * n:.1f}, efficiency: 0.97}}")
+    rows.append("shift_elements:")
+    for n in sets:
+        rows.append(f"  B{n}: {{links: [r{n}, housing], capacity: {400 * 3**n} N*m}}")
+        rows.append(f"  C{n}: {{links: [c{n}, r{n}], capacity: {400 * 3**n} N*m}}")
+    low, top = (", ".join(f"{kind}{n}" for n in sets) for kind in "BC")
+    other = ", ".join(f"{'BC'[n % 2]}{n}" for n in sets)
+    rows.append(f"gears: {{low: [{low}], other: [{other}], top: [{top}]}}")
+    motion = simulated(
+        f"""duration: 1.5
+start: {{gear: low, speed: 200}}
+shifts: [{{at: 0.3, to: other, overlap: 0.3}}, {{at: 1, to: top, overlap: 0.3}}]
+torques: {{c0: {torque}, c8: -50}}
+""",
+        "\n".join(rows) + "\n",
+    )
+    assert closes(motion)

@@ -202,13 +202,15 @@ class Finder:
         """Where a margin is 0 again that is 0 at first.
 
         One that does not rise ends at the first time if a choice depends on it, else where it is
-        below 0 by more than rounding.
+        below 0 by more than rounding. So does that of a split: it is 0 while a clutch without
+        capacity sticks in a loop of others.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
         above = np.flatnonzero(margins > 0)
         if not len(above):
-            return self._leaves(step, index, (first, last)) if self.following[index] else first
+            stays = self.following[index] or self.margins.watches[index].kind == "split"
+            return self._leaves(step, index, (first, last)) if stays else first
         falls = np.flatnonzero(margins[above[0] :] <= 0)
         if not len(falls):
             return last
@@ -233,8 +235,8 @@ class Finder:
 
         times = first + (last - first) * _NODES
         values = self.margins.along(times, step.between(times))[index]
-        if values[0] <= 0:
-            return first
+        if values[0] <= 0:  # between instants rounding is another
+            return self._after_rise(step, index, first, last)
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind

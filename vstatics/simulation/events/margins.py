@@ -493,8 +493,10 @@ class Margins:
         made = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
-            found = self._roomiest(slack[:, column], held[:, column])
-            change = least(found.slack, found.directions)
+            given = slack[:, column], self._directions(held[:, column])
+            if self.cones:  # of which the sides are open
+                given = self._roomiest(slack[:, column], held[:, column])[:2]
+            change = least(*given)
             if change is not None:
                 made[:, column] += self.equations.structure.redundant @ change
         return made

@@ -122,6 +122,7 @@ class ModeSelection:
         base, choices = self.choices.at(at, before, scales, met)
         search = ModeSearch(base, choices, before, partial(self._guess, asked))
         fault: CaseError | None = None
+        spare: Selected | None = None
         tried: dict[States, list[Watch]] = {}
         for chosen in chain(search, search.others() if thorough else ()):
             states = self._driven(chosen, choices, at, scales)
@@ -135,13 +136,42 @@ class ModeSelection:
             except np.linalg.LinAlgError:
                 found, failing = None, []
             if found is not None and found.margins.equations.states not in left:
-                return found
-            failing = [watch for watch in failing if self._may_change(watch, states, choices)]
+                joined = self._joined(found.margins.equations.states, choices)
+                if joined == found.margins.equations.states:
+                    return found
+                spare = spare or found  # it fits as the joined one does, but for rounding
+                found = self._admissible(joined, at, scales)
+                if found is not None and found.margins.equations.states not in left:
+                    return found
+            failing = [watch for watch in failing if self._may_change(watch, states)]
             tried[states] = failing
             search.fails(states, failing, self._released(states, at, choices))
+        if spare is not None:
+            return spare
         if fault is not None:
             raise fault
         raise NoChoice
+
+    def _admissible(self, states: States, at: Instant, scales: LargeSizes) -> Selected | None:
+        """Return a choice if it is admissible."""
+        try:
+            return self._tried(states, at, scales)[0]
+        except (CaseError, np.linalg.LinAlgError):
+            return None
+
+    def _joined(self, states: States, choices: Sequence[Choice]) -> States:
+        """Return the states in which contacts between links that are held together stick as well.
+
+        Such a contact has no slip that could begin, and its torque is redundant.
+        """
+        structure = self.structure(states.held, states.meshes)
+        contacts = list(states.contacts)
+        for index in (index for kind, index, _ in choices if kind == "contacts"):
+            contact = self.system.contacts[index]
+            moves = _moves(contact.row, structure.free) or _moves(contact.row, structure.light)
+            if not (contact.switch or moves):
+                contacts[index] = "stick"
+        return states._replace(contacts=tuple(contacts))
 
     def _guess(self, asked: ModesAsked) -> States | None:
         """What sticks a little later, if all links had some inertia: nothing is singular then."""
@@ -172,12 +202,11 @@ class ModeSelection:
                 meshes[index] = next(one for one in moving if one[0] == sign(speed))
         return states._replace(meshes=tuple(meshes))
 
-    def _may_change(self, watch: Watch, states: States, choices: Sequence[Choice]) -> bool:
+    def _may_change(self, watch: Watch, states: States) -> bool:
         """Whether a mesh that fails could move at all, with what sticks besides meshes."""
         if KIND_OF.get(watch.kind) != "meshes":
             return True
-        free = {index for kind, index, _ in choices if kind == "meshes"}
-        meshes = tuple("" if index in free else one for index, one in enumerate(states.meshes))
+        meshes = tuple("" if state == "stick" else state for state in states.meshes)
         try:
             motions = self.structure(states.held, meshes)
         except np.linalg.LinAlgError:
@@ -290,7 +319,11 @@ class ModeSelection:
             return []
         ahead, then, least = self._ahead(margins, time, state)
         falls = near & (then - now < -least)
-        return _failed(margins, time + self.within, ahead, np.where(falls, then / units, np.inf))
+        sizes = np.where(falls, then / units, np.inf)
+        failing = _failed(margins, time + self.within, ahead, sizes)
+        # friction of a mesh that others hold still is as small as its torque, and none is needed
+        states = margins.equations.states
+        return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
         """The state a little later, its margins, and of these the least changes that count.
