@@ -54,10 +54,16 @@ class BoxText(NamedTuple):
         return self.lines.rpartition("\n")[0]
 
     @property
+    def note(self) -> str:
+        """Kind or ratio."""
+        return self.lines.rpartition("\n")[2]
+
+    @property
     def size(self) -> tuple[float, float]:
         """Width and height of name and note [pt of letters]."""
-        name, _, note = self.lines.rpartition("\n")
-        return max(width(name, bold=True), width(note)), LINE * (1 + self.lines.count("\n"))
+        return max(width(self.name, bold=True), width(self.note)), LINE * (
+            1 + self.lines.count("\n")
+        )
 
     def at(self, link: int, device: Device) -> str:
         """Return the names of the members that belong to a link."""
@@ -92,13 +98,14 @@ class BoxSection(HalfSection):
 
     @property
     def _inner(self) -> float:
-        middle = self.text.size[0] + PAD + width(self.side)
+        middle = max(self.text.size[0], width(self.side))
         return self.letters * (max(middle, self._slot * len(self.columns), LEAST_BOX) + 2 * PAD)
 
     @property
     def half(self) -> float:
         """Half the height of the box [pt]."""
-        return self.letters * (self.text.size[1] / 2 + LINE + PAD)
+        lines = self.text.lines.count("\n")
+        return self.letters * (LINE * (lines + 1.5) + PAD)
 
     @property
     def tall(self) -> float:

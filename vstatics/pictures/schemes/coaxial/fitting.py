@@ -87,7 +87,7 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
     )
     most = MOST_NAMED if has_rims else MOST_CLOSED  # the teeth of a planet stand over its pin
     if bare.own.has_boxes:  # which have the size of their letters
-        most = CLOSEST
+        most = MOST_NAMED
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
         if is_within(layout, wide) or letters >= most:

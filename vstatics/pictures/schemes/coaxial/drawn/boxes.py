@@ -41,12 +41,15 @@ def draw_box(
     x = at + (left if is_left else right) - way * (letters * PAD + half_side)
     members.append(((x, 0.0), section.side))
     _outlined(ink, index, ((at + left, -half), (at + right, half)))
-    _written(ink, index, section.text, (at + (left + right) / 2 - way * half_side, 0.0), members)
+    middle = at + (left + right) / 2
+    lines = section.text.lines.count("\n")
+    members.append(((middle, -letters * LINE), section.text.note))
+    _written(ink, index, section.text.name, (middle, letters * LINE * (lines + 1) / 2), members)
     for tap in taps:
         if not tap.wire:
             edge, end = (at + tap.x, tap.side * half), (at + tap.x, tap.side * (half + GROUND / 2))
-            lines = [(edge, end), *ground(end, tap.side)]
-            ink.of_link("housing").lines(lines, color=ink.color(index), zorder=4.5)
+            support = [(edge, end), *ground(end, tap.side)]
+            ink.of_link("housing").lines(support, color=ink.color(index), zorder=4.5)
 
 
 def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
@@ -60,7 +63,7 @@ def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float)
         for bar, side in ((low, -1), (top, 1))
     ]
     _outlined(ink, index, ((at - wide / 2, y - high / 2), (at + wide / 2, y + high / 2)))
-    _written(ink, index, text, (at, y), members)
+    _texts(ink, index, text, (at, y), members, layout.letters)
 
 
 def draw_chain_box(
@@ -75,7 +78,21 @@ def draw_chain_box(
         name = text.at(link, device)
         inside = wide / 2 - PAD - width(name) / 2
         members.append(((x + side * inside, y - high / 2 + (LINE + PAD) / 2), name))
-    _written(ink, index, text, (x, y + LINE / 2), members)
+    _texts(ink, index, text, (x, y + LINE / 2), members, 1.0)
+
+
+def _texts(  # noqa: PLR0913, PLR0917 - what is written, and where
+    ink: SchemeInk,
+    index: int,
+    text: BoxText,
+    middle: Point,
+    members: Sequence[Written],
+    letters: float,
+) -> None:
+    """Write the name with the kind or ratio below it, and the names of members."""
+    (x, y), lines = middle, text.lines.count("\n")
+    note = (x, y - letters * LINE * lines / 2), text.note
+    _written(ink, index, text.name, (x, y + letters * LINE / 2), [note, *members])
 
 
 def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
@@ -89,16 +106,15 @@ def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
 
 
 def _written(
-    ink: SchemeInk, index: int, text: BoxText, middle: Point, members: Sequence[Written]
+    ink: SchemeInk, index: int, name: str, middle: Point, others: Sequence[Written]
 ) -> None:
-    """Write the name in bold, the kind or ratio below it, and the names of members."""
+    """Write the name in bold by the middle of its lines, and other texts."""
     look: Look = {"color": ink.text_color(index), "over": index in ink.state.pieces}
     pen, (x, y) = ink.of_device(index).pen, middle
-    lines = text.lines.split("\n")
+    lines = name.split("\n")
     step = LINE * pen.letters
-    y += step * (len(lines) - 1) / 2
     for place, line in enumerate(lines):
-        is_name = place < len(lines) - 1
-        centred(pen, (x, y - step * place), line, bold=is_name, **look)
-    for at, name in members:
-        centred(pen, at, name, **look)
+        at = x, y + step * ((len(lines) - 1) / 2 - place)
+        centred(pen, at, line, bold=True, **look)
+    for at, text in others:
+        centred(pen, at, text, **look)
