@@ -71,7 +71,7 @@ def test_springs_stand_beside_drawn_elements() -> None:
 def test_one_mass_on_a_spring_is_drawn() -> None:
     case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3, name="s")])
     figure = picture(solve(case), "structure", Style("ru"))
-    assert [text.get_text() for text in figure.texts if text.get_text()] == ["Структура", "1", "s"]
+    assert {text.get_text() for text in figure.texts} - {""} == {"Структура", "1", "s"}
     boxed = case.replace(springs=[Spring({1: 2.0}, stiffness=3, name="s")])
     figure = picture(solve(boxed), "structure", Style("ru"))
     assert "пружина" in [text.get_text() for text in figure.texts]

@@ -3,47 +3,24 @@
 from __future__ import annotations
 
 from itertools import combinations
-from math import inf
 from pathlib import Path
-from typing import Any
 
 import pytest
-from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 import vstatics
-from tests.chance import some
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.elements.drawing import drawing_of
 from vstatics.elements.group import group_of
 from vstatics.elements.kinds import KINDS, Simple
 from vstatics.errors import CaseError
-from vstatics.numerics.traced import plain
 from vstatics.pictures import picture, render
-from vstatics.pictures.schemes import structure
-from vstatics.pictures.schemes.placing import Placement
-from vstatics.pictures.schemes.scheme import Scheme, scheme_of, scheme_state
+from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
 from vstatics.pictures.schemes.sets import section_of
 from vstatics.pictures.sheet.gear_state import state_of
 from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Results
 
 SHIPPED = Path(__file__).parents[3] / "cases"
-CASES = sorted(path for path in SHIPPED.glob("*") if path.is_file())
-FEW = {"mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml"}
-"""Cases of each kind for the fast tests: a deck, shared planets, held links."""
-
-
-def by_name(cases: list[Path]) -> list[object]:
-    return [
-        pytest.param(case, id=case.name, marks=[] if case.name in FEW else pytest.mark.slow)
-        for case in cases
-    ]
-
-
-every_case = pytest.mark.parametrize("path", by_name(CASES[::5]))
-
 PAIRS = """\
 input: a
 output: k
@@ -92,109 +69,6 @@ def overlaps(figure: Figure) -> list[tuple[str, str]]:
     return outside + pairs
 
 
-def pieces_of(placement: Placement, wire: int) -> int:
-    """In how many parts a wire falls that do not touch one another."""
-    lines = [(x, x, low, high) for x, low, high, own in placement.verticals() if own == wire]
-    lines += [
-        (*span, placement.y(track), placement.y(track))
-        for track, span in placement.row.spans.items()
-        if track[0] == wire
-    ]
-    taps = [tap for tap in placement.row.taps if tap.wire == wire and tap.reach != "none"]
-    lines += [  # the bar of a carrier that leaves to both sides
-        (one.x, one.x, min(one.y, other.y), max(one.y, other.y))
-        for one, other in combinations(taps, 2)
-        if one[0] == other[0] and one.x == other.x
-    ]
-    parts: list[list[tuple[float, float, float, float]]] = []
-    for line in lines:
-        touched = [part for part in parts if any(touch(line, other) for other in part)]
-        merged = [line, *(other for part in touched for other in part)]
-        parts = [part for part in parts if part not in touched] + [merged]
-    return len(parts)
-
-
-def touch(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
-    across = min(one[1], other[1]) - max(one[0], other[0])
-    up = min(one[3], other[3]) - max(one[2], other[2])
-    return across >= -1e-9 and up >= -1e-9
-
-
-def assert_joins(scheme: Scheme, placement: Placement) -> None:
-    """Each device meets the links of its members and no others; each link is of one piece."""
-    for index, device in enumerate(scheme.devices):
-        taps = [tap for tap in placement.row.taps if tap.item == index and tap.reach != "none"]
-        assert {tap.wire for tap in taps} == device.links, device.name
-        assert all(device.members[tap.label] == tap.wire for tap in taps if tap.label)
-        assert index in placement.row.lefts
-    for wire in range(1, len(scheme.links) + 1):
-        assert pieces_of(placement, wire) == 1, scheme.name(wire)
-    for port in scheme.ports:
-        low, high = placement.row.spans[placement.end_of(port.link)]
-        end = low if port.role == "input" else high
-        assert end == (0.0 if port.role == "input" else placement.row.width)
-
-
-def assert_apart(placement: Placement) -> None:
-    """No wire runs along another, none ends on another."""
-    lines = [(x, x, low, high, wire) for x, low, high, wire in placement.verticals()]
-    lines += [
-        (*span, placement.y(track), placement.y(track), track[0])
-        for track, span in placement.row.spans.items()
-    ]
-    crossings = {(x, y) for x, y, _, _ in placement.crossings()}
-    for one, other in combinations(lines, 2):
-        if one[4] != other[4] and touch(one[:4], other[:4]):
-            place = max(one[0], other[0]), max(one[2], other[2])
-            assert place in crossings, (one, other)
-
-
-def assert_clear(figure: Figure, placement: Placement, scheme: Scheme) -> None:
-    """No wire runs through the name of a device."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
-    names = {" ".join(device.name.split()) for device in scheme.devices} - set(scheme.links)
-    lines = [(x, x, low, high) for x, low, high, _ in placement.verticals()]
-    lines += [
-        (low, high, placement.y(track), placement.y(track))
-        for track, (low, high) in placement.row.spans.items()
-    ]
-    for text in figure.texts:
-        if " ".join(text.get_text().split()) in names:
-            window = text.get_window_extent(renderer)
-            box = window.transformed(text.get_transform().inverted())
-            inside = box.x0 + 0.5, box.x1 - 0.5, box.y0 + 0.5, box.y1 - 0.5
-            assert not [line for line in lines if touch(inside, line)], text.get_text()
-
-
-ONE_ROW = Style(width=inf)
-
-
-def check(scheme: Scheme, placement: Placement, results: Results) -> None:
-    """The picture of a case, without a gear in English and with its first in Russian."""
-    assert_joins(scheme, placement)
-    assert_apart(placement)
-    for gear in (None, 1):
-        style = ONE_ROW._replace(language="ru" if gear else "en")
-        figure = picture(results, "structure", style, [gear] if gear else [])
-        assert overlaps(figure) == []
-        if gear is None:
-            assert_clear(figure, placement, scheme)
-        shown = " ".join(" ".join(text.get_text() for text in figure.texts).split())
-        for device in scheme.devices:
-            assert device.kind == "held" or device.name in shown
-        for link in scheme.links:
-            assert link in shown
-
-
-@every_case
-def test_structure_can_be_read_and_joins_what_the_case_joins(path: Path) -> None:
-    results = vstatics.solve(vstatics.load(path))
-    scheme = scheme_of(results.case)
-    check(scheme, structure.place(scheme, Style()), results)
-
-
 @pytest.mark.slow
 def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     path = tmp_path / "pairs.yaml"
@@ -203,18 +77,16 @@ def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     scheme = scheme_of(results.case)
     kinds = {device.kind for device in scheme.devices}
     assert kinds >= {name for name, kind in KINDS.items() if isinstance(kind, Simple)}
-    check(scheme, structure.place(scheme, Style()), results)
     shown = " ".join(text.get_text() for text in picture(results, "stick", Style()).texts)
     for device in scheme.devices:
         assert device.kind == "held" or device.name in " ".join(shown.split())
 
 
 def test_the_same_case_looks_the_same() -> None:
-    scheme = scheme_of(vstatics.load(SHIPPED / "wheel-hub.yaml"))
-    assert structure.place(scheme, Style()) == structure.place(scheme, Style())
     results = vstatics.solve(vstatics.load(SHIPPED / "wheel-hub.yaml"))
-    once, again = (render(results, "stick", "svg", Style()) for _ in range(2))
-    assert once == again
+    for kind in ("stick", "structure"):
+        once, again = (render(results, kind, "svg", Style()) for _ in range(2))
+        assert once == again
 
 
 def test_stick_diagram_needs_elements() -> None:
@@ -330,82 +202,6 @@ def test_a_set_that_reacts_as_one_piece_is_marked_and_not_pale() -> None:
     svg = render(results, "stick", "svg", Style(), [1]).decode()
     assert "carrier −3.696" in svg
     assert "turns as one piece" in svg
-
-
-def colors_at(figure: Figure) -> dict[tuple[float, float], set[Any]]:
-    """Colours of the lines that begin, bend or end at a point."""
-    found: dict[tuple[float, float], set[Any]] = {}
-    lines: list[Any] = figure.findobj(Line2D)
-    for one in lines:
-        color = to_hex(one.get_color())
-        for x, y in one.get_xydata().tolist():
-            found.setdefault((round(x, 3), round(y, 3)), set()).add(color)
-    return found
-
-
-def torques_of(results: Results, gear: int) -> list[dict[int, list[float]]]:
-    """Of the devices of a scheme, by the links from which they have them."""
-    case, values = results.case, results.torques[gear - 1].tolist()
-    members = results.gear(gear).member_torques(lossy=False)
-    found: list[dict[int, list[float]]] = []
-    for device, own in zip(case.own_devices, members, strict=True):
-        found.append({})
-        for one in device.members:
-            found[-1].setdefault(one.link, []).append(plain(own[one.name]))
-    for shift, torque in zip(case.shift_elements, values, strict=False):
-        found.append({shift.first: [torque], shift.second: [torque]})
-    for spring, torque in zip(
-        case.springs, values[: -len(case.springs) - 2 : -1][::-1], strict=False
-    ):
-        found.append({link: [torque] for link in (0, *spring.form)})
-    return found
-
-
-def check_pins(results: Results, placement: Placement, gear: int, figure: Figure) -> set[str]:
-    """Arms are pale where a device has no torque from a link, and not where it has one."""
-    scheme, colors, style = scheme_of(results.case), colors_at(figure), Style()
-    pale: set[str] = set()
-    for index, by_link in enumerate(torques_of(results, gear)):
-        device = scheme.devices[index]
-        taps = [tap for tap in placement.row.taps if tap.item == index and tap.reach != "none"]
-        outer = [tap for tap in taps if tap.reach != "row"]
-        shown: dict[int, list[set[Any]]] = {}
-        for tap in outer or taps:
-            y = tap.y if tap.reach == "row" else placement.edge(tap.side)
-            shown.setdefault(tap.wire, []).append(colors.get((round(tap.x, 3), round(y, 3)), set()))
-        for wire, own in shown.items():
-            where = gear, device.name, scheme.name(wire)
-            if any(not abs(torque) < 1e-9 for torque in by_link[wire]):
-                assert len(own) > 1 or style.faint not in own[0], where
-                assert not any(own) or any(style.ink in one for one in own), where
-            elif len(own) == 1 and own[0]:  # through the bar of a carrier torque may pass
-                assert style.faint in own[0], where
-                is_bare = not any(any(torques) for torques in by_link.values())
-                assert not (is_bare and style.ink in own[0]), where
-                pale.add(f"{device.name} {scheme.name(wire)}")
-    return pale
-
-
-def test_arms_without_torque_are_pale() -> None:
-    # issue 16: Ford 10R80, gear 1; D is engaged, and nothing comes to it
-    results = vstatics.solve(vstatics.load(SHIPPED / "ford-10r80.yaml"))
-    style = ONE_ROW
-    placement = structure.place(scheme_of(results.case), style)
-    pale = check_pins(results, placement, 1, picture(results, "structure", style, [1]))
-    assert {"P2 sun 1-2", "P2 input", "P3 carrier 1", "D sun 4", "D intermediate"} <= pale
-    assert not [name for name in pale if name.startswith(("P1", "P4", "A", "B", "E"))]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("path", some(CASES), ids=lambda path: path.name)
-def test_arms_are_pale_where_no_torque_is_in_all_gears(path: Path) -> None:
-    results = vstatics.solve(vstatics.load(path))
-    scheme, style = scheme_of(results.case), ONE_ROW
-    placement = structure.place(scheme, style)
-    by_number = range(1, len(results.case.gears) + 1)
-    figures = structure.each(results, style, [(n,) for n in by_number])
-    for gear, [figure] in enumerate(figures, 1):
-        check_pins(results, placement, gear, figure)
 
 
 def test_ports_show_which_way_their_power_goes() -> None:

@@ -9,6 +9,7 @@ from vstatics.pictures.schemes.coaxial.fitting import laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted, painted_within
 from vstatics.pictures.schemes.coaxial.rooms import extent
+from vstatics.pictures.schemes.coaxial.search.sweep import QUICK
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.planetary import as_sets, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
@@ -69,4 +70,4 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     own = coaxial_scheme(scheme, sections_of(scheme, case, style))
     if own is None:
         raise TypeError(case)
-    return BareStick(laid_out(own, is_small=is_small, is_quick=True), style)
+    return BareStick(laid_out(own, is_small=is_small, effort=QUICK), style)

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from vstatics.model.transmission import HOUSING
-from vstatics.pictures.schemes.channels import ABOVE, Reach, Tap
 from vstatics.pictures.sheet.labels import Point, Segment, wrapped
 from vstatics.pictures.sheet.pen import LINE_WIDTH
 
@@ -49,6 +48,26 @@ def hatching(low: Point, high: Point) -> Iterator[Segment]:
         if last - first > 1:
             yield (first, bottom + first - start), (last, bottom + last - start)
         start += HATCH_STEP
+
+
+ABOVE, BELOW = 1, -1
+Reach = Literal["row", "none"]
+"""Whether a tap leads to a line of its link; a member that stands still has none."""
+
+
+class Tap(NamedTuple):
+    """Where a link meets an element."""
+
+    wire: int
+    side: int
+    """ABOVE or BELOW."""
+    x: float
+    """From the left end of the element. [pt]"""
+    reach: Reach = "row"
+    label: str = ""
+    """Member of the element."""
+    depth: float = 0.0
+    """Distance from the middle of the row to the place where the line begins. [pt]"""
 
 
 class Stroke(NamedTuple):

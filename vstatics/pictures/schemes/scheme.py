@@ -19,7 +19,7 @@ from vstatics.pictures.sheet.gear_state import PictureState
 from vstatics.tables.numbers import typeset
 
 MOST_DEVICES = 200
-"""That are drawn: their arrangement is found in about ten seconds."""
+"""Number of components that are drawn: their arrangement is found in about ten seconds."""
 
 
 class Device(NamedTuple):

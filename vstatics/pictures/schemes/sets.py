@@ -13,8 +13,18 @@ from types import MappingProxyType
 
 from vstatics.elements.element import CentralWheel
 from vstatics.elements.group import PlanetGroup
-from vstatics.pictures.schemes.channels import ABOVE, BELOW, Tap
-from vstatics.pictures.schemes.glyphs import FACE, MESH, SLEEVE, Glyph, Stroke, member_tap, teeth
+from vstatics.pictures.schemes.glyphs import (
+    ABOVE,
+    BELOW,
+    FACE,
+    MESH,
+    SLEEVE,
+    Glyph,
+    Stroke,
+    Tap,
+    member_tap,
+    teeth,
+)
 from vstatics.pictures.sheet.labels import Point, Segment, Span, width
 from vstatics.pictures.sheet.style import SMALL
 
@@ -75,6 +85,22 @@ class HalfSection:
         wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
         texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
         return max((self.letters * width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
+
+    @property
+    def tall(self) -> float:
+        """Height above the middle of the row that it needs [pt]."""
+        return max(abs(y) for stroke in planet_strokes(self) for _, y in stroke.points) + 8
+
+    @property
+    def faces(self) -> Span:
+        """Ends of its wheels with their names, without its arms [pt]."""
+        last = len(self.columns) - 1
+        return self.x(0) - FACE, self.x(last) + max(FACE, self.beside(last) - 3)
+
+    @property
+    def pin_end(self) -> float:
+        """End of the pin of a carrier that nothing joins [pt]."""
+        return self.x(len(self.columns) - 1) + FACE
 
     def y(self, level: int) -> float:
         """Of an axle."""

@@ -6,7 +6,7 @@ these are taken for planetary sets.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from matplotlib.figure import Figure
@@ -16,14 +16,9 @@ from vstatics.errors import CaseError
 from vstatics.model.transmission import Transmission
 from vstatics.pictures.schemes.axes.picture import figures as axes_figures
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, parallel_axes
-from vstatics.pictures.schemes.coaxial.chains import unchained
-from vstatics.pictures.schemes.coaxial.fitting import fits, laid_out
-from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted
-from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
+from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet, figures
 from vstatics.pictures.schemes.planetary import as_sets, can_be_set, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
-from vstatics.pictures.schemes.sets import HalfSection
-from vstatics.pictures.schemes.told import told_of
 from vstatics.pictures.sheet.style import Style
 from vstatics.statics.results import Results
 
@@ -52,30 +47,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
     )
     is_bare = any(drawn.devices[place].element is None for place in sheet.layout.own.sections)
-    for gears in shown:
-        told = told_of(results, drawn, style, gears, subject=subject)
-        state = told.state, told.titles, told.name
-        yield [painted(sheet, style, *state, note * is_bare).figure]
-
-
-def coaxial_sheet(
-    scheme: Scheme, sections: Mapping[int, HalfSection], style: Style
-) -> CoaxialSheet | None:
-    """The half-section of what turns about one axis; None if something joins three of its links.
-
-    Where a page is too narrow, what stands before the box and behind it has rows of its own.
-    """
-    own = coaxial_scheme(scheme, sections)
-    if own is None:
-        return None
-    layout = laid_out(own, style.width, is_ordered=style.ordered)
-    parts = unchained(scheme, sections)
-    if fits(layout, style.width) or not parts.chains:
-        return CoaxialSheet(layout)
-    box = coaxial_scheme(parts.scheme, sections, parts.left_out)
-    if box is None:
-        return CoaxialSheet(layout)
-    return CoaxialSheet(laid_out(box, style.width, is_ordered=style.ordered), parts.chains)
+    yield from figures(results, drawn, sheet, style, shown, subject, note * is_bare)
 
 
 def stick_scheme(case: Transmission) -> Scheme:

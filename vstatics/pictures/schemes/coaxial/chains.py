@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -69,13 +70,14 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
     ([1, 2], [(2, 'before'), (4, 'output')])
     """
     chains: list[CoaxialChain] = []
-    ports = list(scheme.ports)
+    ports, taken = list(scheme.ports), set[int]()
     for place, port in enumerate(scheme.ports):
         if port.role not in ("input", "output"):
             continue
         is_before = port.role == "input"
-        links, devices = _walk(scheme, port.link, others)
+        links, devices = _walk(scheme, port.link, others, taken)
         if devices:
+            taken.update(devices)
             way = 1 if is_before else -1
             links, devices = links[::way], devices[::way]
             inner = SchemePort(links[-1], "behind") if is_before else SchemePort(links[0], "before")
@@ -85,7 +87,9 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
     return ChainedScheme(replace(scheme, ports=ports), chains)
 
 
-def _walk(scheme: Scheme, start: int, others: Container[int]) -> tuple[list[int], list[int]]:
+def _walk(
+    scheme: Scheme, start: int, others: Container[int], taken: AbstractSet[int]
+) -> tuple[list[int], list[int]]:
     """Links and devices from a port, as long as one device goes on."""
     ends = {port.link for port in scheme.ports} - {start}
     links, devices = [start], list[int]()
@@ -93,7 +97,7 @@ def _walk(scheme: Scheme, start: int, others: Container[int]) -> tuple[list[int]
         own = [
             index
             for index, device in enumerate(scheme.devices)
-            if links[-1] in device.links and index not in devices
+            if links[-1] in device.links and index not in devices and index not in taken
         ]
         if len(own) != 1 or own[0] in others or len(scheme.devices[own[0]].links) != 2:
             break

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import framed
 from vstatics.pictures.schemes.coaxial.places import Needs, SectionPlaces, heights_of, placed_along
 from vstatics.pictures.schemes.coaxial.rooms import extent, met_by, rooms_of
-from vstatics.pictures.schemes.coaxial.search.sweep import swept
+from vstatics.pictures.schemes.coaxial.search.sweep import BRIEF, FULL, Effort, swept
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
-from vstatics.pictures.schemes.sets import planet_strokes
 
 LEAST_HALF = 24.0
 """Half the height of the row of planets, at least. [pt]"""
@@ -45,7 +45,7 @@ def laid_out(
     wide: float = math.inf,
     *,
     is_small: bool = False,
-    is_quick: bool = False,
+    effort: Effort = FULL,
     is_ordered: bool = False,
 ) -> CoaxialLayout:
     """Where everything stands.
@@ -56,17 +56,17 @@ def laid_out(
         For which lines close up, and letters do not. [pt]
     is_small : bool
         Links have no names but those at the ends of the axis.
-    is_quick : bool
-        It is one of many.
+    effort : Effort, optional
+        Tries of the search for an arrangement; fewer for boxes.
     is_ordered : bool
         Sets stand in the order of the case, if a way is found soon.
     """
-    found = swept(own.train, is_ordered=is_ordered, is_quick=is_quick)
+    found = swept(own.train, is_ordered=is_ordered, effort=BRIEF if own.has_boxes else effort)
     ends = frozenset([own.train.start, own.train.end, *(port.link for port in own.scheme.ports)])
     bare = CoaxialLayout(
         own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered, named_beside=ends
     )
-    for line_letters, without, has_teeth_alone in NAMED:
+    for line_letters, without, has_teeth_alone in NAMED[: 1 if own.has_boxes else None]:
         named = bare._replace(
             is_small=is_small or without,
             line_letters=line_letters,
@@ -86,6 +86,8 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         rim in one.names for one in sections for col in one.columns for rim in col.rims.values()
     )
     most = MOST_NAMED if has_rims else MOST_CLOSED  # the teeth of a planet stand over its pin
+    if bare.own.has_boxes:  # which have the size of their letters
+        most = MOST_NAMED
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
         if is_within(layout, wide) or letters >= most:
@@ -118,19 +120,14 @@ def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
         n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in bare.named_beside
     }
     lines = max((own_names[n - 1].count("\n") + 1 for n in named), default=1)
-    tops = [
-        abs(y)
-        for section in own.sections.values()
-        for stroke in planet_strokes(section)
-        for _, y in stroke.points
-    ]
-    half = max([LEAST_HALF, *(y + 8 for y in tops)])
+    sections = [replace(section, letters=bare.letters) for section in own.sections.values()]
+    half = max([LEAST_HALF, *(section.tall for section in sections)])
     needs = Needs(
         half,
-        frozenset(range(len(own.pairs))),
+        [bare.sign_room(number) for number in range(len(own.pairs))],
         named,
         bare.letters * lines,
-        any(section.names for section in own.sections.values()),
+        own.has_boxes or any(section.names for section in own.sections.values()),
     )
     layout = bare._replace(places=heights_of(frame, needs))
     rooms = [list(rooms_of(layout, up)) for up in frame.uprights]

@@ -6,13 +6,16 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.layout import Upright
-from vstatics.pictures.schemes.coaxial.places import SectionPlaces
+from vstatics.pictures.schemes.coaxial.places import SIGN_PITCH, SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import half_of
-from vstatics.pictures.sheet.labels import height, width
+from vstatics.pictures.sheet.labels import Point, height, width
 from vstatics.pictures.sheet.words import teeth_alone
+
+BOX_ROD = 7.0
+"""Length of the line between a box and a bar [pt of letters]."""
 
 
 class CoaxialLayout(NamedTuple):
@@ -79,4 +82,21 @@ class CoaxialLayout(NamedTuple):
 
     def half(self, up: Upright) -> float:
         """Half the length of the sign of a coupling."""
-        return half_of(self.own.scheme.devices[self.device(up)].sign)
+        return self.box_size(up)[1] / 2 or half_of(self.own.scheme.devices[self.device(up)].sign)
+
+    def box_size(self, up: Upright) -> Point:
+        """Width and height of a box on a line [pt]; 0 of a sign."""
+        index = self.device(up)
+        if index not in self.own.texts:
+            return 0.0, 0.0
+        wide, high = self.own.texts[index].on_line(self.own.scheme.devices[index], is_level=False)
+        return self.letters * wide, self.letters * high
+
+    def middle(self, up: Upright) -> float:
+        """Height of the middle of the sign of a coupling [pt]."""
+        return sum(self.places.heights[bar] for bar in up.gap) / 2
+
+    def sign_room(self, number: int) -> float:
+        """Distance between two bars that the sign of a pair needs [pt]."""
+        _, high = self.box_size(Upright("pair", number, []))
+        return high + 2 * BOX_ROD * self.letters if high else SIGN_PITCH

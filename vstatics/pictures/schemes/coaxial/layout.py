@@ -33,6 +33,8 @@ class Upright:
     index: int
     bars: Sequence[Bar]
     """The lower and the upper one; only one of them for tops and ends."""
+    gap: Sequence[Bar] = ()
+    """Two neighbours between which the sign of a pair is."""
     is_turned: bool = False
     wheels: Sequence[tuple[Bar | None, Bar | None]] = ()
     """Of the planes of a set from left to right, those of sun and ring."""
@@ -110,6 +112,8 @@ class _FrameMaker:
     def add(self, step: SweepStep) -> None:
         if not self.is_started:
             self._start(step)
+        if step.before is not None:
+            self._go_to(*step.before)
         self._go_to(*step.bars[0])
         if step.kind == "set":
             self._set(step)
@@ -119,9 +123,14 @@ class _FrameMaker:
             pair = (
                 self.train.pairs[step.number] if step.kind == "pair" else (step.number, step.number)
             )
-            self._stand(Upright(step.kind, step.number, self._nearest(*pair, step.place)))
+            bars = self._nearest(*pair, step.place)
+            row = self.below + self.above
+            place = row.index(bars[0])
+            self._stand(Upright(step.kind, step.number, bars, row[place : place + 2]))
 
     def finished(self) -> SectionFrame:
+        if not self.is_started:  # nothing but its ends
+            self._start(SweepStep("wall", self.train.start, [((8 * self.train.start,), ())]))
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
         if not ends:  # it ended with the last step, as nothing but the axis was left
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
@@ -151,7 +160,8 @@ class _FrameMaker:
         self._note()
 
     def _set(self, step: SweepStep) -> None:
-        left = self._arms(*step.left)
+        carrier = self.train.sets[step.number].carrier
+        left = self._arms(carrier, *step.left)
         wheels: list[tuple[Bar | None, Bar | None]] = []
         planes = self.train.sets[step.number].wheels
         for (sun, ring), bars in zip(
@@ -164,15 +174,23 @@ class _FrameMaker:
             if ring and self.above[0].link != ring:
                 wheels[-1] = wheels[-1][0], self._last_of(self.above[::-1], ring)
         self._go_to(*step.bars[-1])
-        right = self._arms(*step.right)
-        self._stand(Upright("set", step.number, [], step.is_turned, wheels, left, right))
+        right = self._arms(carrier, *step.right)
+        self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
 
     @staticmethod
     def _last_of(row: Sequence[Bar], link: int) -> Bar:
         return next(bar for bar in row[::-1] if bar.link == link)
 
-    def _arms(self, is_low: bool, is_high: bool) -> tuple[Bar | None, Bar | None]:  # noqa: FBT001
-        return self.below[-1] if is_low else None, self.above[0] if is_high else None
+    def _arms(
+        self,
+        carrier: int,
+        is_low: bool,  # noqa: FBT001
+        is_high: bool,  # noqa: FBT001
+    ) -> tuple[Bar | None, Bar | None]:
+        return (
+            self._last_of(self.below, carrier) if is_low else None,
+            self._last_of(self.above[::-1], carrier) if is_high else None,
+        )
 
     def _top(self, link: int) -> Bar:
         return self._last_of(self.below + self.above, link)

@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state
+from matplotlib.figure import Figure
+
+from vstatics.pictures.schemes.boxes import BoxText
+from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state, unchained
 from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
 from vstatics.pictures.schemes.coaxial.drawn.devices import draw_devices
 from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
 from vstatics.pictures.schemes.coaxial.drawn.links import draw_link_names, draw_links
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_ports
+from vstatics.pictures.schemes.coaxial.fitting import fits, laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
+from vstatics.pictures.schemes.coaxial.section import NO_TEXTS, coaxial_scheme
 from vstatics.pictures.schemes.ink import ARROW, AXIS_DASHES, FURTHER, SchemeInk
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
+from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.titles import Titles
+from vstatics.pictures.schemes.told import told_of
 from vstatics.pictures.sheet.head import sheet_head
 from vstatics.pictures.sheet.labels import Point, title_width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.pen import Pen
 from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
+from vstatics.statics.results import Results
 
 
 class CoaxialSheet(NamedTuple):
@@ -41,18 +49,19 @@ class CoaxialSheet(NamedTuple):
 
     def rows(self, room: float) -> Iterator[CoaxialRow]:
         """From above, in a width [pt]."""
-        scheme = self.layout.own.scheme
+        scheme, texts = self.layout.own.scheme, self.layout.own.texts
         before, behind = (
             [
-                CoaxialRow(chain_extent(scheme, part), part)
+                CoaxialRow(chain_extent(scheme, part, texts), part)
                 for chain in self.chains
                 if chain.is_before == is_before
-                for part in chain.broken(partial(_chain_width, scheme), room)
+                for part in chain.broken(partial(_chain_width, scheme, texts=texts), room)
             ]
             for is_before in (True, False)
         )
         least = 1 / self.layout.letters
-        yield from (*before, CoaxialRow(extent(self.layout), least=least), *behind)
+        section = [CoaxialRow(extent(self.layout), least=least)] * bool(self.layout.own.devices)
+        yield from (*before, *section, *behind)
 
 
 class CoaxialRow(NamedTuple):
@@ -71,6 +80,43 @@ class CoaxialRow(NamedTuple):
         return part * (right - left), part * (high - low)
 
 
+def coaxial_sheet(
+    scheme: Scheme,
+    sections: Mapping[int, HalfSection],
+    style: Style,
+    texts: Mapping[int, BoxText] = NO_TEXTS,
+) -> CoaxialSheet | None:
+    """Return a half-section; None if a component without a symbol joins three links.
+
+    Where a page is too narrow, chains before the gearbox and behind it have rows of their own.
+    """
+    own, parts = coaxial_scheme(scheme, sections, texts=texts), unchained(scheme, sections)
+    box = coaxial_scheme(parts.scheme, sections, parts.left_out, texts)
+    if own is None or box is None:
+        return None
+    if box.devices or not parts.chains:
+        layout = laid_out(own, style.width, is_ordered=style.ordered)
+        if fits(layout, style.width) or not parts.chains:
+            return CoaxialSheet(layout)
+    return CoaxialSheet(laid_out(box, style.width, is_ordered=style.ordered), parts.chains)
+
+
+def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
+    results: Results,
+    scheme: Scheme,
+    sheet: CoaxialSheet,
+    style: Style,
+    shown: Iterable[Sequence[int]],
+    subject: str,
+    note: str = "",
+) -> Iterator[list[Figure]]:
+    """Return figures of no gear or of one by its number from 1, everything at the same places."""
+    for gears in shown:
+        told = told_of(results, scheme, style, gears, subject=subject)
+        state = told.state, told.titles, told.name
+        yield [painted(sheet, style, *state, note).figure]
+
+
 def crossings_told(count: int, style: Style) -> list[str]:
     """What a title says where links cross so often.
 
@@ -87,14 +133,18 @@ def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
     return [style.text("sets in another order: no layout in that of the case was found")]
 
 
-def _chain_width(scheme: Scheme, chain: CoaxialChain) -> float:
-    low, high = chain_extent(scheme, chain)
+def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, BoxText]) -> float:
+    low, high = chain_extent(scheme, chain, texts)
     return high[0] - low[0]
 
 
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """All of it, over its axis."""
     (left, right), y = ends_of(layout), layout.places.axis
+    if layout.own.has_boxes:
+        draw_parts(ink, layout)
+        draw_ports(ink, layout)
+        return
     look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
     ends = (left - ARROW, y), (right + ARROW, y)
     ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
@@ -139,7 +189,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
             draw_half_section(ink, sheet.layout)
         else:
             scheme = replace(ink.scheme, ports=row.chain.ports)
-            draw_chain(replace(ink, scheme=scheme), row.chain)
+            draw_chain(replace(ink, scheme=scheme), row.chain, sheet.layout.own.texts)
     return page
 
 

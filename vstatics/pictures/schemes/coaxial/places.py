@@ -39,8 +39,8 @@ class Needs(NamedTuple):
 
     half: float
     """Half the height of the row of planets."""
-    signed: frozenset[int]
-    """Pairs by number with a sign between their bars."""
+    signs: Sequence[float]
+    """Distances between the bars of pairs, for their signs [pt]."""
     names: Mapping[int, float]
     """Widths of the names of links that stand on their bars."""
     letters: float = 1.0
@@ -54,10 +54,9 @@ class Needs(NamedTuple):
         return CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
 
     @property
-    def pitches(self) -> tuple[float, float]:
-        """From bar to bar, and where a sign stands between them [pt]."""
-        least = NAMED_PITCH * self.letters
-        return max(PITCH, least), max(SIGN_PITCH, 2 * least)
+    def pitch(self) -> float:
+        """From bar to bar [pt]."""
+        return max(PITCH, NAMED_PITCH * self.letters)
 
 
 @dataclass
@@ -84,12 +83,16 @@ class SectionPlaces:
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     """The heights of bars, of the axis, and of the housing."""
     places = SectionPlaces(frame, needs.half)
-    signed = [{*up.bars} for up in frame.uprights if up.kind == "pair" and up.index in needs.signed]
-    pinned, (pitch, sign_pitch) = set(_pinned(frame)), needs.pitches
+    signs: dict[frozenset[Bar], float] = {}
+    for up in frame.uprights:
+        if up.kind == "pair":
+            own = frozenset(up.gap)
+            signs[own] = max(signs.get(own, 0.0), needs.signs[up.index], 2 * needs.pitch)
+    pinned, pitch = set(_pinned(frame)), needs.pitch
     rises: dict[Bar, list[tuple[Bar, float]]] = {}
     for low, high in frame.neighbours():
         if low not in pinned and high not in pinned:
-            step = sign_pitch if {low, high} in signed else pitch
+            step = signs.get(frozenset((low, high)), pitch)
             rises.setdefault(high, []).append((low, step))
     ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
 from vstatics.pictures.schemes.coaxial.places import SignRoom
-from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, FACE, lines_of
+from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Device, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection
@@ -38,15 +39,23 @@ def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
 def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     """What an upright needs of the paper."""
     places, scheme = layout.places, layout.own.scheme
+    for link, x, y in loose_names(layout, up):
+        name = layout.name(link)
+        yield SignRoom(x, x + NAME_GAP + layout.width(name), y - 5, y + 5)
     ys = [places.heights[bar] for bar in up.bars]
     if up.kind in ("start", "end"):
         yield SignRoom(-3, 3, min(places.axis, *ys) - 3, max(ys) + 3)
     elif up.kind == "wall":
         yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
     elif up.kind == "pair":
-        name = pair_name(scheme.devices[layout.device(up)], layout.line_letters)
         yield SignRoom(-3, 3, min(ys) - 3, max(ys) + 3)
-        middle, high = sum(ys) / 2, layout.height(name) / 2
+        middle, (wide, high) = layout.middle(up), layout.box_size(up)
+        if wide:
+            wide, high = wide / 2 + 2, high / 2 + 2
+            yield SignRoom(-wide, wide, middle - high, middle + high)
+            return
+        name = pair_name(scheme.devices[layout.device(up)], layout.line_letters)
+        high = layout.height(name) / 2
         yield SignRoom(-9, 9, middle - 8, middle + 8)
         yield SignRoom(9, 14 + layout.width(name, bold=True), middle - high, middle + high)
     elif up.kind == "top":
@@ -63,29 +72,35 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Members of a set that nothing else joins: their names stand beside their ends."""
-    if layout.is_small or up.kind != "set":
+    """Return links that nothing else joins: their names are next to their ends."""
+    if layout.is_small or up.kind not in {"set", "pair", "top"}:
         return
+    heights, names = layout.places.heights, set(layout.named_beside)
+    for link, x, y in _set_ends(layout, up) if up.kind == "set" else ():
+        others = [other for other in layout.uprights if other is not up]
+        elsewhere = any(bar.link == link for other in others for bar in other.all_bars)
+        if not elsewhere and link not in names and not layout.own.is_housing(link):
+            yield link, x, y
+    for bar in up.bars:
+        links = [one.link for one in layout.places.frame.bars]
+        if bar.first == bar.last and bar.link not in names and links.count(bar.link) == 1:
+            yield bar.link, 0.0, heights[bar]
+
+
+def _set_ends(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
+    """Return the ends of the members of a set, if they do not lead elsewhere."""
     section, carrier = layout.section(up), layout.own.train.sets[up.index].carrier
     ends = [(carrier, section.width, 0.0)]
     if len(section.levels) == 1:  # the name of a rim stands above the end of the pin
         is_below = any(rim in section.names for rim in section.columns[-1].rims.values())
         drop = layout.height(layout.name(carrier)) / 2 + 1
-        ends = [(carrier, _pin_end(section), -drop * is_below)]
+        ends = [(carrier, section.pin_end, -drop * is_below)]
     ends = [] if any((*up.left, *up.right)) else ends
     for number, own in enumerate(up.wheels):
         for bar in own:
             if bar is not None and bar.first == bar.last:
                 ends.append((bar.link, section.x(number), layout.places.heights[bar]))
-    for link, x, y in ends:
-        others = [one for one in layout.uprights if one is not up]
-        elsewhere = any(bar.link == link for one in others for bar in one.all_bars)
-        if link not in layout.named_beside and not layout.own.is_housing(link) and not elsewhere:
-            yield link, x, y
-
-
-def _pin_end(section: HalfSection) -> float:
-    return section.x(len(section.columns) - 1) + FACE
+    yield from ends
 
 
 def pair_name(device: Device, letters: int = DEVICE_NAME_LETTERS) -> str:
@@ -109,13 +124,10 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     places, section = layout.places, layout.section(up)
     is_left = any(up.left)
     is_right = any(up.right) or (not is_left and len(section.levels) > 1)
-    last = len(section.columns) - 1
-    left = -3.0 if is_left else section.x(0) - FACE - 3
-    right = section.width + 3 if is_right else section.x(last) + max(FACE + 3, section.beside(last))
+    left, right = section.faces
+    left = -3.0 if is_left else left - 3
+    right = section.width + 3 if is_right else right + 3
     yield SignRoom(left, right, -places.half, places.half)
-    for link, x, y in loose_names(layout, up):
-        name = layout.name(link)
-        yield SignRoom(x, x + NAME_GAP + layout.width(name), y - 5, y + 5)
     for x, own in ((0.0, up.left), (section.width, up.right)):
         for bar in own:
             if bar is not None:
@@ -126,6 +138,8 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
             if bar is not None:
                 y, x = places.heights[bar], section.x(number)
                 yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
+    if isinstance(section, BoxSection):
+        return
     name = layout.device_name(layout.device(up))
     middle, half = middle_of(section), layout.width(name, bold=True) / 2
     low = places.axis - SET_NAME - layout.height(name)

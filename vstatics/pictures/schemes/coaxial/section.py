@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.boxes import BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import Device, Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
+
+NO_TEXTS: Mapping[int, BoxText] = MappingProxyType({})
 
 
 class TopMeaning(NamedTuple):
@@ -28,7 +32,9 @@ class CoaxialScheme:
     scheme: Scheme
     train: CoaxialTrain
     sections: Mapping[int, HalfSection]
-    """The sets by their places in the scheme."""
+    """Sets and boxes in the row of planets, by their places in the scheme."""
+    texts: Mapping[int, BoxText]
+    """Texts of the boxes on lines, by their places in the scheme."""
     sets: Sequence[int]
     """Their places in the scheme, in the order of the train."""
     pairs: Sequence[int]
@@ -39,15 +45,23 @@ class CoaxialScheme:
         """What is drawn of the scheme, by places in it."""
         return [*self.sets, *self.pairs, *(one.device for one in self.tops if one.device >= 0)]
 
+    @property
+    def has_boxes(self) -> bool:
+        """Whether components are boxes, which have no axis."""
+        return bool(self.texts) or any(isinstance(s, BoxSection) for s in self.sections.values())
+
     def is_housing(self, link: int) -> bool:
         """Whether it is a fixed member of a set."""
         return link > len(self.scheme.links)
 
 
 def coaxial_scheme(
-    scheme: Scheme, sections: Mapping[int, HalfSection], left_out: Container[int] = ()
+    scheme: Scheme,
+    sections: Mapping[int, HalfSection],
+    left_out: Container[int] = (),
+    texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialScheme | None:
-    """A scheme as a train; None if a device is no set and joins more than two links.
+    """Return a scheme as a train; None if a component has no symbol and joins three links.
 
     Parameters
     ----------
@@ -55,6 +69,8 @@ def coaxial_scheme(
         The devices that are sets, by their places in the scheme.
     left_out : container of int
         Devices that are drawn elsewhere.
+    texts : mapping of int to BoxText, optional
+        Texts of the boxes on lines.
     """
     pairs: list[int] = []
     tops: list[int] = []
@@ -67,7 +83,10 @@ def coaxial_scheme(
     if others or not scheme.ports:
         return None
     held = _HeldMembers(len(scheme.links))
-    planes = [held.planes(section) for section in sections.values()]
+    planes = [
+        planes_of(section) if isinstance(section, BoxSection) else held.planes(section)
+        for section in sections.values()
+    ]
     own: list[tuple[TopMeaning, int]] = [
         (TopMeaning(place), next(iter(scheme.devices[place].links))) for place in tops
     ]
@@ -82,7 +101,7 @@ def coaxial_scheme(
         if has_half_section(through):
             train, own = through, [*own, (TopMeaning(port=port), end)]
     meanings = [meaning for meaning, _ in own]
-    return CoaxialScheme(scheme, train, sections, [*sections], pairs, meanings)
+    return CoaxialScheme(scheme, train, sections, texts, [*sections], pairs, meanings)
 
 
 def _ends(device: Device) -> tuple[int, int]:
@@ -100,6 +119,19 @@ def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
     return start.link, end.link if end else start.link, [*further.values()]
 
 
+def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Planes:
+    """Return the links of a set or a box by their numbers."""
+    carrier = numbered(section.group.carrier)
+    wheels = [
+        (
+            numbered(column.sun.link) if column.sun else 0,
+            numbered(column.ring.link) if column.ring else 0,
+        )
+        for column in section.columns
+    ]
+    return Planes(carrier, wheels)
+
+
 class _HeldMembers:
     """Numbers for members that stand still: each is a tube of its own, with a support."""
 
@@ -113,12 +145,4 @@ class _HeldMembers:
         return self.last
 
     def planes(self, section: HalfSection) -> Planes:
-        carrier = self._link(section.group.carrier)
-        wheels = [
-            (
-                self._link(column.sun.link) if column.sun else 0,
-                self._link(column.ring.link) if column.ring else 0,
-            )
-            for column in section.columns
-        ]
-        return Planes(carrier, wheels)
+        return planes_of(section, self._link)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
+from vstatics.pictures.schemes.boxes import BoxText
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain
+from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_chain_box
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_end
 from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, pair_name
+from vstatics.pictures.schemes.coaxial.section import NO_TEXTS
 from vstatics.pictures.schemes.glyphs import lines_of
 from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
@@ -16,6 +19,8 @@ from vstatics.pictures.sheet.labels import Point, height, width
 from vstatics.pictures.sheet.line_styles import Look
 from vstatics.pictures.sheet.style import WIDE_MARGIN
 
+Texts = Mapping[int, BoxText]
+"""Texts of boxes by their places in a scheme."""
 NAME_LETTERS = 11
 """Longer names are broken at blanks."""
 CHAIN_GAP = 8.0
@@ -35,35 +40,57 @@ def _link_name(scheme: Scheme, link: int) -> str:
     return lines_of(scheme.name(link), NAME_LETTERS)
 
 
-def places_of(scheme: Scheme, chain: CoaxialChain) -> list[float]:
+def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
+    """Return the widths of signs with their names, and the heights above the axis [pt]."""
+    sizes = []
+    for index in chain.devices:
+        if index in texts:
+            wide, high = texts[index].on_line(scheme.devices[index], is_level=True)
+            sizes.append((wide, high / 2))
+        else:
+            name = _device_name(scheme, index)
+            sizes.append((width(name), ABOVE_SIGN + height(name)))
+    return sizes
+
+
+def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> list[float]:
     """Where its signs stand along the axis [pt]."""
-    names = [width(_device_name(scheme, index)) for index in chain.devices]
+    names = [wide for wide, _ in _sizes(scheme, chain, texts)]
     between = [width(_link_name(scheme, link)) for link in chain.links[1:-1]]
-    pitch = max([LEAST_PITCH, *(long + CHAIN_GAP for long in between)])
+    room = max((long + CHAIN_GAP for long in between), default=0.0)
+    pitch = max(LEAST_PITCH, room)
     found = [max(names[0], LEAST_PITCH) / 2]
     for one, other in pairwise(names):
-        found.append(found[-1] + max(pitch, (one + other) / 2 + CHAIN_GAP))
+        least = (one + other) / 2 + (room if texts else CHAIN_GAP)
+        found.append(found[-1] + max(pitch, least))
     return found
 
 
-def chain_extent(scheme: Scheme, chain: CoaxialChain) -> tuple[Point, Point]:
+def chain_extent(
+    scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS
+) -> tuple[Point, Point]:
     """The lower left and the upper right corner of a row [pt]."""
-    at = places_of(scheme, chain)
+    at, own = places_of(scheme, chain, texts), _sizes(scheme, chain, texts)
     sides = [
         ARROW + PORT_NAME + 1 + width(scheme.name(link)) + WIDE_MARGIN
         for link in (chain.links[0], chain.links[-1])
     ]
-    last = max(width(_device_name(scheme, chain.devices[-1])), LEAST_PITCH) / 2
-    above = max(height(_device_name(scheme, index)) for index in chain.devices)
+    last = max(own[-1][0], LEAST_PITCH) / 2
+    above = max(high for _, high in own)
     below = max((height(_link_name(scheme, one)) for one in chain.links[1:-1]), default=0.0)
-    return (-sides[0], -BELOW_SIGN - below - 3), (at[-1] + last + sides[1], ABOVE_SIGN + above + 3)
+    low = max(BELOW_SIGN + below, above * bool(texts))
+    return (-sides[0], -low - 3), (at[-1] + last + sides[1], above + 3)
 
 
-def draw_chain(ink: SchemeInk, chain: CoaxialChain) -> None:
+def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> None:
     """Signs on the axis with their names above, links with theirs below."""
-    scheme, at = ink.scheme, places_of(ink.scheme, chain)
-    half = [half_of(scheme.devices[index].sign) for index in chain.devices]
-    end = at[-1] + max(width(_device_name(scheme, chain.devices[-1])), LEAST_PITCH) / 2
+    scheme, at = ink.scheme, places_of(ink.scheme, chain, texts)
+    sizes = _sizes(scheme, chain, texts)
+    half = [
+        wide / 2 if index in texts else half_of(scheme.devices[index].sign)
+        for index, (wide, _) in zip(chain.devices, sizes, strict=True)
+    ]
+    end = at[-1] + max(sizes[-1][0], LEAST_PITCH) / 2 + CHAIN_GAP * bool(texts)
     starts = [0.0, *(x + by for x, by in zip(at, half, strict=True))]
     ends = [*(x - by for x, by in zip(at, half, strict=True)), end]
     for link, left, right in zip(chain.links, starts, ends, strict=True):
@@ -75,6 +102,10 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain) -> None:
             name = (left + right) / 2, -BELOW_SIGN
             centred(pen, name, _link_name(scheme, link), va="top", color=ink.name_color(link))
     for index, x, by in zip(chain.devices, at, half, strict=True):
+        if index in texts:
+            number = list(chain.devices).index(index)
+            draw_chain_box(ink, index, texts[index], (x, 0.0), chain.links[number : number + 2])
+            continue
         device, closed = scheme.devices[index], index in ink.state.engaged
         before = chain.links[: list(chain.devices).index(index) + 1]
         way = 1 if next(iter(device.members.values())) in before else -1

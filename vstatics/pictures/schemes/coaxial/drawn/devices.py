@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.boxes import BoxSection
+from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_box, draw_pair_box
 from vstatics.pictures.schemes.coaxial.drawn.ports import port_arrow
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
@@ -42,6 +44,9 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     """Planets and the teeth of suns and rings, with their names."""
     index = layout.device(up)
     section, taps = layout.section(up), list(wheel_taps(layout.section(up)))
+    if isinstance(section, BoxSection):
+        draw_box(ink, index, section, at, any(up.left))
+        return
     pen = ink.of_device(index).pen
     looks: dict[float, list[Sequence[Point]]] = {}
     for stroke in planet_strokes(section):
@@ -67,8 +72,11 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
 def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     """What joins two links."""
     index, heights = layout.device(up), layout.places.heights
+    if index in layout.own.texts:
+        draw_pair_box(ink, layout, up, at)
+        return
     device, pen = ink.scheme.devices[index], ink.of_device(index).pen
-    middle = sum(heights[bar] for bar in up.bars) / 2
+    middle = layout.middle(up)
     first = up.bars[0].link == next(iter(device.members.values()))
     is_low = first == (heights[up.bars[0]] < heights[up.bars[1]])
     side = layout.half(up) * (1 if is_low else -1)

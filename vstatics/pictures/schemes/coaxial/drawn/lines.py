@@ -78,7 +78,7 @@ def _upright_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
     y = places.heights[low]
     if up.kind == "pair":
         (high,), half = further, layout.half(up)
-        middle = (y + places.heights[high]) / 2
+        middle = layout.middle(up)
         yield low.link, ((at, y), (at, middle - half))
         yield high.link, ((at, middle + half), (at, places.heights[high]))
     elif up.kind == "wall":
@@ -135,7 +135,7 @@ def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int,
                 yield tap.wire, device, (at + tap.x, tap.side * tap.depth)
     elif up.kind == "pair":
         bars = sorted(up.bars, key=places.heights.__getitem__)
-        middle = sum(places.heights[bar] for bar in bars) / 2
+        middle = layout.middle(up)
         for bar, side in zip(bars, (-1, 1), strict=True):
             yield bar.link, device, (at, middle + side * layout.half(up))
     elif up.kind == "top" and device >= 0:

@@ -40,6 +40,8 @@ class SweepStep(NamedTuple):
     left: tuple[bool, bool] = (False, False)
     """Whether the arm of a carrier is joined to the last bar below, to the first above."""
     right: tuple[bool, bool] = (False, False)
+    before: tuple[Bars, Bars] | None = None
+    """Bars to the left of it, where it begins some."""
 
 
 class Move(NamedTuple):

@@ -13,10 +13,10 @@ from itertools import combinations, count, islice, pairwise
 from operator import attrgetter
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.search.moves import Moves
 from vstatics.pictures.schemes.coaxial.search.remainder import can_go_on
+from vstatics.pictures.schemes.coaxial.search.stacked import stacked
 from vstatics.pictures.schemes.coaxial.search.state import (
     PAIR,
     SET,
@@ -29,14 +29,33 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
-TRIES = (3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)
-QUICK_TRIES = (5.0, 400), (10.0, 2500), (3.0, 2500)
-"""How much what the rest will cost at least is weighted, and how many states are gone on from."""
+
+class Effort(NamedTuple):
+    """Tries of a search: the weight of the remaining cost, and the number of states."""
+
+    planar: Sequence[tuple[float, int]]
+    """Without crossings."""
+    crossing: Sequence[tuple[float, int]]
+    """With crossings of one or two couplings."""
+    last: Sequence[tuple[float, int]]
+    """With crossings of all parts that can cross."""
+    is_first: bool = False
+    """Whether the first arrangement with crossings serves."""
+
+
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
-LAST = (1000.0, 400), (100.0, 800)
-"""With crossings of all that can cross, where nothing else led to an end."""
+LAST_TRIES = (1000.0, 400), (100.0, 800)
+FULL = Effort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
+QUICK = Effort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
+"""Effort for one of many diagrams."""
+BRIEF = Effort(
+    ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 200),), is_first=True
+)
+"""Effort for a picture of boxes, of which each case has one."""
 MOST_SETS = 20
-"""A train of more has fewer states, each takes longer; and none with crossings."""
+"""Number of sets up to which an arrangement is searched for."""
+LAST_SETS = 6
+"""Number of sets above which fewer states with all crossings are tried, as each takes longer."""
 MOST_CROSSING = 2
 """Couplings of which all choices are tried as those that cross."""
 MOST_CHOICES = 12
@@ -45,7 +64,6 @@ MOST_FURTHER = 2
 """Bars at one place beyond one of each link."""
 BARS_OF_REST = 2
 """In the estimate of what the rest will cost."""
-Tries = Sequence[tuple[float, int]]
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
 
 
@@ -58,20 +76,15 @@ class Swept(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = False) -> Swept:
-    """The steps of a train from left to right.
+def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: Effort = FULL) -> Swept:
+    """Return the steps of a train from left to right.
 
     Parameters
     ----------
     is_ordered : bool
         Sets stand as they are given, also where this costs crossings, if a way is found soon.
-    is_quick : bool
-        It is one of many.
-
-    Raises
-    ------
-    CaseError
-        If none are found with so many states as are tried.
+    effort : Effort, optional
+        Tries of the search, after which all lines are stacked.
 
     Examples
     --------
@@ -80,38 +93,43 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, is_quick: bool = Fal
     >>> [step.kind for step in swept(train).steps]
     ['set', 'top']
     """
+    if len(train.sets) > MOST_SETS:
+        return Swept(stacked(train), not is_ordered)
     is_planar = has_half_section(train)
-    tries = QUICK_TRIES if is_quick else TRIES
     for ordered in (True, False)[not is_ordered :]:
-        found = _planar(train, tries, is_ordered=ordered) if is_planar else None
-        found = found or _with_crossings(train, is_planar=is_planar, is_ordered=ordered)
+        found = _planar(train, effort, is_ordered=ordered) if is_planar else None
+        found = found or _with_crossings(train, effort, is_planar=is_planar, is_ordered=ordered)
         if found is not None:
             return Swept(found.steps, ordered or not is_ordered)
-    raise CaseError("E435", "no arrangement of this stick diagram was found; `structure` draws it")
+    return Swept(stacked(train), not is_ordered)
 
 
-def _planar(train: CoaxialTrain, tries: Tries, *, is_ordered: bool) -> _FoundSteps | None:
+def _planar(train: CoaxialTrain, effort: Effort, *, is_ordered: bool) -> _FoundSteps | None:
     """Return the first way without crossings that is found."""
-    ways = (_SweepSearch(Moves(train, 0, is_ordered), weight).found(most) for weight, most in tries)
+    ways = (
+        _SweepSearch(Moves(train, 0, is_ordered), weight).found(most)
+        for weight, most in effort.planar
+    )
     return next(filter(None, ways), None)
 
 
 def _with_crossings(
-    train: CoaxialTrain, *, is_planar: bool, is_ordered: bool
+    train: CoaxialTrain, effort: Effort, *, is_planar: bool, is_ordered: bool
 ) -> _FoundSteps | None:
     """Return the best way with as few crossings as can be, else any way."""
-    if len(train.sets) > MOST_SETS:
-        return None
-    ways = [
-        found
+    tried = (
+        _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most)
         for crossing in _crossing(train, is_planar=is_planar)
-        for weight, most in CROSSING_TRIES
-        if (found := _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most))
-    ]
+        for weight, most in effort.crossing
+    )
+    ways = [*islice(filter(None, tried), 1 if effort.is_first else None)]
     if ways:
         return min(ways, key=attrgetter("cost"))
-    every = Moves(train, train.all_bits, is_ordered)
-    last = (_SweepSearch(every, weight).found(most) for weight, most in LAST)
+    every, part = (
+        Moves(train, train.all_bits, is_ordered),
+        min(1.0, LAST_SETS / len(train.sets)) ** 2,
+    )
+    last = (_SweepSearch(every, weight).found(int(part * most)) for weight, most in effort.last)
     return next(filter(None, last), None)
 
 
@@ -139,7 +157,6 @@ class _SweepSearch(NamedTuple):
     def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - one loop
         """The steps to the end; None if it is not reached with so many states."""
         train, number = self.moves.train, count()
-        most = int(most * min(1.0, MOST_SETS / max(1, len(train.sets))) ** 2)
         waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
         best: dict[SectionState, int] = {}
         closed: set[SectionState] = set()
@@ -169,9 +186,10 @@ class _SweepSearch(NamedTuple):
             if most < 0:
                 return None
             for move in self.moves.after(state):
+                step = move.step._replace(before=(state.below, state.above))
                 wide = move.length * max(1, len(move.state.below) + len(move.state.above))
                 for settled, steps, more in self._settled(move.state):
-                    add(settled, cost + wide + move.cost + more, ((move.step, *steps), trace))
+                    add(settled, cost + wide + move.cost + more, ((step, *steps), trace))
         return None
 
     def _rest(self, done: int) -> int:

@@ -1,0 +1,199 @@
+"""Components as boxes, each with its name, its kind or ratio, and its members.
+
+A box with two links is on the line between them. Any other box is in the row of planets: a link
+leaves at its sides, as a carrier does, the others leave below and above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import zip_longest
+from typing import NamedTuple
+
+from vstatics.elements.element import CentralWheel
+from vstatics.elements.group import PlanetGroup, group_of
+from vstatics.elements.kinds import Planetary
+from vstatics.model.transmission import HOUSING
+from vstatics.pictures.schemes.glyphs import MESH, lines_of
+from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
+from vstatics.pictures.schemes.sets import HalfSection, WheelColumn, section_of
+from vstatics.pictures.sheet.labels import Span, width
+from vstatics.pictures.sheet.style import SIZE, Style
+from vstatics.pictures.sheet.words import word
+from vstatics.tables.numbers import typeset
+
+BOX_NAME_LETTERS = 18
+"""Number of letters after which the name of a box is broken at a blank."""
+LINE = 1.3 * SIZE
+"""Height of a line of text. [pt of letters]"""
+PAD = 5.0
+"""Distance from the text to the edge of a box. [pt of letters]"""
+LEAST_BOX = 40.0
+"""Width of a box with short texts. [pt of letters]"""
+SLOT_GAP = 9.0
+"""Distance between the names of two members at the same edge. [pt of letters]"""
+ARM = 10.0
+"""Length of the line of a link at the side of a box. [pt]"""
+GROUND = 14.0
+"""Height of a support at the edge of a box. [pt]"""
+
+
+class BoxText(NamedTuple):
+    """The texts of a box."""
+
+    lines: str
+    """Name, and kind or ratio."""
+    members: Mapping[str, str]
+    """Names of members, or coefficients."""
+
+    @property
+    def name(self) -> str:
+        """Name without kind or ratio."""
+        return self.lines.rpartition("\n")[0]
+
+    @property
+    def note(self) -> str:
+        """Kind or ratio."""
+        return self.lines.rpartition("\n")[2]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of name and note [pt of letters]."""
+        return max(width(self.name, bold=True), width(self.note)), LINE * (
+            1 + self.lines.count("\n")
+        )
+
+    def at(self, link: int, device: Device) -> str:
+        """Return the names of the members that belong to a link."""
+        return ", ".join(self.members[one] for one, own in device.members.items() if own == link)
+
+    def on_line(self, device: Device, *, is_level: bool) -> tuple[float, float]:
+        """Return width and height of a box on a line between its two links [pt of letters]."""
+        ends = [width(self.at(link, device)) for link in device.links]
+        wide, high = self.size
+        ends_wide = sum(ends) + SLOT_GAP if is_level else max(ends)
+        return max(wide, ends_wide, LEAST_BOX) + 2 * PAD, high + LINE * (1 if is_level else 2) + PAD
+
+
+@dataclass(frozen=True)
+class BoxSection(HalfSection):
+    """A box in the row of planets.
+
+    Its first members are below, those after them above; a link leaves at the sides.
+    """
+
+    text: BoxText = field(kw_only=True)
+
+    @property
+    def side(self) -> str:
+        """Name of the member at the sides."""
+        return self.text.members[next(iter(self.group.planets))]
+
+    @property
+    def _slot(self) -> float:
+        wheels = [self.text.members[wheel.member] for wheel in self.group.wheels]
+        return max(map(width, wheels), default=0.0) + SLOT_GAP
+
+    @property
+    def _inner(self) -> float:
+        middle = max(self.text.size[0], width(self.side))
+        return self.letters * (max(middle, self._slot * len(self.columns), LEAST_BOX) + 2 * PAD)
+
+    @property
+    def half(self) -> float:
+        """Half the height of the box [pt]."""
+        lines = self.text.lines.count("\n")
+        return self.letters * (LINE * (lines + 1.5) + PAD)
+
+    @property
+    def tall(self) -> float:
+        """Height above the middle of the row that it needs [pt]."""
+        has_ground = any(wheel.link == HOUSING for wheel in self.group.wheels)
+        return self.half + GROUND * has_ground
+
+    @property
+    def width(self) -> float:
+        """Distance between the ends of its lines at the sides [pt]."""
+        return self._inner + 2 * ARM
+
+    @property
+    def faces(self) -> Span:
+        """Left and right edge [pt]."""
+        return ARM, self.width - ARM
+
+    @property
+    def pin_end(self) -> float:
+        """Right edge [pt]."""
+        return self.faces[1]
+
+    def x(self, column: int) -> float:
+        """Return the place of the members below and above [pt]."""
+        place = column - (len(self.columns) - 1) / 2
+        return self.width / 2 + self.letters * self._slot * place
+
+    def radius(self, rim: str) -> float:  # noqa: ARG002 - the edges are level
+        """Return the part of half the height without the distance of wheels that mesh [pt]."""
+        return self.half - MESH
+
+
+def boxes_of(scheme: Scheme, style: Style) -> tuple[dict[int, HalfSection], dict[int, BoxText]]:
+    """Return the boxes in the row of planets and those on lines, by their places in a scheme.
+
+    Examples
+    --------
+    >>> mechanism = Device("P", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,), ratio=-2)
+    >>> pair = Device("pair", "gear_pair", {"first": 1, "second": 3}, (1,))
+    >>> rows, lines = boxes_of(Scheme(["a", "b", "c"], [mechanism, pair], []), Style())
+    >>> rows[0].text.lines.split(chr(10)), lines[1].lines.split(chr(10))
+    (['P', 'u = −2'], ['pair', 'gear pair'])
+    """
+    sections: dict[int, HalfSection] = {}
+    texts: dict[int, BoxText] = {}
+    for index, device in enumerate(scheme.devices):
+        if device.is_coupling:
+            continue
+        text = _text(device, style)
+        if len(device.links) == 2 and HOUSING not in device.members.values():
+            texts[index] = text
+        else:
+            sections[index] = _section(device, text)
+    return sections, texts
+
+
+def _text(device: Device, style: Style) -> BoxText:
+    is_bare = device.kind == "mechanism"
+    note = ratio_text(device.ratio) if is_bare else word(device.kind, style)
+    members = {
+        one: typeset(device.labels[one]) if one in device.labels else word(one, style)
+        for one in device.members
+    }
+    return BoxText(f"{lines_of(device.name, BOX_NAME_LETTERS)}\n{note}", members)
+
+
+def _section(device: Device, text: BoxText) -> BoxSection:
+    """Return a box whose carrier, or else its last link, is at its sides."""
+    rotating = [member for member, link in device.members.items() if link != HOUSING]
+    side = "carrier" if "carrier" in rotating else rotating[-1]
+    columns = [
+        WheelColumn({0: side}, *(wheel and wheel._replace(rim=side) for wheel in pair))
+        for pair in _wheels(device, side)
+    ]
+    wheels = [wheel for column in columns for wheel in (column.sun, column.ring) if wheel]
+    group = PlanetGroup(device.members[side], wheels, {side: {side: Fraction(1)}})
+    return BoxSection(group, {side: 0}, columns, text=text)
+
+
+def _wheels(device: Device, side: str) -> list[tuple[CentralWheel | None, CentralWheel | None]]:
+    """Return the members below and above: suns and rings as in a stick diagram, or by halves."""
+    element = device.element
+    if element is not None and isinstance(element.shape, Planetary) and side == "carrier":
+        return [(column.sun, column.ring) for column in section_of(group_of(element)).columns]
+    others = [member for member in device.members if member != side]
+    half = max(1, (len(others) + 1) // 2)
+    wheels = [
+        CentralWheel(member, device.members[member], 1, internal=place >= half, rim=side)
+        for place, member in enumerate(others)
+    ]
+    return [*zip_longest(wheels[:half], wheels[half:])] or [(None, None)]

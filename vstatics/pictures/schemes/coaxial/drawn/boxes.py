@@ -1,0 +1,120 @@
+"""Boxes of components: in the row of planets, and on lines between two links."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.pictures.schemes.boxes import GROUND, LINE, PAD, BoxSection, BoxText
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
+from vstatics.pictures.schemes.coaxial.layout import Upright
+from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching
+from vstatics.pictures.schemes.ink import SchemeInk, centred
+from vstatics.pictures.schemes.sets import wheel_taps
+from vstatics.pictures.sheet.labels import Point, width
+from vstatics.pictures.sheet.line_styles import Look
+from vstatics.pictures.sheet.pen import corners
+
+BOX_LINE = 1.8
+"""Width of the outline of a box [pt]."""
+Written = tuple[Point, str]
+"""A text by its middle."""
+
+
+def draw_box(
+    ink: SchemeInk,
+    index: int,
+    section: BoxSection,
+    at: float,
+    is_left: bool,  # noqa: FBT001 - the side at which its link is
+) -> None:
+    """Draw a box in the row of planets, with supports of its fixed members."""
+    (left, right), half, letters = section.faces, section.half, section.letters
+    taps = list(wheel_taps(section))
+    members: list[Written] = [
+        (
+            (at + tap.x, tap.side * (half - letters * (PAD + LINE / 2))),
+            section.text.members[tap.label],
+        )
+        for tap in taps
+    ]
+    way, half_side = (-1 if is_left else 1), letters * width(section.side) / 2
+    x = at + (left if is_left else right) - way * (letters * PAD + half_side)
+    members.append(((x, 0.0), section.side))
+    _outlined(ink, index, ((at + left, -half), (at + right, half)))
+    middle = at + (left + right) / 2
+    lines = section.text.lines.count("\n")
+    members.append(((middle, -letters * LINE), section.text.note))
+    _written(ink, index, section.text.name, (middle, letters * LINE * (lines + 1) / 2), members)
+    for tap in taps:
+        if not tap.wire:
+            edge, end = (at + tap.x, tap.side * half), (at + tap.x, tap.side * (half + GROUND / 2))
+            support = [(edge, end), *ground(end, tap.side)]
+            ink.of_link("housing").lines(support, color=ink.color(index), zorder=4.5)
+
+
+def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
+    """Draw a box on the line between two bars, the names of its members at its edges."""
+    index, y = layout.device(up), layout.middle(up)
+    text, device = layout.own.texts[index], ink.scheme.devices[index]
+    (wide, high), rise = layout.box_size(up), layout.letters * (LINE + PAD) / 2
+    low, top = sorted(up.bars, key=layout.places.heights.__getitem__)
+    members = [
+        ((at, y + side * (high / 2 - rise)), text.at(bar.link, device))
+        for bar, side in ((low, -1), (top, 1))
+    ]
+    _outlined(ink, index, ((at - wide / 2, y - high / 2), (at + wide / 2, y + high / 2)))
+    _texts(ink, index, text, (at, y), members, layout.letters)
+
+
+def draw_chain_box(
+    ink: SchemeInk, index: int, text: BoxText, at: Point, links: Sequence[int]
+) -> None:
+    """Draw a box on a level line between two links."""
+    (x, y), device = at, ink.scheme.devices[index]
+    wide, high = text.on_line(device, is_level=True)
+    _outlined(ink, index, ((x - wide / 2, y - high / 2), (x + wide / 2, y + high / 2)))
+    members = []
+    for link, side in zip(links, (-1, 1), strict=True):
+        name = text.at(link, device)
+        inside = wide / 2 - PAD - width(name) / 2
+        members.append(((x + side * inside, y - high / 2 + (LINE + PAD) / 2), name))
+    _texts(ink, index, text, (x, y + LINE / 2), members, 1.0)
+
+
+def _texts(  # noqa: PLR0913, PLR0917 - what is written, and where
+    ink: SchemeInk,
+    index: int,
+    text: BoxText,
+    middle: Point,
+    members: Sequence[Written],
+    letters: float,
+) -> None:
+    """Write the name with the kind or ratio below it, and the names of members."""
+    (x, y), lines = middle, text.lines.count("\n")
+    note = (x, y - letters * LINE * lines / 2), text.note
+    _written(ink, index, text.name, (x, y + letters * LINE / 2), [note, *members])
+
+
+def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
+    """Draw an outline; hatched if the component turns as one piece."""
+    pen, said = ink.of_device(index).pen, ink.said(index)
+    look: Look = {"facecolor": pen.style.paper, "edgecolor": ink.color(index), "joinstyle": "round"}
+    edges = corners(*ends[0], *ends[1])
+    pen.area(*edges, width=BOX_LINE, title=said, zorder=4, **look)
+    if index in ink.state.pieces:
+        pen.lines(hatching(*ends), color=pen.style.soft, width=HATCH_WIDTH, zorder=5)
+
+
+def _written(
+    ink: SchemeInk, index: int, name: str, middle: Point, others: Sequence[Written]
+) -> None:
+    """Write the name in bold by the middle of its lines, and other texts."""
+    look: Look = {"color": ink.text_color(index), "over": index in ink.state.pieces}
+    pen, (x, y) = ink.of_device(index).pen, middle
+    lines = name.split("\n")
+    step = LINE * pen.letters
+    for place, line in enumerate(lines):
+        at = x, y + step * ((len(lines) - 1) / 2 - place)
+        centred(pen, at, line, bold=True, **look)
+    for at, text in others:
+        centred(pen, at, text, **look)

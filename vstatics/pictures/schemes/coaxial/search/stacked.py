@@ -1,0 +1,134 @@
+"""An arrangement of any train, with crossings: each link has a level line as long as it is needed.
+
+The search falls back to it where no better arrangement is reached soon. Of what is left, the
+component with the fewest crossings and the fewest new lines is next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vstatics.pictures.schemes.coaxial.search.state import Bars, SectionState, SweepStep, links_of
+from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
+
+STACKED_CROSSING = 10
+"""Cost of a crossing, relative to that of a new line."""
+
+
+class _Stacked(NamedTuple):
+    """The next component."""
+
+    cost: int
+    steps: tuple[SweepStep, ...]
+    state: SectionState
+
+
+def stacked(train: CoaxialTrain) -> list[SweepStep]:
+    """Return steps of a train from left to right.
+
+    Examples
+    --------
+    >>> from vstatics.pictures.schemes.coaxial.train import Planes
+    >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [(1, 3)], [2], 1, 3)
+    >>> [step.kind for step in stacked(train)]
+    ['pair', 'top', 'set']
+    """
+    state, steps = SectionState((8 * train.start,), (), 0), list[SweepStep]()
+    while state.done != train.all_bits:
+        ways = _ways(train, state)
+        best = min(ways, key=lambda way: way.cost + len(way.state.below + way.state.above))
+        steps += best.steps
+        state = best.state
+    return steps
+
+
+def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
+    """Return all components that can be next."""
+    kinds = (
+        (train.carrier_bits, _set),
+        (train.pair_bits, _pair),
+        (train.top_bits, _top),
+    )
+    for bits, way in kinds:
+        for number, bit in enumerate(bits):
+            if not state.done & bit:
+                yield way(train, number, state)
+
+
+def _ended(train: CoaxialTrain, below: Bars, above: Bars, done: int) -> SectionState:
+    """Return the lines of links that something else joins."""
+    low, high = (
+        tuple(bar for bar in row if train.masks[bar >> 3] & ~done) for row in (below, above)
+    )
+    return SectionState(low, high, done)
+
+
+def _top(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
+    below, above, done = state
+    bar, bars = 8 * train.tops[number], below + above
+    crossed = bars[::-1].index(bar) if bar in bars else 0
+    above = above if bar in bars else (*above, bar)
+    step = SweepStep("top", number, [(below, above)])
+    after = _ended(train, below, above, done | train.top_bits[number])
+    return _Stacked(STACKED_CROSSING * crossed, (step,), after)
+
+
+def _pair(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
+    below, above, done = state
+    one, other = (8 * link for link in train.pairs[number])
+    bars = below + above
+    if one not in bars and other in bars:
+        one, other = other, one
+    if one not in bars:
+        above = (one, *above)
+    crossed = 0
+    if other in bars:
+        places = [[n for n, bar in enumerate(bars) if bar == own] for own in (one, other)]
+        crossed = min(abs(a - b) for a in places[0] for b in places[1]) - 1
+    elif one in below:
+        place = below.index(one) + 1
+        below = (*below[:place], other, *below[place:])
+    else:
+        place = above.index(one)
+        above = (*above[:place], other, *above[place:])
+    step = SweepStep("pair", number, [(below, above)])
+    after = _ended(train, below, above, done | train.pair_bits[number])
+    return _Stacked(STACKED_CROSSING * crossed, (step,), after)
+
+
+def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
+    """Return a set whose wheels and carrier may cross the lines in between."""
+    below, above, done = state
+    carrier, wheels = train.sets[number]
+    crossed, walls = 0, list[SweepStep]()
+    for sun, ring in wheels:
+        for link, is_sun in ((sun, True), (ring, False)):
+            bar, row, others = 8 * link, *((below, above[::-1]) if is_sun else (above[::-1], below))
+            if not link or bar in row:
+                crossed += row[::-1].index(bar) if link else 0
+                continue
+            row = (*row, bar)
+            below, above = (row, above) if is_sun else (below, row[::-1])
+            if bar in others:  # its line is on the other side of the row
+                crossed += others[::-1].index(bar)
+                walls.append(SweepStep("wall", link, [(below, above)]))
+    bits = sum(bit for both in train.wheel_bits[number] for bit in both)
+    done |= train.carrier_bits[number] | bits
+    bar, low, high = 8 * carrier, below, above
+    is_there = carrier in links_of(below + above)
+    is_low = bar in below
+    if is_there:
+        crossed += below[::-1].index(bar) if is_low else above.index(bar)
+    elif train.masks[carrier] & ~done:
+        low = (*below, bar)
+    here = below, above
+    step = SweepStep(
+        "set",
+        number,
+        [here, *(here for _ in wheels), (low, high)],
+        left=(is_there and is_low, is_there and not is_low),
+        right=(low != below, False),
+    )
+    after = _ended(train, low, high, done)
+    return _Stacked(STACKED_CROSSING * crossed, (*walls, step), after)
