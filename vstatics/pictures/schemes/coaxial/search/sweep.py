@@ -127,7 +127,7 @@ def _with_crossings(
         return min(ways, key=attrgetter("cost"))
     every, part = (
         Moves(train, train.all_bits, is_ordered),
-        min(1.0, LAST_SETS / len(train.sets)) ** 2,
+        min(1.0, LAST_SETS / max(1, len(train.sets))) ** 2,
     )
     last = (_SweepSearch(every, weight).found(int(part * most)) for weight, most in effort.last)
     return next(filter(None, last), None)
