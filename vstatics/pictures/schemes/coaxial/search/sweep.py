@@ -28,7 +28,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
-class Effort(NamedTuple):
+class SweepEffort(NamedTuple):
     """Tries of a search: the weight of the remaining cost, and the number of states."""
 
     planar: Sequence[tuple[float, int]]
@@ -43,13 +43,13 @@ class Effort(NamedTuple):
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
 LAST_TRIES = (1000.0, 400), (100.0, 800)
-FULL = Effort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
-QUICK = Effort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
-"""Effort for one of many diagrams."""
-BRIEF = Effort(
+FULL = SweepEffort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
+QUICK = SweepEffort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
+"""SweepEffort for one of many diagrams."""
+BRIEF = SweepEffort(
     ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 200),), is_first=True
 )
-"""Effort for a picture of boxes, of which each case has one."""
+"""SweepEffort for a picture of boxes, of which each case has one."""
 MOST_SETS = 20
 """Number of sets up to which an arrangement is searched for."""
 LAST_SETS = 6
@@ -73,14 +73,14 @@ class Swept(NamedTuple):
     """False if sets should stand as they are given, but no way was found."""
 
 
-def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: Effort = FULL) -> Swept:
+def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort = FULL) -> Swept:
     """The steps of a train from left to right.
 
     Parameters
     ----------
     is_ordered : bool
         Sets stand as they are given, if a way is found soon.
-    effort : Effort, optional
+    effort : SweepEffort, optional
         Tries of the search, after which all lines are stacked.
 
     Examples
