@@ -47,7 +47,7 @@ FULL = SweepEffort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSIN
 QUICK = SweepEffort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
 """SweepEffort for one of many diagrams."""
 BRIEF = SweepEffort(
-    ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 200),), is_first=True
+    ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 400),), is_first=True
 )
 """SweepEffort for a picture of boxes, of which each case has one."""
 MOST_SETS = 20
