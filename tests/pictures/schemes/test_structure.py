@@ -165,6 +165,8 @@ def test_a_chain_has_rows_of_boxes() -> None:
     svg = render(vstatics.solve(case), "structure", "svg", Style())
     heights = {line[1] for line in outlines(ET.fromstring(svg)).values()}  # noqa: S314 - our own
     assert len(heights) == 3
+    ports = [group.get("data-port") for group in ET.fromstring(svg).iter(f"{SVG}g")]  # noqa: S314 - our own
+    assert {"input", "output"} <= {*ports}
 
 
 def test_links_that_are_joined_once_have_their_names() -> None:
