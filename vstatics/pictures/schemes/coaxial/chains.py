@@ -81,7 +81,14 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
             way = 1 if is_before else -1
             links, devices = links[::way], devices[::way]
             inner = SchemePort(links[-1], "behind") if is_before else SchemePort(links[0], "before")
-            ends = (port, inner) if is_before else (inner, port)
+            goes_on = any(
+                inner.link in device.links
+                for index, device in enumerate(scheme.devices)
+                if index not in taken
+            )
+            outputs = [one for one in scheme.ports if one.link == inner.link]
+            last = outputs[0] if outputs and not goes_on else inner
+            ends = (port, last) if is_before else (last, port)
             chains.append(CoaxialChain(links, devices, is_before, ends))
             ports[place] = SchemePort(inner.link, "before" if is_before else "behind")
     return ChainedScheme(replace(scheme, ports=ports), chains)

@@ -9,7 +9,7 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import framed
 from vstatics.pictures.schemes.coaxial.places import Needs, SectionPlaces, heights_of, placed_along
 from vstatics.pictures.schemes.coaxial.rooms import extent, met_by, rooms_of
-from vstatics.pictures.schemes.coaxial.search.sweep import BRIEF, FULL, Effort, swept
+from vstatics.pictures.schemes.coaxial.search.sweep import BRIEF, FULL, SweepEffort, swept
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
 
@@ -45,7 +45,7 @@ def laid_out(
     wide: float = math.inf,
     *,
     is_small: bool = False,
-    effort: Effort = FULL,
+    effort: SweepEffort = FULL,
     is_ordered: bool = False,
 ) -> CoaxialLayout:
     """Where everything stands.
@@ -56,7 +56,7 @@ def laid_out(
         For which lines close up, and letters do not. [pt]
     is_small : bool
         Links have no names but those at the ends of the axis.
-    effort : Effort, optional
+    effort : SweepEffort, optional
         Tries of the search for an arrangement; fewer for boxes.
     is_ordered : bool
         Sets stand in the order of the case, if a way is found soon.

@@ -134,6 +134,10 @@ class _FrameMaker:
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
         if not ends:  # it ended with the last step, as nothing but the axis was left
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
+        if self.train.end and not ends:  # an output that nothing joins
+            ends = [Bar(self.train.end, is_above=False)]
+            self.below.append(ends[0])
+            self._note()
         if self.train.end:
             self._stand(Upright("end", 0, ends[:1]))
         return _without_dead_ends(self.frame)

@@ -30,7 +30,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
-class Effort(NamedTuple):
+class SweepEffort(NamedTuple):
     """Tries of a search: the weight of the remaining cost, and the number of states."""
 
     planar: Sequence[tuple[float, int]]
@@ -45,11 +45,11 @@ class Effort(NamedTuple):
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
 LAST_TRIES = (1000.0, 400), (100.0, 800)
-FULL = Effort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
-QUICK = Effort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
+FULL = SweepEffort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
+QUICK = SweepEffort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
 """Effort for one of many diagrams."""
-BRIEF = Effort(
-    ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 200),), is_first=True
+BRIEF = SweepEffort(
+    ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 400),), is_first=True
 )
 """Effort for a picture of boxes, of which each case has one."""
 MOST_SETS = 20
@@ -76,14 +76,14 @@ class Swept(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: Effort = FULL) -> Swept:
+def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort = FULL) -> Swept:
     """Return the steps of a train from left to right.
 
     Parameters
     ----------
     is_ordered : bool
         Sets stand as they are given, also where this costs crossings, if a way is found soon.
-    effort : Effort, optional
+    effort : SweepEffort, optional
         Tries of the search, after which all lines are stacked.
 
     Examples
@@ -104,7 +104,7 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: Effort = FUL
     return Swept(stacked(train), not is_ordered)
 
 
-def _planar(train: CoaxialTrain, effort: Effort, *, is_ordered: bool) -> _FoundSteps | None:
+def _planar(train: CoaxialTrain, effort: SweepEffort, *, is_ordered: bool) -> _FoundSteps | None:
     """Return the first way without crossings that is found."""
     ways = (
         _SweepSearch(Moves(train, 0, is_ordered), weight).found(most)
@@ -114,7 +114,7 @@ def _planar(train: CoaxialTrain, effort: Effort, *, is_ordered: bool) -> _FoundS
 
 
 def _with_crossings(
-    train: CoaxialTrain, effort: Effort, *, is_planar: bool, is_ordered: bool
+    train: CoaxialTrain, effort: SweepEffort, *, is_planar: bool, is_ordered: bool
 ) -> _FoundSteps | None:
     """Return the best way with as few crossings as can be, else any way."""
     tried = (
